@@ -1,0 +1,89 @@
+"""Compile the kernel's one translation unit into the library that the package loads.
+
+Standard library only.  Used by the build backend beside this file, by tools/compile_kernel.py and by tests.
+"""
+
+import importlib.util
+import os
+import platform
+import runpy
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
+LIBRARY_NAME = runpy.run_path(str(KERNEL / "files.py"))["LIBRARY_NAME"]
+
+# No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
+FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-fno-math-errno", "-g0",
+         "-Werror=implicit-function-declaration", "-shared", "-fPIC")
+PROBE = "#include <math.h>\ndouble probe(double x) { return sin(x); }\n"
+ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64"), ("Darwin", "arm64"), ("Windows", "AMD64"),
+                 ("Windows", "ARM64")}
+
+
+class CompilerProblem(Exception):
+    """There is no compiler, or it failed; the message says which."""
+
+
+def compile_library(target_folder, *, compiler=None, extra_flags=()):
+    """Compile the kernel into ``target_folder`` and return the library's path.
+
+    ``compiler`` is a command as a list of words, by default the first that works.  The library is made under another name
+    and then moved: there is either a whole one or the one from before.
+    """
+    compiler = compiler or find_compiler()
+    if compiler is None:
+        raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were tried")
+    target = Path(target_folder) / LIBRARY_NAME
+    with tempfile.TemporaryDirectory() as scratch:
+        built = Path(scratch, LIBRARY_NAME)
+        run = run_compiler(compiler, KERNEL / "native" / "wrcontact_kernel.c", built, extra_flags)
+        if run.returncode:
+            raise CompilerProblem(f"{' '.join(compiler)} failed on the kernel:\n{run.stdout}")
+        part = target.with_name(f"{target.name}.{os.getpid()}.part")
+        shutil.copyfile(built, part)
+    os.replace(part, target)
+    return target
+
+
+def find_compiler():
+    """Command of a C compiler: of $CC, cc, gcc and clang the first that makes a small library, else ziglang, else None."""
+    named = shlex.split(os.environ.get("CC", ""), posix=os.name != "nt")
+    for command in (named, ["cc"], ["gcc"], ["clang"]):
+        if command and shutil.which(command[0]) and makes_library(command):
+            return command
+    if importlib.util.find_spec("ziglang"):
+        return [sys.executable, "-m", "ziglang", "cc", "-mcpu=baseline"]     # else zig takes the builder's own processor
+    return None
+
+
+def makes_library(command):
+    """Whether ``command`` compiles and links; a compiler may be there without its headers."""
+    with tempfile.TemporaryDirectory() as scratch:
+        source = Path(scratch, "probe.c")
+        source.write_text(PROBE)
+        return run_compiler(command, source, Path(scratch, LIBRARY_NAME)).returncode == 0
+
+
+def run_compiler(command, source, library, extra_flags=()):
+    """Run the compiler; zig keeps its cache beside ``library``, so that nothing is left behind."""
+    cache = str(library.parent / "cache")
+    return subprocess.run([*command, *FLAGS, *extra_flags, str(source), "-o", str(library), "-lm"], text=True, errors="replace",
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={**os.environ, "ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache})
+
+
+def requirements():
+    """What a build needs from PyPI: ziglang where no compiler works and there is a ziglang for this machine."""
+    if not wanted() or find_compiler() or (platform.system(), platform.machine()) not in ZIG_PLATFORMS:
+        return []
+    return ["ziglang"]
+
+
+def wanted():
+    """Whether a library is wanted: WRCONTACT_KERNEL=python at installation says no."""
+    return os.environ.get("WRCONTACT_KERNEL") != "python"

@@ -1,0 +1,72 @@
+"""PEP 517 backend: setuptools, and the compiled kernel in the wheel.
+
+* Where no C compiler works, ``ziglang`` (a C compiler as a wheel) is asked for as a build requirement.
+* The library goes into the wheel, whose tag is then ``py3-none-<platform>``; an editable installation gets it in place.
+* Where compiling fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the package then runs
+  its Python source, slowly, and says so.  pip shows the warning with ``-v`` only.
+
+``WRCONTACT_KERNEL=python pip install .`` compiles nothing.
+"""
+
+import atexit
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from kernel_compiler import KERNEL, LIBRARY_NAME, CompilerProblem, compile_library, requirements, wanted
+from setuptools import build_meta
+from setuptools.build_meta import *  # noqa: F401,F403  the hooks that stay as they are
+from setuptools.command.bdist_wheel import bdist_wheel
+from setuptools.command.build import build
+from setuptools.command.build_py import build_py
+
+
+def get_requires_for_build_wheel(config_settings=None):
+    return build_meta.get_requires_for_build_wheel(config_settings) + requirements()
+
+
+def get_requires_for_build_editable(config_settings=None):
+    return build_meta.get_requires_for_build_editable(config_settings) + requirements()
+
+
+class FreshBuild(build):
+    """``build`` in a folder of its own: setuptools' ``build/`` would bring back modules that were deleted since."""
+
+    def initialize_options(self):
+        super().initialize_options()
+        self.build_base = tempfile.mkdtemp(prefix="wrcontact-build-")
+        atexit.register(shutil.rmtree, self.build_base, ignore_errors=True)
+
+
+class BuildWithKernel(build_py):
+    """``build_py``, and then the library beside the kernel's modules."""
+
+    def run(self):
+        super().run()
+        target = KERNEL if self.editable_mode else Path(self.build_lib, "wrcontact", "kernel")
+        self.distribution.has_kernel_library = wanted() and compiled_into(target)
+
+
+class PlatformWheel(bdist_wheel):
+    """A wheel that runs with any Python 3 but, with a library in it, on one platform only."""
+
+    def finalize_options(self):
+        self.distribution.has_ext_modules = lambda: True        # setuptools' word for "not the same on every platform"
+        super().finalize_options()
+
+    def get_tag(self):
+        if getattr(self.distribution, "has_kernel_library", True):
+            return "py3", "none", super().get_tag()[2]
+        return "py3", "none", "any"
+
+
+def compiled_into(folder):
+    """Compile the library into ``folder``; False, after a warning, where that is not possible."""
+    try:
+        compile_library(folder)
+    except (CompilerProblem, OSError) as problem:
+        print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 150 times slower): {problem}",
+              file=sys.stderr)
+        return False
+    return True

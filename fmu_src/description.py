@@ -1,0 +1,116 @@
+"""The FMU's modelDescription.xml, from the one table of variables."""
+
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+from ..interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, STRING, UNITS, VARIABLES, select
+
+MODEL = "WheelsetContact"
+DESCRIPTION = "Wheel-rail contact of one wheelset on track: contact points, roll, and normal contact (ANALYN or Hertz) on both wheels"
+
+CAPABILITIES = {
+    "modelIdentifier": MODEL,
+    "needsExecutionTool": "false",
+    "canHandleVariableCommunicationStepSize": "true",
+    "canInterpolateInputs": "false",
+    "canBeInstantiatedOnlyOncePerProcess": "false",
+    "canNotUseMemoryManagementFunctions": "true",
+    "canGetAndSetFMUstate": "true",
+    "canSerializeFMUstate": "true",
+    "providesDirectionalDerivative": "false",
+}
+
+LOG_CATEGORIES = {
+    "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the limit",
+    "logStatusError": "Why a call failed: a parameter, a saved state or a value that was refused",
+}
+
+
+def model_description(guid, tool, version, starts):
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's."""
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=MODEL,
+        guid=guid,
+        description=DESCRIPTION,
+        version=version,
+        generationTool=tool,
+        variableNamingConvention="structured",
+    )
+    SubElement(root, "CoSimulation", CAPABILITIES)
+    _units(SubElement(root, "UnitDefinitions"))
+    categories = SubElement(root, "LogCategories")
+    for name, meaning in LOG_CATEGORIES.items():
+        SubElement(categories, "Category", name=name, description=meaning)
+    SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
+    _variables(SubElement(root, "ModelVariables"), starts)
+    _structure(SubElement(root, "ModelStructure"))
+    indent(root)
+    return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+
+
+def _units(parent):
+    """Units by their SI exponents, each with the unit to show."""
+    for unit in UNITS.values():
+        element = SubElement(parent, "Unit", name=unit.name)
+        SubElement(element, "BaseUnit", {base: str(exponent) for base, exponent in unit.base.items()})
+        if unit.display:
+            SubElement(element, "DisplayUnit", name=unit.display, factor=_number(unit.display_factor))
+
+
+def _variables(parent, starts):
+    """Every variable; its value reference is its place in the table."""
+    for reference, variable in enumerate(VARIABLES):
+        element = SubElement(
+            parent,
+            "ScalarVariable",
+            name=variable.name,
+            valueReference=str(reference),
+            description=variable.description,
+            causality=variable.causality,
+            variability=variable.variability,
+        )
+        if variable.causality != INPUT:
+            element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
+        SubElement(element, variable.type, _type_attributes(variable, starts))
+
+
+def _type_attributes(variable, starts):
+    """Start, unit and limits of one variable, as text."""
+    unit = UNITS.get(variable.unit)
+    attributes = {
+        "start": starts.get(variable.name, variable.start),
+        "quantity": unit.quantity if unit else None,
+        "unit": variable.unit,
+        "displayUnit": unit.display if unit else None,
+        "min": variable.minimum,
+        "max": variable.maximum,
+        "nominal": variable.nominal,
+    }
+    return {name: _number(value) for name, value in attributes.items() if value not in (None, "")}
+
+
+def _number(value):
+    """A number so that it is read back exactly; text as it is."""
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def _structure(parent):
+    """Which inputs each output follows, and what is computed in initialisation from which inputs and parameters."""
+    known = [reference for reference in select(PARAMETER) if VARIABLES[reference].type != STRING]
+    for section, extra in (("Outputs", []), ("InitialUnknowns", known)):
+        unknowns = SubElement(parent, section)
+        for reference in select(OUTPUT):
+            inputs = [REFERENCE[name] for name in VARIABLES[reference].depends_on]
+            _unknown(unknowns, reference, inputs + extra)
+
+
+def _unknown(parent, reference, follows):
+    """One dependency entry; FMI 2 counts variables from 1 there."""
+    SubElement(
+        parent,
+        "Unknown",
+        index=str(reference + 1),
+        dependencies=" ".join(str(known + 1) for known in sorted(follows)),
+        dependenciesKind=" ".join("dependent" for _ in follows),
+    )

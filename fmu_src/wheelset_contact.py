@@ -1,0 +1,80 @@
+import ctypes
+
+from pythonfmu import Fmi2Slave
+from pythonfmu.enums import Fmi2Status
+
+from wrcontact.interface.session import Session
+
+
+class WheelsetContact(Fmi2Slave):
+    """Wheelset on track as an FMI 2.0 co-simulation slave: hands values to a Session and takes them back.
+
+    PythonFMU runs this file once more for every instance, so it holds one class and its imports.  A step never raises
+    and always succeeds: what is wrong is told by the output ``status`` and by one line in the log.
+    """
+
+    def __init__(self, **kwargs):
+        super().__init__(**kwargs)
+        self.session = Session(resources=self.resources, tell=self._warn)
+
+    def enter_initialization_mode(self):
+        self._do(self.session.initialise)
+
+    def exit_initialization_mode(self):
+        self._do(self.session.start)
+
+    def do_step(self, current_time, step_size):
+        try:
+            self.session.step()
+        except Exception as bug:
+            self.log(f"internal error, please report it: {bug!r}", Fmi2Status.error, "logStatusError")
+        return True
+
+    def get_real(self, vrs):
+        return self._do(self.session.get_reals, vrs)
+
+    def set_real(self, vrs, values):
+        self._do(self.session.set_reals, vrs, values)
+
+    def get_integer(self, vrs):
+        return self._do(self.session.get_integers, vrs)
+
+    def set_integer(self, vrs, values):
+        self._do(self.session.set_integers, vrs, values)
+
+    def get_string(self, vrs):
+        return self._do(self.session.get_strings, vrs)
+
+    def set_string(self, vrs, values):
+        self._do(self.session.set_strings, vrs, values)
+
+    def _get_fmu_state(self):
+        return self.session.snapshot()
+
+    def _set_fmu_state(self, state):
+        self._do(self.session.restore, state)
+
+    @staticmethod
+    def _fmu_state_to_bytes(state):
+        return state
+
+    @staticmethod
+    def _fmu_state_from_bytes(state):
+        return state
+
+    def _warn(self, sentence):
+        self.log(sentence, Fmi2Status.warning, "logStatusWarning")
+
+    def _do(self, action, *arguments):
+        """Run an action; if it is refused, log the reason and fail the FMI call.
+
+        PythonFMU drops its references to the class, the instance and its log when a call fails, and once more when the
+        instance is freed; each is held once more, so that the instance outlives the refusal.
+        """
+        try:
+            return action(*arguments)
+        except Exception as refusal:
+            for held in (type(self), self, self.log_queue):
+                ctypes.pythonapi.Py_IncRef(ctypes.py_object(held))
+            self.log(str(refusal), Fmi2Status.error, "logStatusError")
+            raise

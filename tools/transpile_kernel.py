@@ -1,0 +1,282 @@
+"""Translate the kernel's Python modules to C: wrcontact/kernel/*.py -> wrcontact/kernel/generated/.
+
+    python tools/transpile_kernel.py            write the C files
+    python tools/transpile_kernel.py --check    only tell whether they are what would be written (exit 1 if not)
+
+A developer's tool: it needs Pyccel (``pip install ".[dev]"``, which needs gcc and gfortran).  The C files are committed, so
+that installing needs a C compiler only.  The output depends on the modules and on Pyccel's version, on nothing else.
+
+What Pyccel writes is tidied like this:
+
+* ``Final`` constants become ``static const`` definitions in the header, with the value that Python gives them.  The
+  compiler can fold them, and nothing has to be initialised at run time (where threads could race): ``<module>__init``
+  is gone, and the wrappers for CPython with it.
+* Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
+* Functions are ``static``, in the order of the Python source, each under its docstring; ``unit.c`` includes them all, so
+  the kernel is one translation unit.  Unused locals named ``result`` are dropped.
+* ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/files.py).
+
+Python that Pyccel translates to something else without a word is refused, with the line: ``else`` after a loop; a loop that
+changes its own bound or variable, or whose variable is read after it; ``**``, ``hypot`` and ``pow``, which CPython computes
+otherwise than C; a slice as an argument; a module variable that is not ``Final``; a call of anything that spans.h and a few
+functions of math.h do not define.
+"""
+
+import argparse
+import ast
+import importlib
+import importlib.metadata
+import os
+import re
+import runpy
+import shutil
+import subprocess
+import sys
+import tempfile
+import types
+from pathlib import Path
+
+KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
+PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version may write other C
+FILES = runpy.run_path(str(KERNEL / "files.py"))
+
+EDGE = "/*........................................*/"        # Pyccel's line above and below each function
+C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
+MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan log log10 log1p "
+                 "sin sinh sqrt tan tanh".split())
+SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max py_floor_div_int64_t "
+                 "pyc_modulo".split())
+
+
+class Refused(Exception):
+    """The kernel cannot be translated; the message says where and why."""
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if the C files are not up to date")
+    parser.add_argument("--kernel", type=Path, default=KERNEL, help="folder of the kernel's modules")
+    options = parser.parse_args(arguments)
+    try:
+        files = translate(options.kernel)
+    except Refused as refusal:
+        sys.exit(f"The kernel was not translated: {refusal}")
+    generated = options.kernel / "generated"
+    stale = stale_files(files, generated)
+    if not options.check:
+        write(files, generated)
+        print(f"{len(files)} files in {generated}, {len(stale)} of them changed")
+    elif stale:
+        sys.exit(f"The generated C is not what the kernel's Python gives; run tools/transpile_kernel.py. Stale: {', '.join(stale)}")
+    else:
+        print(f"The {len(files)} generated files are up to date.")
+
+
+def translate(kernel):
+    """Text of every generated file by name, from the modules in the folder ``kernel``."""
+    modules = [Module(path) for path in FILES["kernel_modules"](kernel)]
+    for module in modules:
+        module.refuse_silent_traps()
+    raw = run_pyccel(modules)
+    constants = constant_values(kernel, modules)
+    functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
+    files = {}
+    for module in modules:
+        header, code = raw[module.name]
+        files[module.name + ".h"] = tidy_header(module, header, constants[module.name])
+        if module.functions:
+            files[module.name + ".c"] = tidy_code(module, code)
+            refuse_unknown_calls(module, files[module.name + ".c"], functions)
+    files["unit.c"] = unit(modules, FILES["fingerprint"](kernel))
+    return files
+
+
+class Module:
+    """One Python module of the kernel, parsed."""
+
+    def __init__(self, path):
+        self.path = path
+        self.name = path.stem
+        self.tree = ast.parse(path.read_text(encoding="utf-8"), str(path))
+        self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
+        self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
+
+    def refuse(self, node, why):
+        raise Refused(f"{self.path.name}, line {node.lineno}: {why}")
+
+    def refuse_silent_traps(self):
+        """Refuse Python whose translation compiles and means something else."""
+        for node in self.tree.body:
+            is_final = isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation).startswith("Final[") and node.value
+            is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+            if not (is_final or is_docstring or isinstance(node, (ast.FunctionDef, ast.ImportFrom))):
+                self.refuse(node, "a module may hold its docstring, 'from' imports, Final constants and functions only")
+        for node in ast.walk(self.tree):
+            if isinstance(node, (ast.For, ast.While)) and node.orelse:
+                self.refuse(node, "Pyccel drops the else of a loop")
+            if isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.Pow):
+                self.refuse(node, "** differs from C's pow in the last bit; write x*x or sqrt(x)")
+            if isinstance(node, ast.Name) and node.id in ("hypot", "pow"):
+                self.refuse(node, f"{node.id} differs from C's {node.id} in the last bit; write it with * and sqrt")
+        for function in self.functions.values():
+            for loop in (node for node in ast.walk(function) if isinstance(node, ast.For)):
+                self.refuse_unlike_range(function, loop)
+
+    def refuse_unlike_range(self, function, loop):
+        """Refuse a ``for`` over a range that C's ``for`` runs, or leaves, differently."""
+        changed, variables = stored(loop.body), stored([loop.target])
+        if changed & variables:
+            self.refuse(loop, "the loop changes its own variable, which in C changes the number of turns")
+        if changed & {name.id for name in ast.walk(loop.iter) if isinstance(name, ast.Name)}:
+            self.refuse(loop, "the loop changes the bound of its range, which C reads anew in each turn")
+        if any(isinstance(node, ast.Subscript) for node in ast.walk(loop.iter)):
+            self.refuse(loop, "C reads the bound of a range anew in each turn; give an array's element a name first")
+        later = [name for name in ast.walk(function) if isinstance(name, ast.Name) and name.id in variables
+                 and name.lineno > loop.end_lineno]
+        first = min(later, key=lambda name: (name.lineno, isinstance(name.ctx, ast.Store)), default=None)
+        if first is not None and isinstance(first.ctx, ast.Load):
+            self.refuse(first, f"after its loop, {first.id} is one turn further in C than in Python")
+
+
+def stored(nodes):
+    """Names that the statements ``nodes`` assign to."""
+    names = (name for node in nodes for name in ast.walk(node) if isinstance(name, ast.Name))
+    return {name.id for name in names if isinstance(name.ctx, ast.Store)}
+
+
+def run_pyccel(modules):
+    """Pyccel's header and code, by module name."""
+    found = installed_pyccel()
+    if found != PYCCEL_VERSION:
+        raise Refused(f"it needs Pyccel {PYCCEL_VERSION}, and here is {found}; pip install \".[dev]\"")
+    with tempfile.TemporaryDirectory() as folder:
+        for module in modules:
+            shutil.copy(module.path, folder)
+        command = [sys.executable, "-c", "from pyccel.commands.console import pyccel_command; pyccel_command()", "make",
+                   "--language", "C", "--convert-only", "--output", "out", "--files", *(module.path.name for module in modules)]
+        run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             env={**os.environ, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})
+        if run.returncode:
+            raise Refused(f"Pyccel says\n{run.stdout}")
+        out = Path(folder, "out", "__pyccel__")
+        return {module.name: tuple((out / (module.name + end)).read_text(encoding="utf-8") for end in (".h", ".c"))
+                for module in modules}
+
+
+def installed_pyccel():
+    """Version of Pyccel in this Python, or 'none'."""
+    try:
+        return importlib.metadata.version("pyccel")
+    except importlib.metadata.PackageNotFoundError:
+        return "none"
+
+
+def constant_values(kernel, modules):
+    """Value of every constant, as Python computes it: {module: {constant: value}}."""
+    package = types.ModuleType("kernel_being_translated")       # the modules import each other relatively
+    package.__path__ = [str(kernel)]
+    sys.modules[package.__name__] = package
+    sys.dont_write_bytecode = True
+    loaded = {module.name: importlib.import_module(f"{package.__name__}.{module.name}") for module in modules}
+    return {module.name: {name: getattr(loaded[module.name], name) for name in module.constants} for module in modules}
+
+
+def tidy_header(module, text, constants):
+    """A header with spans.h, the headers of other modules, constants and prototypes."""
+    guard = f"WRCONTACT_KERNEL_{module.name.upper()}_H"
+    headers = re.findall(r'^#include "(\w+\.h)"$', text, re.MULTILINE)
+    includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers if name != "pyc_math_c.h"]
+    definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
+    prototypes = [f"static {line};" for line in re.findall(rf"^(\w.* \*?{module.name}__\w+\(.*\));$", text, re.MULTILINE)]
+    prototypes.remove(f"static void {module.name}__init(void);")
+    parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes, ["#endif"]]
+    return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+
+
+def definition(name, value):
+    """C definition of one constant."""
+    if isinstance(value, bool):
+        return f"static const bool {name} = {int(value)};"
+    if isinstance(value, int):
+        return f"static const int64_t {name} = INT64_C({value});"
+    if isinstance(value, float) and value - value == 0.0:
+        return f"static const double {name} = {value!r};"
+    raise Refused(f"the constant {name} = {value!r} is not a bool, an int or a finite float")
+
+
+def tidy_code(module, text):
+    """The module's functions in the order of the Python source, each under its docstring."""
+    chunks = {}
+    for chunk in text.split(EDGE):
+        signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk, re.MULTILINE | re.DOTALL)
+        if signature and signature[2] != "init":
+            chunks[signature[2]] = f"static {signature[1]}\n{{\n{tidy_body(signature[3])}}}"
+    if set(chunks) != set(module.functions):
+        raise Refused(f"{module.path.name}: Pyccel renamed or dropped {sorted(set(chunks) ^ set(module.functions))}")
+    documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]
+    return "\n\n".join([banner(module), f'#include "{module.name}.h"', *documented]) + "\n"
+
+
+def tidy_body(body):
+    """The statements of one function, without the unused ``result`` that Pyccel declares."""
+    if len(re.findall(r"\bresult\b", body)) == 1:
+        body = re.sub(r"^ *\w+ result;\n", "", body, flags=re.MULTILINE)
+    return re.sub(r"^( *)/\*(.*?)\*/$", r"\1/* \2 */", body, flags=re.MULTILINE)
+
+
+def comment(text):
+    """A docstring as a C comment, with a line end; '' where there is none."""
+    if not text:
+        return ""
+    if "*/" in text or "/*" in text:
+        raise Refused(f"a docstring holds the mark of a C comment: {text!r}")
+    lines = text.splitlines()
+    if len(lines) == 1:
+        return f"/* {text} */\n"
+    return "\n".join([f"/* {lines[0]}", *(f" * {line}".rstrip() for line in lines[1:]), " */\n"])
+
+
+def banner(module):
+    """First lines of a generated file."""
+    origin = f"Generated from {module.path.name} by tools/transpile_kernel.py; change that one."
+    return comment(f"{origin}\n\n{ast.get_docstring(module.tree) or ''}".rstrip()).rstrip()
+
+
+def refuse_unknown_calls(module, text, functions):
+    """Refuse calls that neither the kernel nor spans.h and math.h define, and arrays on the stack."""
+    code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    if re.search(r"\w+\[", code.replace("shape[", "")):
+        raise Refused(f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] needs a "
+                      "name first")
+    unknown = set(re.findall(r"\b([A-Za-z_]\w*)\(", code)) - functions - MATH_CALLS - SPAN_CALLS - C_WORDS
+    if unknown:
+        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h and math.h do not have")
+
+
+def unit(modules, fingerprint):
+    """The file that includes all others."""
+    lines = ["/* The whole kernel. Generated by tools/transpile_kernel.py. */",
+             f"#define WRCONTACT_KERNEL_FINGERPRINT INT64_C(0x{fingerprint:015x})", ""]
+    lines += [f'#include "{module.name}.{"c" if module.functions else "h"}"' for module in modules]
+    return "\n".join(lines) + "\n"
+
+
+def stale_files(files, generated):
+    """Names that are missing, superfluous or different in the folder ``generated``."""
+    present = {path.name: path.read_bytes() for path in generated.glob("*.[ch]")}
+    wanted = {name: text.encode() for name, text in files.items()}
+    return sorted(name for name in present.keys() | wanted.keys() if present.get(name) != wanted.get(name))
+
+
+def write(files, generated):
+    """Make the folder ``generated`` hold exactly ``files``."""
+    generated.mkdir(exist_ok=True)
+    for path in generated.glob("*.[ch]"):
+        if path.name not in files:
+            path.unlink()
+    for name, text in files.items():
+        (generated / name).write_bytes(text.encode())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+"""Pack an FMU with PythonFMU's runtime: one archive from the sources, the same bytes for the same sources.
+
+Two FMUs in one process share Python's modules, and a module that is already there wins over the one in an FMU.  So the
+package goes in under a name that holds a hash of everything packed: an FMU runs its own code, never a neighbour's and
+never the one that the host has installed.
+"""
+
+import argparse
+import hashlib
+import os
+import sys
+import tempfile
+import zipfile
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+import pythonfmu
+
+from . import SOURCES
+from .description import MODEL, model_description
+from .documentation import documentation_page
+from .online import PACKAGE, online_files
+
+SLAVE = "wheelset_contact"
+#: Every entry of the archive carries this time, so that the hour of the build does not show.
+TIMESTAMP = (1980, 1, 1, 0, 0, 0)
+
+
+def build_fmu(output="dist", wheel=None, rail=None):
+    """Pack ``WheelsetContact.fmu`` into the folder ``output`` and return its path.
+
+    Parameters
+    ----------
+    output : folder of the FMU; made if it is not there.
+    wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
+
+    Raises
+    ------
+    ValueError
+        when a profile cannot be used; the sentence says why.
+    """
+    starts, profiles = chosen_profiles(wheel_profile=wheel, rail_profile=rail)
+    contents = {**runtime(), **documentation(starts), **profiles, **package()}
+    target = Path(output, f"{MODEL}.fmu")
+    target.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(target, archive(sealed(contents, starts)))
+    return target
+
+
+def chosen_profiles(**chosen):
+    """Start values of the profile parameters, and the entries of the profile files among them."""
+    from ..system import ContactSystem
+
+    chosen = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
+    ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in chosen.items()})  # refuses a bad one
+    files = {parameter: Path(name) for parameter, name in chosen.items() if Path(name).is_file()}
+    entries = {f"resources/{file.name}": file.read_bytes() for file in files.values()}
+    if len(entries) < len({file.resolve() for file in files.values()}):
+        raise ValueError(f"wheel and rail profile are different files of one name, {files['wheel_profile'].name}; rename one")
+    return {parameter: files[parameter].name if parameter in files else name for parameter, name in chosen.items()}, entries
+
+
+def runtime():
+    """PythonFMU: its Python side, and the libraries that an importer loads."""
+    home = Path(pythonfmu.__file__).parent
+    entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in home.glob("*.py")}
+    for library in (home / "resources" / "binaries").glob("*/*"):
+        entries[f"binaries/{library.parent.name}/{MODEL}{library.suffix}"] = library.read_bytes()
+    return entries
+
+
+def package():
+    """What wrcontact needs online; its ``__init__`` imports nothing, the slave asks for what it needs."""
+    entries = {f"resources/wrcontact/{name}": content for name, content in online_files().items()}
+    entries["resources/wrcontact/__init__.py"] = b'"""wrcontact as packed in an FMU."""\n'
+    return entries
+
+
+def documentation(starts):
+    """The page about the model, and the licences."""
+    entries = {"documentation/index.html": documentation_page(version(), starts).encode()}
+    for name in ("wrcontact", "pythonfmu"):
+        text = licence(name)
+        if text:
+            entries[f"documentation/licenses/{name}.txt"] = text
+    return entries
+
+
+def version():
+    """wrcontact's version."""
+    from .. import __version__
+
+    return __version__
+
+
+def licence(name):
+    """Licence text of an installed distribution, or of the checkout; None where there is none."""
+    try:
+        files = [Path(str(file.locate())) for file in distribution(name).files or () if file.name.startswith("LICENSE")]
+    except PackageNotFoundError:
+        files = []
+    if name == "wrcontact":
+        files.append(PACKAGE.parent / "LICENSE")
+    return next((file.read_bytes() for file in files if file.is_file()), None)
+
+
+def sealed(contents, starts):
+    """The entries under names that no other contents have, with the slave and the model description."""
+    slave = (SOURCES / f"{SLAVE}.py").read_text(encoding="utf-8")
+    tool = f"wrcontact {version()} with PythonFMU {pythonfmu.__version__}"
+    seal = fingerprint({**contents, "slave": slave.encode(), "description": model_description("", tool, version(), starts)})
+    unique, module = f"wrcontact_{seal[:12]}", f"{SLAVE}_{seal[:12]}"
+    entries = {name.replace("resources/wrcontact/", f"resources/{unique}/"): content for name, content in contents.items()}
+    entries[f"resources/{module}.py"] = slave.replace("from wrcontact.", f"from {unique}.").encode()
+    entries["resources/slavemodule.txt"] = module.encode()
+    entries["modelDescription.xml"] = model_description(f"{{{seal[:32]}}}", tool, version(), starts)
+    return entries
+
+
+def fingerprint(entries):
+    """SHA-256 over all names and contents, as hexadecimal digits."""
+    digest = hashlib.sha256()
+    for name, content in sorted(entries.items()):
+        digest.update(f"{name}\0{len(content)}\0".encode() + content)
+    return digest.hexdigest()
+
+
+def archive(entries):
+    """Write the entries, sorted, to a temporary function of a stream: the same bytes for the same entries."""
+
+    def write(stream):
+        with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as file:
+            for name, content in sorted(entries.items()):
+                entry = zipfile.ZipInfo(name, TIMESTAMP)
+                entry.compress_type, entry.create_system, entry.external_attr = zipfile.ZIP_DEFLATED, 3, 0o100644 << 16
+                file.writestr(entry, content)
+
+    return write

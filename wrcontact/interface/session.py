@@ -1,0 +1,254 @@
+"""The life cycle of one simulated wheelset, free of FMI.
+
+Set values, initialise, step, read; values go by value reference, their place in the one table of variables::
+
+    session = Session()
+    session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
+    session.start()
+    session.set_reals([REFERENCE["lateral_shift"]], [5e-3])
+    session.step()
+    session.get_reals([REFERENCE["right.area"]])
+"""
+
+import hashlib
+import json
+from pathlib import Path
+
+import numpy as np
+
+from .. import status as outcomes
+from ..kernel import layout
+from ..system import ContactSystem
+from .variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, STATUS, STRING, VARIABLES
+
+INPUTS = layout.INPUT_COUNT
+PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
+START = np.array([v.start if v.type == REAL and v.start is not None else 0.0 for v in VARIABLES])
+INVALID_INPUT = 4
+
+#: Opens every saved state; the number rises when the format changes.
+STATE_FORMAT = b"wrcontact state 1\n"
+STATE_BODY = len(STATE_FORMAT) + hashlib.sha256().digest_size
+#: A saved state belongs to one build: inside an FMU the package's name holds a hash of its contents.
+BUILD = __name__.split(".")[0]
+
+
+class Refused(ValueError):
+    """A value that cannot be accepted; the sentence says which one and what is permitted."""
+
+
+class Session:
+    """One wheelset from its parameters to its outputs.
+
+    Outputs are computed when they are first asked for after an input has changed, and then kept: a step with unchanged
+    inputs costs nothing.  Stepping never raises; ``status`` and one line to ``tell`` say what is wrong.
+
+    Parameters
+    ----------
+    resources : folder in which profile files are looked for by their name; None for none.
+    tell : called with one sentence for every step whose status is not 0.
+    """
+
+    def __init__(self, resources=None, tell=print):
+        self.resources = resources
+        self.tell = tell
+        self.evaluations = 0
+        self.reset()
+
+    def reset(self):
+        """Back to the start values, before initialisation."""
+        self.parameters = {name: variable.start for name, variable in PARAMETERS.items()}
+        self.locked = False  # parameters are fixed
+        self._built_with = None  # the parameters that the stepper was built with
+        self._stepper = None
+        self._values = START.copy()  # by value reference; strings live in ``parameters``
+        self._stale = True  # an input has changed since the last evaluation
+        self._told = False  # this step's status has been told
+        self._asked = self._places = None  # the last request for Reals, and where it was found
+
+    # --- parameters ------------------------------------------------------------------------------
+
+    def set_strings(self, references, values):
+        """Set the names of profiles and methods."""
+        for reference, value in zip(references, values, strict=True):
+            self._set_parameter(_variable(reference, STRING), value)
+
+    def get_strings(self, references):
+        """The names of profiles and methods."""
+        return [self.parameters[_variable(reference, STRING).name] for reference in references]
+
+    def _set_parameter(self, variable, value):
+        """Note a parameter; once the simulation runs, only the value that it has is accepted."""
+        if variable.causality != PARAMETER:
+            raise Refused(f"{variable.name} is an {variable.causality} and cannot be set")
+        present = self.parameters[variable.name]
+        if value == present:
+            return
+        if self.locked:
+            raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot become {value!r}")
+        self.parameters[variable.name] = value
+        self._stale = True
+
+    def initialise(self):
+        """Build the contact system for the present parameters; a wrong one raises :class:`Refused`."""
+        if self._built_with != self.parameters:
+            self._stepper = self._build(self.parameters)
+            self._built_with = dict(self.parameters)
+            self._stale = True
+
+    def start(self):
+        """Initialise, compute the outputs of the first instant, and fix the parameters."""
+        self.initialise()
+        self.locked = True
+        self._refresh()
+        self._told = False
+
+    def _build(self, parameters):
+        """The kernel, prepared for these parameters."""
+        arguments = {PARAMETERS[name].keyword: value for name, value in parameters.items()}
+        for profile in ("wheel", "rail"):
+            arguments[profile] = self._profile(arguments[profile])
+        try:
+            return ContactSystem(**arguments).stepper()
+        except ValueError as wrong:
+            raise Refused(str(wrong)) from None
+
+    def _profile(self, name):
+        """``name``, or the path of the file of that name in the resources."""
+        if self.resources and name and Path(self.resources, name).is_file():
+            return str(Path(self.resources, name))
+        return name
+
+    # --- inputs, outputs, steps ------------------------------------------------------------------
+
+    def set_reals(self, references, values):
+        """Set inputs; before the simulation runs also parameters."""
+        present = self._values
+        for reference, value in zip(references, values, strict=True):
+            if not 0 <= reference < INPUTS:
+                self._set_parameter(_variable(reference, REAL), value)
+            if present[reference] != value:
+                present[reference] = value
+                self._stale = True
+
+    def get_reals(self, references):
+        """Real values, up to date with the inputs."""
+        self._refresh()
+        if references != self._asked:
+            self._places = np.array([_place(reference, REAL) for reference in references], dtype=np.intp)
+            self._asked = list(references)
+        return self._values.take(self._places).tolist()
+
+    def set_integers(self, references, values):
+        """Refuse: no Integer can be set."""
+        for reference, value in zip(references, values, strict=True):
+            self._set_parameter(_variable(reference, INTEGER), value)
+
+    def get_integers(self, references):
+        """Integer values, up to date with the inputs."""
+        self._refresh()
+        return [int(self._values[_place(reference, INTEGER)]) for reference in references]
+
+    def step(self):
+        """Bring the outputs up to date; a status other than 0 is told once per step."""
+        self._refresh()
+        if self._stepper is None:
+            self._values[STATUS] = INVALID_INPUT
+            self.tell("the wheelset cannot step: it has not been initialised")
+        elif self.status and not self._told:
+            self._tell()
+        self._told = False
+
+    @property
+    def status(self):
+        """Outcome of the last evaluation, 0 to 4."""
+        return int(self._values[STATUS])
+
+    def _refresh(self):
+        """Evaluate if an input has changed since the last time; before initialisation there is nothing to evaluate."""
+        if self._stale and self._stepper is not None:
+            self.initialise()
+            self._evaluate()
+
+    def _evaluate(self):
+        """One step of the kernel, and its outcome."""
+        stepper, values = self._stepper, self._values
+        stepper.inputs[:] = values[:INPUTS]
+        outcome = stepper.step()
+        values[FIRST_OUTPUT:STATUS] = stepper.outputs
+        values[STATUS] = outcome
+        self._stale = False
+        self.evaluations += 1
+        if outcome:
+            self._tell()
+
+    def _tell(self):
+        self.tell(outcomes.explain(self.status, self._values[:INPUTS]))
+        self._told = True
+
+    # --- saved states ----------------------------------------------------------------------------
+
+    def snapshot(self):
+        """Everything that decides how the simulation goes on, as bytes."""
+        stepper = self._stepper
+        header = {
+            "build": BUILD,
+            "parameters": self.parameters,
+            "built": stepper is not None,
+            "locked": self.locked,
+            "stale": self._stale,
+            "told": self._told,
+        }
+        arrays = (self._values,) if stepper is None else (self._values, stepper.inputs, stepper.outputs, stepper.state)
+        body = json.dumps(header).encode() + b"\n" + np.concatenate(arrays).astype("<f8").tobytes()
+        return STATE_FORMAT + hashlib.sha256(body).digest() + body
+
+    def restore(self, saved):
+        """Go on from a snapshot; bytes that are not one raise :class:`Refused` and change nothing."""
+        header, numbers = _read_snapshot(saved)
+        stepper = self._stepper_for(header)
+        arrays = [self._values] if stepper is None else [self._values, stepper.inputs, stepper.outputs, stepper.state]
+        if numbers.size != sum(array.size for array in arrays):
+            raise Refused(f"the saved state holds {numbers.size} numbers, expected are {sum(array.size for array in arrays)}")
+        for array in arrays:
+            array[:], numbers = numbers[: array.size], numbers[array.size :]
+        self.parameters, self._stepper = header["parameters"], stepper
+        self._built_with = dict(self.parameters) if stepper is not None else None
+        self.locked, self._stale, self._told = header["locked"], header["stale"], header["told"]
+
+    def _stepper_for(self, header):
+        """The stepper that a snapshot needs: the present one if the parameters agree."""
+        if not header["built"]:
+            return None
+        if header["parameters"] == self._built_with:
+            return self._stepper
+        return self._build(header["parameters"])
+
+
+def _variable(reference, type):
+    """The variable with this value reference, which must be of this type."""
+    if not 0 <= reference < len(VARIABLES):
+        raise Refused(f"value reference {reference} does not exist; they run from 0 to {len(VARIABLES) - 1}")
+    variable = VARIABLES[reference]
+    if variable.type != type:
+        raise Refused(f"{variable.name} is of type {variable.type}, not {type}")
+    return variable
+
+
+def _place(reference, type):
+    """``reference`` itself, once it is known to be a variable of this type."""
+    _variable(reference, type)
+    return reference
+
+
+def _read_snapshot(saved):
+    """Header and numbers of a snapshot, or :class:`Refused` with the reason."""
+    if not saved.startswith(STATE_FORMAT):
+        raise Refused("the saved state is not one of this version; the present state is kept")
+    if hashlib.sha256(saved[STATE_BODY:]).digest() != saved[len(STATE_FORMAT) : STATE_BODY]:
+        raise Refused("the saved state is damaged (its checksum differs); the present state is kept")
+    line, _, numbers = saved[STATE_BODY:].partition(b"\n")
+    header = json.loads(line)
+    if header["build"] != BUILD:
+        raise Refused(f"the saved state comes from {header['build']}, this is {BUILD}; the present state is kept")
+    return header, np.frombuffer(numbers, dtype="<f8")

@@ -1,0 +1,32 @@
+"""The files of the kernel: which are its source, what its compiled library is called, and which version they are.
+
+Standard library only and no imports from the package, so that build tools can run this file by its path.
+"""
+
+import hashlib
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+NOT_KERNEL = frozenset({"__init__.py", "files.py", "library.py"})      # they load the kernel and are not part of it
+HANDLE_VERSION = 1      # raise when the functions or the handle in native/wrcontact_kernel.h change
+LIBRARY_NAME = "_wrcontact_kernel" + {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
+
+
+def kernel_modules(folder=HERE):
+    """Paths of the kernel's Python modules in ``folder``, sorted by name."""
+    return sorted(path for path in Path(folder).glob("*.py") if path.name not in NOT_KERNEL)
+
+
+def fingerprint(folder=HERE):
+    """One positive 60-bit integer that tells one kernel source from another.
+
+    It is written into the generated C and answered by ``wrcontact_abi()``, so a library compiled from other sources than
+    the ones beside it is recognised.  Line ends do not count: a checkout may change them.
+    """
+    digest = hashlib.sha256(b"handle %d" % HANDLE_VERSION)
+    for path in kernel_modules(folder):
+        text = path.read_bytes().replace(b"\r\n", b"\n")
+        digest.update(b"\0%s\0%d\0" % (path.name.encode(), len(text)))
+        digest.update(text)
+    return int(digest.hexdigest()[:15], 16)

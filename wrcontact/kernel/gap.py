@@ -1,0 +1,48 @@
+"""The vertical gap between a placed right wheel and its rail, along the contact locus.
+
+gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the rail.  The
+wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift is that gap.
+"""
+
+from .layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, around_wheel, outline_point,
+                    outline_rates)
+from .profile_table import START, STOP, height_slope, height_slope_bend
+
+
+def above_rail(tables: 'float[:]', abscissa: float):
+    """1 if the rail profile has a height at ``abscissa`` [m], else 0."""
+    rail = int(tables[SET_RAIL])
+    inside = 0
+    if abscissa >= tables[rail + START] and abscissa <= tables[rail + STOP]:
+        inside = 1
+    return inside
+
+
+def vertical_gap(tables: 'float[:]', place: 'float[:]', at: int, y: float):
+    """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m]."""
+    z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
+    y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
+    stretch, outline_rate = outline_rates(place, at, z, slope, bend)
+    z_rail, rail_slope, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), y_track - tables[SET_RAIL_Y])
+    return z_rail - z_track, rail_slope - outline_slope, rail_bend * stretch - outline_rate
+
+
+def gap_per_roll(tables: 'float[:]', place: 'float[:]', at: int, y: float):
+    """Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
+
+    At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel point,
+    z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
+    dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
+    """
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
+    z_rail, rail_slope = height_slope(tables, int(tables[SET_RAIL]), y_track - tables[SET_RAIL_Y])
+    sin_phi, cos_phi = around_wheel(place, at, slope)
+    arm = place[at + PLACE_ARM] + y
+    height = (place[at + PLACE_RADIUS] + z) * cos_phi
+    sin_roll = place[at + PLACE_SIN_ROLL]
+    cos_roll = place[at + PLACE_COS_ROLL]
+    lateral = -place[at + PLACE_COS_YAW] * (arm * sin_roll + height * cos_roll)
+    vertical = arm * cos_roll - height * sin_roll
+    return rail_slope * lateral - vertical

@@ -1,0 +1,128 @@
+"""Named offsets into the kernel's arrays; the only place where they are numbers.
+
+``inputs``  what moves: the pose and the load of one wheelset.
+``outputs`` what comes back: wheelset block, then left block, then right block, in the order of the FMU's variables.
+"""
+
+from typing import Final
+
+# inputs ------------------------------------------------------------------------------------------
+IN_LATERAL_SHIFT: Final[int] = 0
+IN_YAW: Final[int] = 1
+IN_ROLL_GUESS: Final[int] = 2
+IN_NORMAL_FORCE: Final[int] = 3
+IN_LOAD_TRANSFER: Final[int] = 4
+INPUT_COUNT: Final[int] = 5
+
+# outputs: wheelset -------------------------------------------------------------------------------
+OUT_ROLL: Final[int] = 0
+OUT_VERTICAL_SHIFT: Final[int] = 1
+OUT_LEFT: Final[int] = 2
+OUT_RIGHT: Final[int] = 136
+OUTPUT_COUNT: Final[int] = 270
+
+# outputs: one side, relative to OUT_LEFT or OUT_RIGHT --------------------------------------------
+SIDE_PATCH_COUNT: Final[int] = 0
+SIDE_X_WHEEL: Final[int] = 1
+SIDE_Y_WHEEL: Final[int] = 2
+SIDE_Z_WHEEL: Final[int] = 3
+SIDE_Y_RAIL: Final[int] = 4
+SIDE_Z_RAIL: Final[int] = 5
+SIDE_X_TRACK: Final[int] = 6
+SIDE_Y_TRACK: Final[int] = 7
+SIDE_Z_TRACK: Final[int] = 8
+SIDE_CONTACT_ANGLE: Final[int] = 9
+SIDE_ROLLING_RADIUS: Final[int] = 10
+SIDE_CURVATURE_X: Final[int] = 11
+SIDE_CURVATURE_Y: Final[int] = 12
+SIDE_PENETRATION: Final[int] = 13
+SIDE_NORMAL_FORCE: Final[int] = 14
+SIDE_AREA: Final[int] = 15
+SIDE_MAX_PRESSURE: Final[int] = 16
+SIDE_PATCH_LENGTH: Final[int] = 17
+SIDE_PATCH_WIDTH: Final[int] = 18
+SIDE_PATCH_CENTROID: Final[int] = 19
+SIDE_PATCH: Final[int] = 20          # PATCH_LIMIT blocks of PATCH_SIZE
+SIDE_STATION: Final[int] = 41        # STATION_COUNT values each
+SIDE_HALF_LENGTH: Final[int] = 72
+SIDE_PRESSURE: Final[int] = 103
+SIDE_SIZE: Final[int] = 134
+
+# outputs: one patch ------------------------------------------------------------------------------
+PATCH_NORMAL_FORCE: Final[int] = 0
+PATCH_AREA: Final[int] = 1
+PATCH_MAX_PRESSURE: Final[int] = 2
+PATCH_LENGTH: Final[int] = 3
+PATCH_WIDTH: Final[int] = 4
+PATCH_CENTROID: Final[int] = 5
+PATCH_CONTACT_ANGLE: Final[int] = 6
+PATCH_SIZE: Final[int] = 7
+PATCH_LIMIT: Final[int] = 3
+STATION_COUNT: Final[int] = 31
+
+# tables: settings at the head, then the profile, scan and Hertz tables they point to ----------------
+SET_RADIUS: Final[int] = 0           # nominal radius [m]
+SET_ARM: Final[int] = 1              # half the distance of the running circles [m]
+SET_RAIL_Y: Final[int] = 2           # track coordinate of the right rail's highest point [m]
+SET_CONTACT_MODULUS: Final[int] = 3  # E* [Pa]
+SET_LATERAL_LIMIT: Final[int] = 4    # largest |lateral shift| [m]
+SET_YAW_LIMIT: Final[int] = 5        # largest |yaw| [rad]
+SET_WHEEL: Final[int] = 6            # offsets of the tables
+SET_RAIL: Final[int] = 7
+SET_SCAN: Final[int] = 8
+SET_HERTZ: Final[int] = 9
+SET_NORMAL_MODEL: Final[int] = 10    # one of MODEL_...
+SET_LONGITUDINAL: Final[int] = 11    # one of LONGITUDINAL_...
+SET_PENETRATION_LEFT: Final[int] = 12   # prescribed penetration [m]; not a number: the force is prescribed
+SET_PENETRATION_RIGHT: Final[int] = 13
+SETTING_COUNT: Final[int] = 16
+
+MODEL_HERTZ: Final[int] = 0
+MODEL_ANALYN: Final[int] = 1
+LONGITUDINAL_EFFECTIVE: Final[int] = 0
+LONGITUDINAL_BASIC: Final[int] = 1
+
+# state: what one step leaves for the next; never changes an answer ----------------------------------
+STATE_ROLL: Final[int] = 0           # last valid roll [rad]
+STATE_WARM: Final[int] = 1           # 1 when STATE_ROLL holds one
+STATE_GAP_COUNT: Final[int] = 2      # evaluations of the vertical gap since the state was cleared
+STATE_SCAN_COUNT: Final[int] = 3     # scans of one side
+STATE_ROLL_COUNT: Final[int] = 4     # iterations of the roll search
+STATE_NODE_COUNT: Final[int] = 5     # evaluations of the normal gap
+STATE_SOLVE_COUNT: Final[int] = 6    # iterations of the force solve
+STATE_SIZE: Final[int] = 8
+
+# outcome of a step ---------------------------------------------------------------------------------
+VALID: Final[int] = 0
+UNLOADED: Final[int] = 1
+OFF_PROFILE: Final[int] = 2
+NOT_CONVERGED: Final[int] = 3
+INVALID_INPUT: Final[int] = 4
+
+# workspace -----------------------------------------------------------------------------------------
+SCAN_LIMIT: Final[int] = 400         # scan nodes over one wheel
+MINIMUM_LIMIT: Final[int] = 12       # local minima followed on one side
+WORK_OUTPUTS: Final[int] = 0         # outputs under construction
+WORK_PLACE: Final[int] = 270         # the two placed wheels
+WORK_SIDE: Final[int] = 302          # two blocks of WORK_SIDE_SIZE
+WORK_SIDE_SIZE: Final[int] = 1664
+SIDE_GAP: Final[int] = 0             # vertical gap at the scan nodes
+SIDE_MISMATCH: Final[int] = 400      # slope difference at the scan nodes
+SIDE_ABSCISSA: Final[int] = 800      # rail abscissa of the scan nodes
+SIDE_MINIMUM_Y: Final[int] = 1200    # wheel abscissa of the local minima
+SIDE_MINIMUM_GAP: Final[int] = 1212
+SIDE_MINIMUM_COUNT: Final[int] = 1224
+SIDE_FIRST: Final[int] = 1225        # first and last scan node above the rail
+SIDE_LAST: Final[int] = 1226
+SIDE_BEST: Final[int] = 1227         # smallest gap found
+SIDE_BEST_Y: Final[int] = 1228       # and its wheel abscissa
+SIDE_STACK: Final[int] = 1232        # cells still to be searched
+SIDE_STACK_SIZE: Final[int] = 432
+WORK_CONTACT: Final[int] = 3630      # contact frame of the side at work
+WORK_REGION: Final[int] = 3662       # three region blocks
+REGION_LIMIT: Final[int] = 3
+WORK_NODES: Final[int] = 3758        # node arrays of the three regions
+NODE_LIMIT: Final[int] = 256
+NODE_MIDDLE: Final[int] = 128
+NODE_FIELDS: Final[int] = 8
+WORK_SIZE: Final[int] = 9920

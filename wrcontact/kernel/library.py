@@ -1,0 +1,165 @@
+"""The kernel as Python calls it: compiled where it can be, the Python source otherwise, with the same bits either way.
+
+    kernel = default_kernel()
+    bound = kernel.bind(tables, state, workspace, inputs, outputs)      # once
+    inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    status = bound.step()                                               # writes outputs and state
+
+The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.3 us a call, during which other
+threads run.  The environment variable ``WRCONTACT_KERNEL`` chooses: ``auto`` (default: the library, or a warning and the
+source), ``compiled`` (the library or an error), ``python`` (the source: for a debugger, and as the library's witness).
+"""
+
+import ctypes
+import os
+import warnings
+from functools import lru_cache, partial
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+
+from .files import HERE, LIBRARY_NAME, fingerprint
+from .layout import INPUT_COUNT, OUTPUT_COUNT
+
+CHOICES = ("auto", "compiled", "python")
+
+
+class LibraryUnusable(Exception):
+    """There is no compiled library to use; the message says why."""
+
+
+@lru_cache(maxsize=None)
+def default_kernel():
+    """The kernel of this process, as ``WRCONTACT_KERNEL`` chooses; warns once where the library should be and is not."""
+    choice = os.environ.get("WRCONTACT_KERNEL") or "auto"
+    if choice not in CHOICES:
+        raise ValueError(f"WRCONTACT_KERNEL is {choice!r}; it may be {', '.join(CHOICES)}")
+    if choice == "python":
+        return Kernel()
+    try:
+        return Kernel(open_library())
+    except LibraryUnusable as reason:
+        if choice == "compiled":
+            raise
+        warnings.warn(f"The contact kernel runs uncompiled, about 150 times slower: {reason}.", RuntimeWarning, stacklevel=2)
+        return Kernel()
+
+
+class Kernel:
+    """The kernel; ``library`` is what ``open_library`` returns, or None for the Python source."""
+
+    def __init__(self, library=None):
+        self.library = library
+
+    @property
+    def compiled(self):
+        return self.library is not None
+
+    def bind(self, tables, state, workspace, inputs, outputs):
+        """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
+        arrays = (checked("tables", tables), checked("state", state, written=True),
+                  checked("workspace", workspace, written=True), checked("inputs", inputs, INPUT_COUNT),
+                  checked("outputs", outputs, OUTPUT_COUNT, written=True))
+        return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
+
+
+class CompiledKernel:
+    """The library with its arrays.  ``step()`` makes one step and returns the status."""
+
+    compiled = True
+
+    def __init__(self, library, arrays):
+        self._library = library
+        self._arrays = arrays                       # the handle holds bare addresses: they live as long as it does
+        self._handle = ctypes.byref(Handle(*map(span, arrays)))
+        self.step = partial(library.wrcontact_step, self._handle)       # no method: a third of the cost is the look-up
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses`` each."""
+        blocks = checked_blocks(count, inputs, outputs, statuses)
+        return self._library.wrcontact_step_many(self._handle, count, *(block.ctypes.data for block in blocks))
+
+
+class PythonKernel:
+    """The Python source with the same arrays and calls."""
+
+    compiled = False
+
+    def __init__(self, arrays):
+        self._source = import_module(".step", __package__)      # not before it is needed
+        self._views = [view(array) for array in arrays]
+        self.step = partial(self._source.step, *self._views)
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """As CompiledKernel.step_many."""
+        blocks = checked_blocks(count, inputs, outputs, statuses)
+        return self._source.step_many(count, *self._views[:3], *map(view, blocks))
+
+
+class Span(ctypes.Structure):
+    """array_double_1d in native/spans.h."""
+
+    _fields_ = [("data", ctypes.c_void_p), ("length", ctypes.c_int64)]
+
+
+class Handle(ctypes.Structure):
+    """wrcontact_handle in native/wrcontact_kernel.h."""
+
+    _fields_ = [(name, Span) for name in ("tables", "state", "workspace", "inputs", "outputs")]
+
+
+def open_library(folder=HERE):
+    """The compiled library in ``folder``, made from the kernel source in ``folder``."""
+    path = Path(folder, LIBRARY_NAME)
+    if not path.exists():
+        raise LibraryUnusable(f"there is no {LIBRARY_NAME} in {folder}")
+    try:
+        library = ctypes.CDLL(str(path))
+        declare(library)
+    except (OSError, AttributeError) as error:
+        raise LibraryUnusable(f"{path} cannot be loaded ({error})") from error
+    if library.wrcontact_abi() != fingerprint(folder):
+        raise LibraryUnusable(f"{path} was compiled from another version of the kernel")
+    return library
+
+
+def declare(library):
+    """Tell ctypes the functions of native/wrcontact_kernel.h."""
+    address = ctypes.c_void_p
+    library.wrcontact_abi.argtypes, library.wrcontact_abi.restype = [], ctypes.c_int64
+    library.wrcontact_step.argtypes, library.wrcontact_step.restype = [address], ctypes.c_int
+    library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
+    library.wrcontact_step_many.restype = ctypes.c_int
+
+
+def span(array):
+    """Where the flat ``array`` is and how long."""
+    return Span(array.ctypes.data, array.size)
+
+
+def view(array):
+    """The memory of the flat ``array`` as the Python source reads and writes it: faster than numpy, and plain floats."""
+    return memoryview(array)
+
+
+def checked_blocks(count, inputs, outputs, statuses):
+    """The flat arrays of ``count`` steps."""
+    if count < 0:
+        raise ValueError(f"count is {count}; it cannot be negative")
+    return (checked("inputs", inputs, count * INPUT_COUNT), checked("outputs", outputs, count * OUTPUT_COUNT, written=True),
+            checked("statuses", statuses, count, written=True))
+
+
+def checked(name, array, least=0, written=False):
+    """``array`` as a flat view, if the kernel can use its memory as it is."""
+    if not isinstance(array, np.ndarray) or array.dtype != np.float64:
+        found = f"{array.dtype}" if isinstance(array, np.ndarray) else type(array).__name__
+        raise TypeError(f"{name} must be a numpy array of float64, not {found}")
+    if not (array.flags.c_contiguous and array.flags.aligned):
+        raise ValueError(f"{name} must be C-contiguous and aligned; numpy.ascontiguousarray makes it so")
+    if written and not array.flags.writeable:
+        raise ValueError(f"{name} is read-only, and the kernel writes to it")
+    if array.size < least:
+        raise ValueError(f"{name} has {array.size} values and needs {least}")
+    return array.reshape(-1)

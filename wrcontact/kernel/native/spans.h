@@ -1,0 +1,86 @@
+/* What the generated kernel needs of its surroundings: a span of doubles, and min, max, // and % as Python has them.
+ *
+ * The names are those that Pyccel writes; the meaning is that of the Python source.  An index is not checked, except with
+ * -DWRCONTACT_CHECK_BOUNDS, where one outside its span ends the program with a line on stderr.
+ */
+#ifndef WRCONTACT_SPANS_H
+#define WRCONTACT_SPANS_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* 'float[:]': an array that belongs to somebody else. */
+typedef struct {
+    double *data;
+    int64_t shape[1];
+} array_double_1d;
+
+static inline array_double_1d span_of(double *data, int64_t length)
+{
+    array_double_1d span = {data, {length}};
+    return span;
+}
+
+#ifdef WRCONTACT_CHECK_BOUNDS
+
+#include <stdio.h>
+
+static inline void span_check(bool inside, int64_t index, int64_t length, const char *function)
+{
+    if (!inside)
+    {
+        fprintf(stderr, "%s: index %lld is outside an array of %lld\n", function, (long long)index, (long long)length);
+        abort();
+    }
+}
+
+static inline double *span_checked_at(const array_double_1d *span, int64_t index, const char *function)
+{
+    span_check(0 <= index && index < span->shape[0], index, span->shape[0], function);
+    return span->data + index;
+}
+
+#define cspan_at(span, index) span_checked_at((span), (index), __func__)
+
+#else
+
+#define span_check(inside, index, length, function) ((void)0)
+#define cspan_at(span, index) ((span)->data + (index))
+
+#endif
+
+/* x[first:end], x[first:] and x[:]: a span of the same memory. */
+#define c_END INT64_MAX
+#define c_ALL 0, c_END
+#define cspan_slice(span, type, ...) span_slice((span), (const int64_t[2])__VA_ARGS__)
+
+static inline array_double_1d span_slice(const array_double_1d *span, const int64_t range[2])
+{
+    const int64_t first = range[0];
+    const int64_t end = range[1] == c_END ? span->shape[0] : range[1];
+    span_check(0 <= first && first <= end, first, end, "slice");
+    span_check(end <= span->shape[0], end, span->shape[0], "slice");
+    return span_of(span->data + first, end - first);
+}
+
+/* min(a, b) and max(a, b) as Python orders them: the first one unless the second is truly smaller, or larger. */
+static inline double double_min(int two, double a, double b) { (void)two; return b < a ? b : a; }
+static inline double double_max(int two, double a, double b) { (void)two; return b > a ? b : a; }
+static inline int64_t int64_t_min(int two, int64_t a, int64_t b) { (void)two; return b < a ? b : a; }
+static inline int64_t int64_t_max(int two, int64_t a, int64_t b) { (void)two; return b > a ? b : a; }
+
+/* a // b and a % b of integers: rounded down, the remainder with the sign of b. */
+static inline int64_t py_floor_div_int64_t(int64_t a, int64_t b)
+{
+    return a / b - (a % b != 0 && (a < 0) != (b < 0));
+}
+
+static inline int64_t pyc_modulo(int64_t a, int64_t b)
+{
+    const int64_t rest = a % b;
+    return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+
+#endif

@@ -1,0 +1,26 @@
+/* The kernel's one translation unit: the generated code, and the three functions that the outside may call.
+ *
+ *     cc -std=gnu11 -O3 -ffp-contract=off -fvisibility=hidden -shared -fPIC wrcontact_kernel.c -lm
+ *
+ * Without -ffp-contract=off the compiler may fuse a*b + c, and the last bits differ from the Python source.
+ */
+#include "wrcontact_kernel.h"
+#include "../generated/unit.c"
+
+int wrcontact_step(const wrcontact_handle *handle)
+{
+    return (int)step__step(handle->tables, handle->state, handle->workspace, handle->inputs, handle->outputs);
+}
+
+int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *inputs, double *outputs, double *statuses)
+{
+    return (int)step__step_many(count, handle->tables, handle->state, handle->workspace,
+                                span_of(inputs, count * layout__INPUT_COUNT),
+                                span_of(outputs, count * layout__OUTPUT_COUNT),
+                                span_of(statuses, count));
+}
+
+int64_t wrcontact_abi(void)
+{
+    return WRCONTACT_KERNEL_FINGERPRINT;
+}

@@ -1,0 +1,73 @@
+"""Standard profiles from their defining zones.
+
+Wheel
+    S1002: EN 13715 / UIC 510-2, zones A to H.
+Rails
+    crown R300, shoulder R80, gauge corner R13, side 1:20, tangent to each other and symmetric:
+    UIC60 (the widths of the Manchester benchmark's rail), 60E1 and 54E1 (EN 13674-1).
+"""
+
+import math
+from functools import lru_cache
+
+from .profile import Profile
+from .zones import Arc, Polynomial, mirror_zone
+
+
+def s1002():
+    """Wheel profile S1002, zones H to A from the flange back to the field side [mm]."""
+    zones = (
+        Arc(-70.0, -62.764705882, 20.5, -49.5, 9.519259302, +1),
+        Arc(-62.764705882, -49.662510381, 12.0, -55.0, 16.0, +1),
+        Arc(-49.662510381, -39.764473993, 20.0, -58.558326413, 8.834924130, +1),
+        Polynomial(-39.764473993, -38.426669071, (-93.576667419, -2.747477419)),
+        Arc(-38.426669071, -35.0, 13.0, -26.210665, 16.446, -1),
+        Polynomial(-35.0, -26.0, (-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1,
+                                  -4.169739389e-3, -4.687195829e-5, -2.252755540e-7)),
+        Polynomial(-26.0, 32.15796, (0.0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8,
+                                     -1.562379023e-8, 5.309217349e-15, -5.957839843e-12, 2.646656573e-13)),
+        Polynomial(32.15796, 60.0, (1.364323640, -0.066666667)),
+    )
+    return Profile("S1002", "wheel", zones)
+
+
+def rail_head(name, *, crown_half_width, shoulder_half_width, corner_half_width, depth=40.0):
+    """A head of tangent arcs R300, R80, R13 and a side 1:20, symmetric about its top [mm].
+
+    Each arc's centre lies on the line through the neighbour's centre and the joint, so that the chain is tangent by
+    construction; the side starts where the R13 arc has the slope 20, or at ``corner_half_width``, and goes down to
+    ``depth``.
+    """
+    crown = Arc(-crown_half_width, crown_half_width, 300.0, 0.0, 300.0, -1)
+    shoulder = _tangent_arc(crown, 80.0, crown_half_width, shoulder_half_width)
+    corner = _tangent_arc(shoulder, 13.0, shoulder_half_width, corner_half_width)
+    tangent = corner.y_centre + corner.radius * 20.0 / math.hypot(1.0, 20.0)
+    corner = Arc(corner.start, tangent, corner.radius, corner.y_centre, corner.z_centre, -1)
+    z_side = float(corner(tangent)[0])
+    side = Polynomial(tangent, tangent + (depth - z_side) / 20.0, (z_side, 20.0), tangent)
+    half = (shoulder, corner, side)
+    return Profile(name, "rail", tuple(mirror_zone(zone) for zone in reversed(half)) + (crown,) + half)
+
+
+def _tangent_arc(previous, radius, start, stop):
+    """The arc of ``radius`` from ``start`` to ``stop`` that continues ``previous`` with the same tangent at ``start``."""
+    share = 1.0 - radius / previous.radius
+    z_start = float(previous(start)[0])
+    return Arc(start, stop, radius, previous.y_centre + share * (start - previous.y_centre),
+               previous.z_centre + share * (z_start - previous.z_centre), -1)
+
+
+BUILDERS = {
+    "S1002": s1002,
+    "UIC60": lambda: rail_head("UIC60", crown_half_width=10.5, shoulder_half_width=25.988023, corner_half_width=36.0),
+    "60E1": lambda: rail_head("60E1", crown_half_width=10.228, shoulder_half_width=26.0265, corner_half_width=36.0),
+    "54E1": lambda: rail_head("54E1", crown_half_width=10.012, shoulder_half_width=24.864, corner_half_width=35.0),
+}
+WHEELS = ("S1002",)
+RAILS = ("UIC60", "60E1", "54E1")
+
+
+@lru_cache(maxsize=None)
+def standard_profile(name):
+    """The built-in profile called ``name``; KeyError if there is none."""
+    return BUILDERS[name]()

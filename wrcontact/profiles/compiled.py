@@ -1,0 +1,117 @@
+"""From exact profiles to the kernel's table of quintic pieces.
+
+Every piece takes height, slope and second derivative of the exact definition at both ends.  The zones' joints are ends
+of pieces, so that a jump of curvature stays where the standard has it.  Where the printed coefficients leave a step in
+height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), the two sides are led to their common mean over
+:data:`REPAIR_WIDTH`; a contact would otherwise stick to an edge that no wheel has.
+"""
+
+import math
+
+import numpy as np
+
+from ..conventions import MILLIMETRE as MM
+from ..kernel import profile_table as layout
+
+#: Height error allowed for a piece between its ends [mm]; far below the 1e-9 rad that a roll angle is asked for.
+PIECE_ERROR = 1e-9
+#: Error of the second derivative allowed between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
+PIECE_BEND_ERROR = 1e-7
+LONGEST_PIECE = 1.0  # [mm]
+SHORTEST_PIECE = 1e-3  # [mm]; measured profiles have knots this close
+#: Distance to a joint within which a height step of the published coefficients is evened out [mm].
+REPAIR_WIDTH = 1.0
+#: Height steps below this are not worth a repair [mm].
+REPAIRED_STEP = 1e-6
+BIN_WIDTH = 0.25  # [mm]
+
+
+def compile_profile(profile):
+    """The kernel's table (n,) of ``profile``; lengths in metres."""
+    pieces = []
+    for index, zone in enumerate(profile.zones):
+        before = profile.zones[index - 1] if index > 0 else None
+        after = profile.zones[index + 1] if index + 1 < len(profile.zones) else None
+        pieces += _zone_pieces(zone, before, after)
+    return _table(pieces, profile.zones[-1].stop)
+
+
+def _zone_pieces(zone, before, after):
+    """Quintic pieces (start, coefficients) [mm] of one zone."""
+    start, stop, pieces, tail = zone.start, zone.stop, [], []
+    if before is not None and _steps(before, zone):
+        inner = min(start + REPAIR_WIDTH, 0.5 * (start + stop))
+        pieces.append(_quintic(start, inner, _mean_jet(before, zone, start), _jet(zone, inner)))
+        start = inner
+    if after is not None and _steps(zone, after):
+        inner = max(stop - REPAIR_WIDTH, 0.5 * (zone.start + stop))
+        tail.append(_quintic(inner, stop, _jet(zone, inner), _mean_jet(zone, after, stop)))
+        stop = inner
+    if stop > start:
+        count = math.ceil((stop - start) / LONGEST_PIECE)
+        ends = np.linspace(start, stop, count + 1)
+        for low, high in zip(ends[:-1], ends[1:]):
+            pieces += _refined(zone, float(low), float(high))
+    return pieces + tail
+
+
+def _refined(zone, low, high):
+    """Pieces between ``low`` and ``high``, halved until they follow ``zone`` closely enough."""
+    piece = _quintic(low, high, _jet(zone, low), _jet(zone, high))
+    y = np.linspace(low, high, 11)[1:-1]
+    z, _, bend = zone(y)
+    coefficients = np.asarray(piece[1])
+    bends = coefficients[2:] * np.array([2.0, 6.0, 12.0, 20.0])
+    error = np.max(np.abs(np.polyval(coefficients[::-1], y - low) - z))
+    bend_error = np.max(np.abs(np.polyval(bends[::-1], y - low) - bend) / (1.0 + np.abs(bend)))
+    if (error <= PIECE_ERROR and bend_error <= PIECE_BEND_ERROR) or high - low < 2 * SHORTEST_PIECE:
+        return [piece]
+    middle = 0.5 * (low + high)
+    return _refined(zone, low, middle) + _refined(zone, middle, high)
+
+
+def _steps(before, after):
+    return abs(_jet(before, after.start)[0] - _jet(after, after.start)[0]) > REPAIRED_STEP
+
+
+def _jet(zone, y):
+    return tuple(float(part) for part in zone(y))
+
+
+def _mean_jet(before, after, y):
+    return tuple(0.5 * (a + b) for a, b in zip(_jet(before, y), _jet(after, y)))
+
+
+def _quintic(low, high, at_low, at_high):
+    """The quintic with given height, slope and second derivative at both ends, as (low, coefficients in y - low)."""
+    h = high - low
+    c0, c1, c2 = at_low[0], at_low[1], 0.5 * at_low[2]
+    rest = at_high[0] - (c0 + h * (c1 + h * c2))
+    slope = (at_high[1] - (c1 + 2 * h * c2)) * h
+    bend = (at_high[2] - 2 * c2) * h * h
+    c3 = (10 * rest - 4 * slope + 0.5 * bend) / h**3
+    c4 = (-15 * rest + 7 * slope - bend) / h**4
+    c5 = (6 * rest - 3 * slope + 0.5 * bend) / h**5
+    return low, (c0, c1, c2, c3, c4, c5)
+
+
+def _table(pieces, stop):
+    """Pack ``pieces`` [mm] into the layout of :mod:`wrcontact.kernel.profile_table` [m]."""
+    start = pieces[0][0]
+    bin_count = math.ceil((stop - start) / BIN_WIDTH)
+    starts = np.array([piece[0] for piece in pieces])
+    left = start + BIN_WIDTH * np.arange(bin_count)
+    first = np.maximum(np.searchsorted(starts, left, side="right") - 1, 0)
+    head = np.zeros(layout.BINS)
+    head[layout.START] = start * MM
+    head[layout.STOP] = stop * MM
+    head[layout.BINS_PER_METRE] = 1.0 / (BIN_WIDTH * MM)
+    head[layout.BIN_COUNT] = bin_count
+    head[layout.PIECE_OFFSET] = layout.BINS + bin_count
+    body = np.full((len(pieces) + 1, layout.PIECE_SIZE), np.inf)
+    body[-1, 1:] = 0.0
+    scale = MM ** (1.0 - np.arange(6))
+    for row, (low, coefficients) in zip(body, pieces):
+        row[0] = low * MM
+        row[1:] = np.asarray(coefficients) * scale
+    return np.concatenate([head, first.astype(float), body.ravel()])

@@ -1,0 +1,97 @@
+"""A wheel or rail profile: height, slope and curvature over the lateral coordinate."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..conventions import MILLIMETRE as MM
+
+#: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by rounding.
+JOINT_HEIGHT = 2e-4
+#: Largest slope step at a joint of a tangent chain [-]; S1002 as printed has 1.1e-5.
+JOINT_SLOPE = 3e-5
+
+
+@dataclass(frozen=True)
+class Joint:
+    """Where two zones meet: position [m] and the steps in height [m], slope [-] and second derivative [1/m]."""
+
+    y: float
+    height_step: float
+    slope_step: float
+    bend_step: float
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A profile made of ``zones`` (in mm, by rising y), read in metres.
+
+    ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or "rail"
+    (origin at the highest point of the head).  Height is positive down for both.  When it is built, a profile checks
+    that its zones follow each other without a hole and meet in height and slope; ``smooth=False`` allows corners, for
+    measured profiles.
+
+    Raises
+    ------
+    ValueError
+        when a zone does not meet its neighbour.
+    """
+
+    name: str
+    kind: str
+    zones: tuple
+    smooth: bool = True
+    joints: tuple = field(init=False, compare=False)
+
+    def __post_init__(self):
+        if self.kind not in ("wheel", "rail"):
+            raise ValueError(f"profile {self.name}: kind is {self.kind!r}, permitted are 'wheel' and 'rail'")
+        if not self.zones:
+            raise ValueError(f"profile {self.name}: it has no zones")
+        object.__setattr__(self, "joints", tuple(map(self._joint, self.zones[:-1], self.zones[1:])))
+
+    def _joint(self, before, after):
+        if abs(after.start - before.stop) > 1e-9:
+            raise ValueError(f"profile {self.name}: hole between y = {before.stop} mm and {after.start} mm")
+        left, right = before(after.start), after(after.start)
+        step, slope, bend = (float(b - a) for a, b in zip(left, right))
+        if not abs(step) <= JOINT_HEIGHT:
+            raise ValueError(f"profile {self.name}: height step of {step:.3g} mm at y = {after.start} mm, "
+                             f"permitted is {JOINT_HEIGHT} mm")
+        if self.smooth and not abs(np.arctan(right[1]) - np.arctan(left[1])) <= JOINT_SLOPE:
+            raise ValueError(f"profile {self.name}: slope step of {slope:.3g} at y = {after.start} mm, "
+                             f"permitted is {JOINT_SLOPE}")
+        return Joint(after.start * MM, step * MM, slope, bend / MM)
+
+    @property
+    def start(self):
+        """Smallest y of the profile [m]."""
+        return self.zones[0].start * MM
+
+    @property
+    def stop(self):
+        """Largest y of the profile [m]."""
+        return self.zones[-1].stop * MM
+
+    def evaluate(self, y):
+        """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN outside."""
+        y_mm = np.asarray(y, dtype=float) / MM
+        result = np.full((3,) + y_mm.shape, np.nan)
+        for zone in self.zones:
+            inside = (y_mm >= zone.start) & (y_mm <= zone.stop)
+            if np.any(inside):
+                result[:, inside] = zone(y_mm[inside])
+        return result[0] * MM, result[1], result[2] / MM
+
+    def height(self, y):
+        """Height z(y) [m], positive down, at ``y`` [m]; array in, array out, NaN outside the profile."""
+        return self.evaluate(y)[0]
+
+    def slope(self, y):
+        """Slope dz/dy [-] at ``y`` [m]."""
+        return self.evaluate(y)[1]
+
+    def curvature(self, y):
+        """Curvature z'' / (1 + z'^2)^(3/2) [1/m] at ``y`` [m]; positive where the curve bends downward-convex (z'' > 0)."""
+        _, slope, bend = self.evaluate(y)
+        return bend / (1 + slope**2) ** 1.5

@@ -1,0 +1,111 @@
+"""The pieces that standards define profiles with: polynomials and circular arcs, in millimetres as printed.
+
+A zone answers with height z [mm] (down), slope dz/dy and second derivative [1/mm] at y [mm].
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """z = sum c_k (y - origin)^k between ``start`` and ``stop`` [mm]."""
+
+    start: float
+    stop: float
+    coefficients: tuple
+    origin: float = 0.0
+
+    def __call__(self, y):
+        u = np.asarray(y, dtype=float) - self.origin
+        c = np.asarray(self.coefficients, dtype=float)
+        first = c[1:] * np.arange(1, len(c))
+        second = first[1:] * np.arange(1, len(first))
+        return tuple(np.polyval(part[::-1], u) if len(part) else np.zeros_like(u) for part in (c, first, second))
+
+
+@dataclass(frozen=True)
+class Arc:
+    """Part of the circle around (y_centre, z_centre); ``side`` +1 is its lower half (larger z), -1 its upper half.
+
+    z = z_centre + side * sqrt(radius^2 - (y - y_centre)^2)
+    """
+
+    start: float
+    stop: float
+    radius: float
+    y_centre: float
+    z_centre: float
+    side: int
+
+    def __call__(self, y):
+        u = np.asarray(y, dtype=float) - self.y_centre
+        root = np.sqrt(np.maximum(self.radius**2 - u**2, 0.0))
+        with np.errstate(divide="ignore"):
+            return (self.z_centre + self.side * root, -self.side * u / root, -self.side * self.radius**2 / root**3)
+
+
+@dataclass(frozen=True)
+class Moved:
+    """``zone`` turned by ``angle`` [rad] from y to z about the origin of its frame, then shifted by (y_shift, z_shift).
+
+    The moved curve is read as a function of its own abscissa: the zone's parameter t with
+    t cos(angle) - z(t) sin(angle) + y_shift = y is found by Newton's method.
+    """
+
+    zone: object
+    angle: float
+    y_shift: float = 0.0
+    z_shift: float = 0.0
+
+    @property
+    def start(self):
+        return self.place(self.zone.start)[0]
+
+    @property
+    def stop(self):
+        return self.place(self.zone.stop)[0]
+
+    def place(self, t):
+        """Point (y, z) [mm] of the moved curve at the zone's parameter ``t`` [mm]."""
+        z = float(self.zone(t)[0])
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        return c * t - s * z + self.y_shift, s * t + c * z + self.z_shift
+
+    def __call__(self, y):
+        y = np.asarray(y, dtype=float) - self.y_shift
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        t = np.clip(c * y, self.zone.start, self.zone.stop)
+        for _ in range(60):
+            z, slope, _ = self.zone(t)
+            step = (c * t - s * z - y) / (c - s * slope)
+            t = np.clip(t - step, self.zone.start, self.zone.stop)
+            if np.all(np.abs(step) <= 1e-15 * (1 + np.abs(y))):
+                break
+        z, slope, bend = self.zone(t)
+        stretch = c - s * slope
+        return s * t + c * z + self.z_shift, (s + c * slope) / stretch, bend / stretch**3
+
+
+def move_zone(zone, angle, y_shift=0.0, z_shift=0.0):
+    """``zone`` turned by ``angle`` [rad] from y to z about the origin and shifted [mm]; an arc stays an arc.
+
+    A lower or upper half circle stays one only while no end passes the vertical; steeper zones are for the caller to
+    leave out.
+    """
+    if not isinstance(zone, Arc):
+        return Moved(zone, angle, y_shift, z_shift)
+    c, s = math.cos(angle), math.sin(angle)
+    start, stop = (Moved(zone, angle, y_shift, z_shift).place(y)[0] for y in (zone.start, zone.stop))
+    return Arc(start, stop, zone.radius, c * zone.y_centre - s * zone.z_centre + y_shift,
+               s * zone.y_centre + c * zone.z_centre + z_shift, zone.side)
+
+
+def mirror_zone(zone):
+    """``zone`` reflected in y = 0."""
+    if isinstance(zone, Arc):
+        return Arc(-zone.stop, -zone.start, zone.radius, -zone.y_centre, zone.z_centre, zone.side)
+    flipped = tuple(c * (-1) ** k for k, c in enumerate(zone.coefficients))
+    return Polynomial(-zone.stop, -zone.start, flipped, -zone.origin)

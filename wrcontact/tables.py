@@ -1,0 +1,41 @@
+"""What is fixed during a simulation, prepared once into the one array that the kernel reads."""
+
+import numpy as np
+
+from .hertz_table import hertz_table
+from .kernel import layout
+from .profiles.compiled import compile_profile
+from .profiles.scan import scan_table
+
+#: Range of the inputs; beyond it the contact leaves the profiles' running surfaces.
+LATERAL_LIMIT = 0.015  # [m]
+YAW_LIMIT = 0.12       # [rad]
+
+
+def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
+                 longitudinal_curvature):
+    """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
+
+    ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_...
+    """
+    parts = {
+        layout.SET_WHEEL: compile_profile(wheel),
+        layout.SET_RAIL: compile_profile(placed_rail.profile),
+        layout.SET_SCAN: scan_table(wheel, placed_rail.profile),
+        layout.SET_HERTZ: hertz_table(),
+    }
+    settings = np.zeros(layout.SETTING_COUNT)
+    settings[layout.SET_RADIUS] = nominal_radius
+    settings[layout.SET_ARM] = 0.5 * running_circle_distance
+    settings[layout.SET_RAIL_Y] = placed_rail.y_track
+    settings[layout.SET_CONTACT_MODULUS] = contact_modulus
+    settings[layout.SET_LATERAL_LIMIT] = LATERAL_LIMIT
+    settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
+    settings[layout.SET_NORMAL_MODEL] = normal_model
+    settings[layout.SET_LONGITUDINAL] = longitudinal_curvature
+    settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
+    offset = len(settings)
+    for setting, table in parts.items():
+        settings[setting] = offset
+        offset += len(table)
+    return np.concatenate([settings, *parts.values()])
