@@ -1,4 +1,5 @@
 import ctypes
+import sys
 
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
@@ -66,7 +67,7 @@ class WheelsetContact(Fmi2Slave):
         self.log(sentence, Fmi2Status.warning, "logStatusWarning")
 
     def _do(self, action, *arguments):
-        """Run an action; if it is refused, log the reason and fail the FMI call.
+        """Run an action; if it is refused, say why in the log and on the console and fail the FMI call.
 
         PythonFMU drops its references to the class, the instance and its log when a call fails, and once more when the
         instance is freed; each is held once more, so that the instance outlives the refusal.
@@ -77,4 +78,6 @@ class WheelsetContact(Fmi2Slave):
             for held in (type(self), self, self.log_queue):
                 ctypes.pythonapi.Py_IncRef(ctypes.py_object(held))
             self.log(str(refusal), Fmi2Status.error, "logStatusError")
+            if sys.stderr:  # a host with logging off would show nothing
+                print(f"{self.instance_name}: {refusal}", file=sys.stderr)
             raise

@@ -13,13 +13,16 @@ What Pyccel writes is tidied like this:
   is gone, and the wrappers for CPython with it.
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
 * Functions are ``static``, in the order of the Python source, each under its docstring; ``unit.c`` includes them all, so
-  the kernel is one translation unit.  Unused locals named ``result`` are dropped.
+  the kernel is one translation unit.  Locals that Pyccel adds and nobody reads are dropped.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/files.py).
 
-Python that Pyccel translates to something else without a word is refused, with the line: ``else`` after a loop; a loop that
-changes its own bound or variable, or whose variable is read after it; ``**``, ``hypot`` and ``pow``, which CPython computes
-otherwise than C; a slice as an argument; a module variable that is not ``Final``; a call of anything that spans.h and a few
-functions of math.h do not define.
+Before that, the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the loop might change
+it: C reads it anew in each turn, Python once.
+
+Other Python that Pyccel translates to something else without a word is refused, with the line: ``else`` after a loop; a loop
+that changes its own variable, or whose variable is read after it; ``hypot``, ``pow`` and powers like ``x ** 2``, which
+CPython computes otherwise than C; a slice as an argument; a module variable that is not ``Final``; a call of anything that
+spans.h and a few functions of math.h do not define.
 """
 
 import argparse
@@ -29,7 +32,6 @@ import importlib.metadata
 import os
 import re
 import runpy
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,7 +45,7 @@ FILES = runpy.run_path(str(KERNEL / "files.py"))
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan log log10 log1p "
-                 "sin sinh sqrt tan tanh".split())
+                 "pow sin sinh sqrt tan tanh".split())
 SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max py_floor_div_int64_t "
                  "pyc_modulo".split())
 
@@ -67,7 +69,8 @@ def main(arguments=None):
         write(files, generated)
         print(f"{len(files)} files in {generated}, {len(stale)} of them changed")
     elif stale:
-        sys.exit(f"The generated C is not what the kernel's Python gives; run tools/transpile_kernel.py. Stale: {', '.join(stale)}")
+        sys.exit("The generated C is not what the kernel's Python gives; run tools/transpile_kernel.py. "
+                 f"Stale: {', '.join(stale)}")
     else:
         print(f"The {len(files)} generated files are up to date.")
 
@@ -114,28 +117,52 @@ class Module:
         for node in ast.walk(self.tree):
             if isinstance(node, (ast.For, ast.While)) and node.orelse:
                 self.refuse(node, "Pyccel drops the else of a loop")
-            if isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.Pow):
-                self.refuse(node, "** differs from C's pow in the last bit; write x*x or sqrt(x)")
+            if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
+                self.refuse(node, "a for loop runs over a range")
+            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and is_number(node.right):
+                self.refuse(node, "a power that the C compiler replaces differs in the last bit; write x*x or sqrt(x)")
             if isinstance(node, ast.Name) and node.id in ("hypot", "pow"):
-                self.refuse(node, f"{node.id} differs from C's {node.id} in the last bit; write it with * and sqrt")
-        for function in self.functions.values():
-            for loop in (node for node in ast.walk(function) if isinstance(node, ast.For)):
-                self.refuse_unlike_range(function, loop)
+                self.refuse(node, f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt or **")
+        for function, loop in self.range_loops():
+            self.refuse_loop_variable(function, loop)
 
-    def refuse_unlike_range(self, function, loop):
-        """Refuse a ``for`` over a range that C's ``for`` runs, or leaves, differently."""
-        changed, variables = stored(loop.body), stored([loop.target])
-        if changed & variables:
+    def range_loops(self):
+        """(function, loop) of every ``for``."""
+        return [(function, node) for function in self.functions.values() for node in ast.walk(function)
+                if isinstance(node, ast.For)]
+
+    def refuse_loop_variable(self, function, loop):
+        """Refuse uses of the loop's variable that C's ``for`` gives another value."""
+        variables = stored([loop.target])
+        if stored(loop.body) & variables:
             self.refuse(loop, "the loop changes its own variable, which in C changes the number of turns")
-        if changed & {name.id for name in ast.walk(loop.iter) if isinstance(name, ast.Name)}:
-            self.refuse(loop, "the loop changes the bound of its range, which C reads anew in each turn")
-        if any(isinstance(node, ast.Subscript) for node in ast.walk(loop.iter)):
-            self.refuse(loop, "C reads the bound of a range anew in each turn; give an array's element a name first")
         later = [name for name in ast.walk(function) if isinstance(name, ast.Name) and name.id in variables
                  and name.lineno > loop.end_lineno]
         first = min(later, key=lambda name: (name.lineno, isinstance(name.ctx, ast.Store)), default=None)
         if first is not None and isinstance(first.ctx, ast.Load):
             self.refuse(first, f"after its loop, {first.id} is one turn further in C than in Python")
+
+    def source(self):
+        """The module's text with a name for each range's end that C, which reads it anew in each turn, might find changed."""
+        lines = self.path.read_bytes().splitlines()                 # bytes, as ast counts columns
+        for function, loop in sorted(self.range_loops(), key=lambda pair: -pair[1].lineno):
+            end = loop.iter.args[1 if len(loop.iter.args) > 1 else 0]
+            names = {node.id for node in ast.walk(end) if isinstance(node, ast.Name)}
+            if not (names & stored(loop.body) or any(isinstance(node, ast.Subscript) for node in ast.walk(end))):
+                continue
+            name = f"{loop.target.id}_end"
+            if end.end_lineno != loop.lineno or name in {node.id for node in ast.walk(function) if isinstance(node, ast.Name)}:
+                self.refuse(loop, f"the range should stand in one line, and the name {name} be free for its end")
+            line = lines[loop.lineno - 1]
+            expression = line[end.col_offset:end.end_col_offset]
+            head = line[:end.col_offset] + name.encode() + line[end.end_col_offset:]
+            lines[loop.lineno - 1:loop.lineno] = [b" " * loop.col_offset + name.encode() + b" = " + expression, head]
+        return b"\n".join(lines) + b"\n"
+
+
+def is_number(node):
+    """Whether the expression is a number as written, like 2 or -0.5 (and not like 1.0 / 3.0)."""
+    return isinstance(node.operand if isinstance(node, ast.UnaryOp) else node, ast.Constant)
 
 
 def stored(nodes):
@@ -151,7 +178,7 @@ def run_pyccel(modules):
         raise Refused(f"it needs Pyccel {PYCCEL_VERSION}, and here is {found}; pip install \".[dev]\"")
     with tempfile.TemporaryDirectory() as folder:
         for module in modules:
-            shutil.copy(module.path, folder)
+            Path(folder, module.path.name).write_bytes(module.source())
         command = [sys.executable, "-c", "from pyccel.commands.console import pyccel_command; pyccel_command()", "make",
                    "--language", "C", "--convert-only", "--output", "out", "--files", *(module.path.name for module in modules)]
         run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -218,21 +245,28 @@ def tidy_code(module, text):
 
 
 def tidy_body(body):
-    """The statements of one function, without the unused ``result`` that Pyccel declares."""
-    if len(re.findall(r"\bresult\b", body)) == 1:
-        body = re.sub(r"^ *\w+ result;\n", "", body, flags=re.MULTILINE)
-    return re.sub(r"^( *)/\*(.*?)\*/$", r"\1/* \2 */", body, flags=re.MULTILINE)
+    """The statements of one function, without the names that Pyccel declares and nobody reads."""
+    for name in ["result", *re.findall(r"\bDummy_\d+(?=;)", body)]:
+        uses = len(re.findall(rf"\b{name}\b", body))
+        called = re.search(rf"^ *{name} = \w+\(", body, re.MULTILINE)
+        if uses == 1 or uses == 2 and called:
+            body = re.sub(rf"^ *\w+ {name};\n", "", body, flags=re.MULTILINE)
+            body = re.sub(rf"^( *){name} = ", r"\1", body, flags=re.MULTILINE)
+    return re.sub(r"^( *)/\*(.*)\*/$", lambda match: f"{match[1]}/* {apart(match[2]).strip()} */", body, flags=re.MULTILINE)
+
+
+def apart(text):
+    """Text for a C comment, which ``E*/(n r)`` would end."""
+    return text.replace("*/", "* /").replace("/*", "/ *")
 
 
 def comment(text):
     """A docstring as a C comment, with a line end; '' where there is none."""
     if not text:
         return ""
-    if "*/" in text or "/*" in text:
-        raise Refused(f"a docstring holds the mark of a C comment: {text!r}")
-    lines = text.splitlines()
+    lines = apart(text).splitlines()
     if len(lines) == 1:
-        return f"/* {text} */\n"
+        return f"/* {lines[0]} */\n"
     return "\n".join([f"/* {lines[0]}", *(f" * {line}".rstrip() for line in lines[1:]), " */\n"])
 
 

@@ -375,13 +375,3 @@ def contact(system, pose, phi, y, side):
     values = (radius * sin(phi), y, radius * cos(phi) - system.nominal_radius, y_rail, z_rail,
               x_track, side * y_track, z_track, -atan(slope), radius)
     return Contact(*map(float, values))
-
-
-if __name__ == "__main__":
-    import time
-
-    standard = track()
-    print("highest rail point at", standard.rail_origin)
-    for lateral, angle in [(0, 0), (1e-3, 0), (3e-3, 0), (6e-3, np.radians(2.0))]:
-        clock = time.perf_counter()
-        print(rigid_contact(standard, lateral, angle), round(time.perf_counter() - clock, 2), "s")

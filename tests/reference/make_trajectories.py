@@ -52,8 +52,8 @@ def hunting(rows=160, cycles=4):
 SWEEPS = [  # yaw [deg], from, to [mm], rows
     (0, 4.75, 5.10, 22),
     (0, 6.15, 6.35, 21),
-    (1, 4.55, 5.10, 23),
-    (1, 5.95, 6.35, 25),
+    (1, 4.80, 5.10, 22),
+    (1, 6.05, 6.30, 21),
 ]
 BESIDE_JUMP = np.array([0.25, 0.6, 1.5, 4, 12]) * 1e-6  # [m] rows this far from a jump, both sides
 CLEAR_OF_JUMP = 0.2e-6  # [m] and none closer

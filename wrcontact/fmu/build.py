@@ -7,6 +7,7 @@ never the one that the host has installed.
 
 import argparse
 import hashlib
+import io
 import os
 import sys
 import tempfile
@@ -22,6 +23,14 @@ from .documentation import documentation_page
 from .online import PACKAGE, online_files
 
 SLAVE = "wheelset_contact"
+#: The package's ``__init__`` in an FMU.
+LOADER = b'''"""wrcontact as packed in an FMU, loaded whole: the folder may be gone when the next instance is made."""
+
+from .interface import session
+from .kernel import library, step
+
+library.default_kernel()
+'''
 #: Every entry of the archive carries this time, so that the hour of the build does not show.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
@@ -41,9 +50,12 @@ def build_fmu(output="dist", wheel=None, rail=None):
     """
     starts, profiles = chosen_profiles(wheel_profile=wheel, rail_profile=rail)
     contents = {**runtime(), **documentation(starts), **profiles, **package()}
+    data = archive(sealed(contents, starts))
+    problems = problems_of(data)
+    if problems:
+        raise ValueError("the FMU would not be valid: " + " ".join(problems))
     target = Path(output, f"{MODEL}.fmu")
-    target.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(target, archive(sealed(contents, starts)))
+    write_whole(target, data)
     return target
 
 
@@ -70,10 +82,9 @@ def runtime():
 
 
 def package():
-    """What wrcontact needs online; its ``__init__`` imports nothing, the slave asks for what it needs."""
+    """What wrcontact needs online."""
     entries = {f"resources/wrcontact/{name}": content for name, content in online_files().items()}
-    entries["resources/wrcontact/__init__.py"] = b'"""wrcontact as packed in an FMU."""\n'
-    return entries
+    return {**entries, "resources/wrcontact/__init__.py": LOADER}
 
 
 def documentation(starts):
@@ -126,13 +137,46 @@ def fingerprint(entries):
 
 
 def archive(entries):
-    """Write the entries, sorted, to a temporary function of a stream: the same bytes for the same entries."""
+    """The zip archive of the entries as bytes: the same for the same entries."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as file:
+        for name, content in sorted(entries.items()):
+            entry = zipfile.ZipInfo(name, TIMESTAMP)
+            entry.compress_type, entry.create_system, entry.external_attr = zipfile.ZIP_DEFLATED, 3, 0o100644 << 16
+            file.writestr(entry, content)
+    return stream.getvalue()
 
-    def write(stream):
-        with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as file:
-            for name, content in sorted(entries.items()):
-                entry = zipfile.ZipInfo(name, TIMESTAMP)
-                entry.compress_type, entry.create_system, entry.external_attr = zipfile.ZIP_DEFLATED, 3, 0o100644 << 16
-                file.writestr(entry, content)
 
-    return write
+def write_whole(target, data):
+    """Write a file so that it is either whole or the one from before."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    handle, part = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        os.chmod(part, 0o644)
+        os.replace(part, target)
+    except BaseException:
+        os.unlink(part)
+        raise
+
+
+def problems_of(data):
+    """What fmpy finds wrong with the archive ``data``; an empty list is a valid FMU."""
+    from fmpy.validation import validate_fmu
+
+    return validate_fmu(io.BytesIO(data))
+
+
+def main(arguments=None):
+    """The command line of build_fmu.py; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="build_fmu.py", description="Pack the simulated wheelset into an FMU and print its path.")
+    parser.add_argument("--output", metavar="DIR", default="dist", help="folder of the FMU (default: dist)")
+    parser.add_argument("--wheel", metavar="FILE", help="wheel profile to pack and use by default: a file, or a built-in name")
+    parser.add_argument("--rail", metavar="FILE", help="rail profile to pack and use by default: a file, or a built-in name")
+    try:
+        print(build_fmu(**vars(parser.parse_args(arguments))))
+    except (ValueError, OSError) as problem:
+        print(f"build_fmu.py: {problem}", file=sys.stderr)
+        return 1
+    return 0

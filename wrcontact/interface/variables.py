@@ -9,6 +9,7 @@ import re
 from dataclasses import dataclass
 
 from ..kernel import layout
+from ..tables import LATERAL_LIMIT, YAW_LIMIT
 
 INPUT, PARAMETER, OUTPUT = "input", "parameter", "output"
 REAL, INTEGER, STRING = "Real", "Integer", "String"
@@ -103,9 +104,9 @@ def _inputs():
     """What moves: the pose and the load of the wheelset."""
     return [
         Variable("lateral_shift", INPUT, "Lateral shift of the wheelset against the track centre, positive to the right",
-                 unit="m", start=0.0, minimum=-0.1, maximum=0.1, nominal=1e-3, index=layout.IN_LATERAL_SHIFT),
+                 unit="m", start=0.0, minimum=-LATERAL_LIMIT, maximum=LATERAL_LIMIT, nominal=1e-3, index=layout.IN_LATERAL_SHIFT),
         Variable("yaw", INPUT, "Yaw of the wheelset, positive clockwise seen from above",
-                 unit="rad", start=0.0, minimum=-0.5, maximum=0.5, nominal=1e-2, index=layout.IN_YAW),
+                 unit="rad", start=0.0, minimum=-YAW_LIMIT, maximum=YAW_LIMIT, nominal=1e-2, index=layout.IN_YAW),
         Variable("roll_guess", INPUT, "Where the search for the roll angle starts; changes the cost of a step, never its answer",
                  unit="rad", start=0.0, minimum=-0.5, maximum=0.5, nominal=1e-3, index=layout.IN_ROLL_GUESS),
         Variable("normal_force", INPUT, "Normal force per wheel, total over its patches, before load transfer",

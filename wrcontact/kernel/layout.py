@@ -125,4 +125,6 @@ WORK_NODES: Final[int] = 3758        # node arrays of the three regions
 NODE_LIMIT: Final[int] = 256
 NODE_MIDDLE: Final[int] = 128
 NODE_FIELDS: Final[int] = 8
-WORK_SIZE: Final[int] = 9920
+WORK_ISLANDS: Final[int] = 9902
+WORK_INPUTS: Final[int] = 9982
+WORK_SIZE: Final[int] = 9990

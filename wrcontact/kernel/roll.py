@@ -10,7 +10,7 @@ from typing import Final
 
 from .gap import gap_per_roll
 from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SIDE_BEST, SIDE_BEST_Y,
-                     STATE_ROLL_COUNT, VALID, WORK_PLACE, WORK_SIDE, WORK_SIDE_SIZE)
+                     STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE, WORK_SIDE_SIZE)
 from .locus import PLACE_SIZE, place_wheelset
 from .search import REACH, find_minima, follow_minima, scan_side
 
@@ -21,10 +21,10 @@ ROLL_SHARP: Final[float] = 1e-14
 ROLL_ITERATIONS: Final[int] = 80
 
 
-def place_both(tables: 'float[:]', work: 'float[:]', inputs: 'float[:]', roll: float):
+def place_both(tables: 'float[:]', work: 'float[:]', roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    shift = inputs[IN_LATERAL_SHIFT]
-    yaw = inputs[IN_YAW]
+    shift = work[WORK_INPUTS + IN_LATERAL_SHIFT]
+    yaw = work[WORK_INPUTS + IN_YAW]
     place_wheelset(work, WORK_PLACE, -shift, -yaw, -roll, tables[SET_RADIUS], tables[SET_ARM])
     place_wheelset(work, WORK_PLACE + PLACE_SIZE, shift, yaw, roll, tables[SET_RADIUS], tables[SET_ARM])
     return 0
@@ -50,7 +50,7 @@ def follow_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     return 0
 
 
-def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inputs: 'float[:]', guess: float):
+def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float):
     """Roll [rad] and outcome; the sides' minima stay in the workspace."""
     left = WORK_SIDE
     right = WORK_SIDE + WORK_SIDE_SIZE
@@ -63,7 +63,7 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inputs: 
     retried = 0
     for i in range(ROLL_ITERATIONS):
         state[STATE_ROLL_COUNT] += 1.0
-        place_both(tables, work, inputs, roll)
+        place_both(tables, work, roll)
         away = roll - scanned
         if fabs(away) > REACH:
             if search_both(tables, work, state) == 0:

@@ -1,0 +1,153 @@
+"""What a step of the FMU costs through fmpy's slave object: set five inputs, step, read every output.
+
+    python benchmarks/fmu_step.py [FMU]
+
+The unit is ``np.sqrt`` of 2000 doubles, measured in the same run, so that figures of two machines compare.  Without an
+argument the FMU is built into a temporary folder.  ``layer`` is the time inside the FMU's own Python with the kernel
+taken out; ``importer`` is what fmpy and PythonFMU need to hand a value over, whoever computes it.
+"""
+
+import sys
+import tempfile
+import time
+from pathlib import Path
+from shutil import rmtree
+from statistics import median
+
+import numpy as np
+from fmpy import extract, read_model_description
+from fmpy.fmi2 import FMU2Slave
+
+STEPS, ROUNDS = 2000, 15
+TARGET = 60  # units
+
+
+def main(fmu=None):
+    with tempfile.TemporaryDirectory() as folder:
+        fmu = fmu or built(folder)
+        unpacked = extract(fmu)
+        try:
+            report(unpacked)
+        finally:
+            rmtree(unpacked, ignore_errors=True)
+
+
+def built(folder):
+    """The FMU of this checkout or of the installed package."""
+    from wrcontact.fmu import build_fmu
+
+    return str(build_fmu(folder))
+
+
+def report(unpacked):
+    """Print the cost of a step and where it goes."""
+    fmu = Instance(unpacked)
+    unit = cost(unit_of_work(), 20 * STEPS)
+    print(f"unit: np.sqrt of 2000 doubles = {unit * 1e6:.2f} us")
+    moving, resting = cost(fmu.step_over(moving_inputs())), cost(fmu.step_over(resting_inputs()))
+    alone = cost(fmu.kernel_over(moving_inputs()))
+    rows = {
+        "whole step": moving,
+        "kernel": alone,
+        "layer": cost(fmu.layer_over(moving_inputs())) - alone,
+        "importer": resting - cost(fmu.layer_over(resting_inputs())),
+    }
+    for name, seconds in rows.items():
+        print(f"{name:12} {seconds * 1e6:7.1f} us {seconds / unit:7.1f} units")
+    print(f"target: {TARGET} units, {'met' if moving <= TARGET * unit else 'MISSED'}")
+    fmu.slave.freeInstance()
+
+
+class Instance:
+    """One initialised FMU, and the session inside it: it runs in this process."""
+
+    def __init__(self, unpacked):
+        description = read_model_description(unpacked)
+        self.slave = FMU2Slave(
+            guid=description.guid,
+            unzipDirectory=unpacked,
+            modelIdentifier=description.coSimulation.modelIdentifier,
+            instanceName="benchmark",
+        )
+        self.slave.instantiate()
+        self.slave.setupExperiment()
+        self.slave.enterInitializationMode()
+        self.slave.exitInitializationMode()
+        variables = description.modelVariables
+        self.inputs = [v.valueReference for v in variables if v.causality == "input"]
+        self.reals = [v.valueReference for v in variables if v.causality == "output" and v.type == "Real"]
+        self.integers = [v.valueReference for v in variables if v.causality == "output" and v.type == "Integer"]
+        module = next(module for name, module in sys.modules.items() if name.startswith("wheelset_contact_"))
+        self.session = module.Session(tell=lambda sentence: None)
+        self.session.start()
+
+    def step_over(self, inputs):
+        """The whole step as an importer does it."""
+        slave, references, reals, integers = self.slave, self.inputs, self.reals, self.integers
+
+        def step():
+            slave.setReal(references, next(inputs))
+            slave.doStep(0.0, 1e-3)
+            slave.getReal(reals)
+            slave.getInteger(integers)
+
+        return step
+
+    def layer_over(self, inputs):
+        """The same calls on a session, without importer."""
+        session, references, reals, integers = self.session, self.inputs, self.reals, self.integers
+
+        def step():
+            session.set_reals(references, next(inputs))
+            session.step()
+            session.get_reals(reals)
+            session.get_integers(integers)
+
+        return step
+
+    def kernel_over(self, inputs):
+        """The kernel on the session's own arrays."""
+        stepper = self.session._stepper
+
+        def step():
+            stepper.inputs[:] = next(inputs)
+            stepper.step()
+
+        return step
+
+
+def moving_inputs():
+    """A hunting wheelset: poses that change at every step, flange to flange."""
+    phase = np.linspace(0, 2 * np.pi, STEPS, endpoint=False)
+    rows = np.column_stack((5e-3 * np.sin(phase), 5e-3 * np.cos(phase), 0 * phase, 78.5e3 + 5e3 * np.sin(7 * phase), 0.1 * np.sin(3 * phase)))
+    rows = [tuple(row) for row in rows.tolist()]
+    while True:
+        yield from rows
+
+
+def resting_inputs():
+    """Inputs that never change: nothing is computed."""
+    while True:
+        yield (1e-3, 0.0, 0.0, 78.5e3, 0.0)
+
+
+def unit_of_work():
+    """np.sqrt of 2000 doubles."""
+    values, roots = np.linspace(1.0, 2.0, 2000), np.empty(2000)
+    return lambda: np.sqrt(values, out=roots)
+
+
+def cost(action, count=STEPS):
+    """Seconds per call: the median of several rounds."""
+    rounds = []
+    for _ in range(ROUNDS):
+        start = time.perf_counter()
+        for _ in range(count):
+            action()
+        rounds.append((time.perf_counter() - start) / count)
+    return median(rounds)
+
+
+if __name__ == "__main__":
+    sys.path.append(str(Path(__file__).resolve().parent.parent))
+    main(*sys.argv[1:])

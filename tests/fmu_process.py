@@ -1,0 +1,363 @@
+"""Runs one scenario with an FMU in a process of its own and prints what it saw as JSON.
+
+    python fmu_process.py <scenario> <FMU> <folder for unpacking>   (further arguments: JSON on standard input)
+
+The host's own wrcontact is shut out: what answers is the code in the FMU.
+"""
+
+import gc
+import json
+import shutil
+import sys
+import threading
+from pathlib import Path
+
+
+class Shut:
+    """An import hook that refuses the packages which an FMU must not need."""
+
+    names = frozenset({"wrcontact", "scipy", "matplotlib", "typer", "rich", "hypothesis", "pyccel"})
+
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] in self.names:
+            raise ImportError(f"{name} is shut out: the FMU has to do without")
+
+
+sys.meta_path.insert(0, Shut())
+
+import fmpy  # noqa: E402
+from fmpy.fmi1 import FMICallException  # noqa: E402
+from fmpy.fmi2 import (  # noqa: E402
+    FMU2Slave,
+    fmi2CallbackAllocateMemoryTYPE,
+    fmi2CallbackFreeMemoryTYPE,
+    fmi2CallbackFunctions,
+    fmi2CallbackLoggerTYPE,
+)
+
+
+class Fmu:
+    """An unpacked FMU: its description and where its variables are."""
+
+    def __init__(self, file, folder):
+        self.folder = str(folder)
+        fmpy.extract(file, unzipdir=self.folder)
+        self.description = fmpy.read_model_description(self.folder)
+        self.variables = {v.name: v for v in self.description.modelVariables}
+
+    def instance(self, name="instance", logging=True):
+        return Instance(self, name, logging)
+
+    def running(self, name="instance", logging=True, **start):
+        """An instance after initialisation with these values."""
+        instance = self.instance(name, logging)
+        instance.set(**start)
+        instance.slave.enterInitializationMode()
+        instance.slave.exitInitializationMode()
+        return instance
+
+
+class Instance:
+    """One slave with its log, addressed by variable names."""
+
+    def __init__(self, fmu, name, logging):
+        self.fmu, self.log, self.time = fmu, [], 0.0
+        self.slave = FMU2Slave(
+            guid=fmu.description.guid,
+            unzipDirectory=fmu.folder,
+            modelIdentifier=fmu.description.coSimulation.modelIdentifier,
+            instanceName=name,
+        )
+        self.callbacks = fmi2CallbackFunctions()
+        self.callbacks.logger = fmi2CallbackLoggerTYPE(self._note)
+        self.callbacks.allocateMemory = fmi2CallbackAllocateMemoryTYPE(fmpy.calloc)
+        self.callbacks.freeMemory = fmi2CallbackFreeMemoryTYPE(fmpy.free)
+        self.slave.instantiate(callbacks=self.callbacks, loggingOn=logging)
+        self.slave.setupExperiment(startTime=0.0)
+
+    def _note(self, environment, instance, status, category, message):
+        self.log.append([status, (category or b"").decode(), message.decode()])
+
+    def set(self, **values):
+        for kind, set_values in (("Real", self.slave.setReal), ("String", self.slave.setString)):
+            chosen = {self.fmu.variables[n].valueReference: v for n, v in values.items() if self.fmu.variables[n].type == kind}
+            if chosen:
+                set_values(list(chosen), list(chosen.values()))
+
+    def get(self, *names):
+        """Values of the named variables; of all outputs if there is no name."""
+        chosen = [self.fmu.variables[n] for n in names] or [v for v in self.fmu.variables.values() if v.causality == "output"]
+        found = {}
+        for kind, get_values in (("Real", self.slave.getReal), ("Integer", self.slave.getInteger), ("String", self.slave.getString)):
+            some = [v for v in chosen if v.type == kind]
+            if some:
+                found.update(zip((v.name for v in some), get_values([v.valueReference for v in some])))
+        return {name: value.decode() if isinstance(value, bytes) else value for name, value in found.items()}
+
+    def step(self, size=1e-3, **inputs):
+        self.set(**inputs)
+        self.slave.doStep(self.time, size)
+        self.time += size
+
+    def told(self):
+        """The log lines since the last call."""
+        lines, self.log[:] = list(self.log), []
+        return lines
+
+
+def refused(call, *arguments):
+    """Whether a call fails with an FMI error."""
+    try:
+        call(*arguments)
+    except FMICallException:
+        return True
+    return False
+
+
+# --- scenarios ------------------------------------------------------------------------------------
+
+
+def first_instant(fmu, start=None):
+    """Outputs before any step, at the default inputs and at others."""
+    plain = fmu.running().get()
+    instance = fmu.instance()
+    instance.slave.enterInitializationMode()
+    instance.set(**(start or {}))
+    inside = instance.get()
+    instance.slave.exitInitializationMode()
+    return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get(), "modules": modules()}
+
+
+def modules():
+    """Which wrcontact and which PythonFMU this process runs."""
+    return {name: module.__file__ for name, module in sys.modules.items() if name.startswith(("wrcontact", "wheelset_contact")) or name == "pythonfmu"}
+
+
+def trajectory(fmu, rows, names):
+    """Outputs after a step at every row of inputs."""
+    instance = fmu.running()
+    seen = []
+    for row in rows:
+        instance.step(**row)
+        seen.append(instance.get(*names))
+    return {"seen": seen, "log": instance.told()}
+
+
+def simulated(fmu, rows, times, names):
+    """The same by simulate_fmu: inputs hold from one instant to the next, results are those at the end of each step."""
+    import numpy as np
+
+    columns = list(rows[0])
+    signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=[(name, "f8") for name in ("time", *columns)])
+    interval = times[1] - times[0]
+    result = fmpy.simulate_fmu(
+        fmu.folder, start_time=times[0], stop_time=times[-1], output_interval=interval, input=signals, output=names
+    )
+    return {"seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
+
+
+def outcomes(fmu, cases):
+    """Each case on a running instance, between two valid steps: its outputs, its log, and the recovery."""
+    instance = fmu.running()
+    answers = {}
+    for name, case in cases.items():
+        instance.step(lateral_shift=1e-3, yaw=0.0, roll_guess=0.0, normal_force=78.5e3, load_transfer=0.0)
+        before = instance.get()
+        instance.told()
+        instance.step(**case)
+        during, log = instance.get(), instance.told()
+        instance.step()
+        again = instance.told()
+        instance.step(lateral_shift=1e-3, yaw=0.0, roll_guess=0.0, normal_force=78.5e3, load_transfer=0.0)
+        answers[name] = {"before": before, "during": during, "log": log, "again": again, "after": instance.get(), "rest": instance.told()}
+    return answers
+
+
+def laziness(fmu):
+    """How often the kernel ran."""
+    instance = fmu.running()
+    session = session_of("instance")
+    counts = [session.evaluations]
+    instance.get(), instance.step(), instance.step(), instance.get()
+    counts.append(session.evaluations)
+    instance.step(lateral_shift=2e-3)
+    instance.get(), instance.get("roll"), instance.step()
+    counts.append(session.evaluations)
+    instance.set(lateral_shift=3e-3)
+    ahead = instance.get("roll")
+    instance.step()
+    counts.append(session.evaluations)
+    instance.set(lateral_shift=2e-3), instance.set(lateral_shift=3e-3, yaw=0.0)
+    return {"counts": counts, "ahead": ahead, "after": instance.get("roll")}
+
+
+def session_of(name):
+    """The session behind the instance of this name; it lives in this process."""
+    return next(found.session for found in gc.get_objects() if type(found).__name__ == "WheelsetContact" and found.instance_name == name)
+
+
+def saved_states(fmu, rows, names):
+    """Go on from a state that was taken, from its bytes in another instance, and after damaged bytes."""
+    one = fmu.running("one")
+    for row in rows[:5]:
+        one.step(**row)
+    state = one.slave.getFMUstate()
+    saved = one.slave.serializeFMUstate(state)
+    straight = _go_on(one, rows[5:])
+    one.slave.setFMUstate(state)
+    restored = one.get()
+    back = _go_on(one, rows[5:])
+    one.slave.freeFMUstate(state)
+    other = fmu.instance("other")
+    other.slave.setFMUstate(other.slave.deSerializeFMUstate(saved))
+    elsewhere = _go_on(other, rows[5:])
+    damaged = bytearray(saved)
+    damaged[len(damaged) // 2] ^= 1
+    present = other.get()
+    other.told()
+    refusals = [refused(lambda: other.slave.setFMUstate(other.slave.deSerializeFMUstate(bytes(bad)))) for bad in (damaged, saved[:-8], b"", saved + b"x")]
+    kept = other.get() == present
+    other.step(lateral_shift=0.0)
+    log = [line for line in other.told() if line[1]]
+    return {"straight": straight, "back": back, "elsewhere": elsewhere, "restored": restored, "refusals": refusals, "kept": kept, "log": log, "after": other.get()}
+
+
+def _go_on(instance, rows):
+    seen = []
+    for row in rows:
+        instance.step(**row)
+        seen.append(instance.get())
+    return seen
+
+
+def reset(fmu, start):
+    """Values before and after a reset, and a second run that repeats the first."""
+    instance = fmu.running(**start)
+    instance.step(lateral_shift=5e-3)
+    first = instance.get()
+    instance.slave.reset()
+    values = instance.get(*start, "lateral_shift")
+    instance.set(**start)
+    instance.slave.enterInitializationMode()
+    instance.slave.exitInitializationMode()
+    fresh = instance.get()
+    instance.step(lateral_shift=5e-3)
+    return {"first": first, "values": values, "fresh": fresh, "second": instance.get(), "fresh_instance": fmu.running("new", **start).get()}
+
+
+def instances(fmu, parameters, rows):
+    """Several instances stepped in turn, alone, and in threads; then many one after the other."""
+    together = [fmu.running(f"instance {k}", **start) for k, start in enumerate(parameters)]
+    seen = [[] for _ in together]
+    for row in rows:
+        for instance, found in zip(together, seen):
+            instance.step(**row)
+            found.append(instance.get())
+    alone = [_go_on(fmu.running(f"alone {k}", **start), rows) for k, start in enumerate(parameters)]
+    threaded = [fmu.running(f"thread {k}", **start) for k, start in enumerate(parameters)]
+    parallel = [None] * len(threaded)
+
+    def work(k):
+        parallel[k] = _go_on(threaded[k], rows)
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(len(threaded))]
+    [thread.start() for thread in threads]
+    [thread.join() for thread in threads]
+    for k in range(60):
+        one = fmu.running(f"one of many {k}")
+        one.step(lateral_shift=1e-3)
+        one.slave.terminate()
+        one.slave.fmi2FreeInstance(one.slave.component)
+    return {"together": seen, "alone": alone, "parallel": parallel}
+
+
+def neighbours(fmu, other, other_folder):
+    """Two different FMUs in one process, both ways round."""
+    second = Fmu(other, other_folder)
+    one, two = fmu.running("one"), second.running("two")
+    one.step(lateral_shift=1e-3), two.step(lateral_shift=1e-3)
+    return {"one": one.get(), "two": two.get(), "wheels": [one.get("wheel_profile"), two.get("wheel_profile")], "modules": modules()}
+
+
+def refusals(fmu, cases):
+    """Wrong parameters: whether initialisation fails, what the log says, and whether the FMU works afterwards."""
+    answers = {}
+    for name, start in cases.items():
+        instance = fmu.instance(name)
+        instance.set(**start)
+        failed = refused(instance.slave.enterInitializationMode)
+        answers[name] = {"refused": failed, "log": instance.told()}
+        instance.slave.reset()
+        instance.slave.enterInitializationMode()
+        instance.slave.exitInitializationMode()
+        instance.step(lateral_shift=1e-3)
+        answers[name]["after"] = instance.get("roll", "status")
+        instance.slave.freeInstance()
+    return answers
+
+
+def misuse(fmu):
+    """What an importer should not do must not bring the process down."""
+    instance = fmu.running()
+    variables = fmu.variables
+    calls = {
+        "fixed parameter": lambda: instance.set(gauge=1.5),
+        "same value": lambda: instance.set(gauge=1.435),
+        "output": lambda: instance.slave.setReal([variables["roll"].valueReference], [1.0]),
+        "integer output": lambda: instance.slave.setInteger([variables["status"].valueReference], [1]),
+        "unknown reference": lambda: instance.slave.getReal([4711]),
+        "wrong type": lambda: instance.slave.getReal([variables["status"].valueReference]),
+    }
+    answers = {name: refused(call) for name, call in calls.items()}
+    unready = fmu.instance("unready")
+    unready.step()
+    instance.step(lateral_shift=1e-3)
+    return {"refused": answers, "unready": unready.get("status"), "unready_log": unready.told(), "after": instance.get("status", "roll")}
+
+
+def vanished_folder(fmu, again, elsewhere):
+    """An instance is refused, its folder removed, and the FMU unpacked again elsewhere."""
+    instance = fmu.instance()
+    instance.set(contact_mode="nonsense")
+    refused(instance.slave.enterInitializationMode)
+    shutil.rmtree(fmu.folder)
+    return Fmu(again, elsewhere).running("second").get("status", "roll")
+
+
+def endurance(fmu, steps):
+    """Memory before and after many steps with all their reading, and saved states now and then."""
+    instance = fmu.running()
+    slave, variables = instance.slave, fmu.variables.values()
+    inputs = [v.valueReference for v in variables if v.causality == "input"]
+    reals = [v.valueReference for v in variables if v.causality == "output" and v.type == "Real"]
+
+    def run(count):
+        for k in range(count):
+            slave.setReal(inputs, [5e-3 * (k % 101 - 50) / 50, 1e-4 * (k % 7), 0.0, 78.5e3, 0.0])
+            slave.doStep(0.0, 1e-3)
+            slave.getReal(reals)
+            if k % 100 == 0:
+                state = slave.getFMUstate()
+                slave.setFMUstate(state)
+                slave.freeFMUstate(state)
+
+    run(steps // 10)
+    gc.collect()
+    before = resident(), sys.getallocatedblocks()
+    run(steps)
+    gc.collect()
+    return {"resident": resident() - before[0], "blocks": sys.getallocatedblocks() - before[1]}
+
+
+def resident():
+    """Resident memory of this process [bytes]; 0 where the system does not tell."""
+    try:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+    except OSError:
+        return 0
+
+
+if __name__ == "__main__":
+    scenario, file, folder = sys.argv[1:]
+    answer = globals()[scenario](Fmu(file, folder), **json.load(sys.stdin))
+    print(json.dumps(answer))

@@ -1,0 +1,204 @@
+"""The compiled kernel and its Python source are one program: the same bits, and a library that does not fit is not used."""
+
+import gc
+import os
+import shutil
+import subprocess
+import sys
+import weakref
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import wrcontact
+from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
+from tools.transpile_kernel import Module, Refused
+from wrcontact.kernel import library
+from wrcontact.kernel.files import LIBRARY_NAME, fingerprint
+from wrcontact.kernel.layout import INPUT_COUNT, OUTPUT_COUNT
+
+PACKAGE = Path(wrcontact.__file__).parent
+KERNEL = PACKAGE / "kernel"
+needs_library = pytest.mark.skipif(not (KERNEL / LIBRARY_NAME).exists(), reason="no compiled library here")
+needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
+
+RUN = """
+import sys
+import numpy as np
+import {package} as wrcontact
+stepper = wrcontact.ContactSystem().stepper()
+rows = []
+for pose in np.load(sys.argv[1]):
+    stepper.inputs[:] = pose
+    rows.append([stepper.step(), *stepper.outputs])
+np.save(sys.argv[2], np.array(rows))
+"""
+
+
+def poses(count, seed=20):
+    """Poses over tread and flange: cold jumps, a slow run, and some that no wheelset can have."""
+    rng = np.random.default_rng(seed)
+    rows = np.column_stack([
+        rng.uniform(-8e-3, 8e-3, count),            # lateral shift [m]
+        rng.uniform(-0.02, 0.02, count),            # yaw [rad]
+        rng.uniform(-1e-3, 1e-3, count),            # roll guess [rad]
+        rng.uniform(2e4, 1.5e5, count),             # normal force [N]
+        rng.uniform(-0.5, 0.5, count)])             # load transfer
+    rows[::4, 1] = 0.0
+    run = count // 2
+    rows[run:, 0] = np.linspace(-7e-3, 7e-3, count - run)
+    rows[run::7] = [[np.nan, 0.0, 0.0, 7e4, 0.0]]
+    rows[run + 1::7] = [[0.3, 0.0, 0.0, 7e4, 0.0]]
+    rows[run + 2::7, 3] = 0.0
+    return rows
+
+
+def run_steps(rows, folder, *, choice, package=PACKAGE):
+    """[status, outputs] of each pose, from a fresh process in which ``package`` runs the ``choice`` of kernel."""
+    np.save(folder / "poses.npy", rows)
+    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy", folder / "steps.npy")
+    assert child.returncode == 0, child.stderr
+    return np.load(folder / "steps.npy")
+
+
+def run_python(code, path, choice, *arguments):
+    """Run ``code`` with ``path`` in front of the module path, away from this checkout."""
+    return subprocess.run([sys.executable, "-W", "always", "-c", code, *map(str, arguments)], cwd=path, text=True,
+                          capture_output=True, env={**os.environ, "PYTHONPATH": str(path), "WRCONTACT_KERNEL": choice})
+
+
+def copy_package(folder, name, *, with_library):
+    """A copy of the package under another name, as inside an FMU."""
+    ignored = ["__pycache__"] + ([] if with_library else [LIBRARY_NAME])
+    return Path(shutil.copytree(PACKAGE, folder / name, ignore=shutil.ignore_patterns(*ignored)))
+
+
+def bits(array):
+    return np.ascontiguousarray(array).view(np.int64)
+
+
+@needs_library
+def test_compiled_and_python_agree_to_the_last_bit(tmp_path):
+    rows = poses(80)
+    compiled = run_steps(rows, tmp_path, choice="compiled")
+    source = run_steps(rows, tmp_path, choice="python")
+    assert len(set(compiled[:, 0])) > 1, "the poses should meet more than one status"
+    if sys.platform == "win32":                     # the compiler's sin and atan are not CPython's there
+        np.testing.assert_allclose(compiled, source, rtol=1e-9)
+    else:
+        np.testing.assert_array_equal(bits(compiled), bits(source))
+
+
+@needs_library
+@needs_compiler
+def test_no_index_leaves_its_array(tmp_path):
+    """The library with checked indices takes the same steps: it would end the process at the first bad one."""
+    package = copy_package(tmp_path, "checked_wheelset", with_library=False)
+    compile_library(package / "kernel", extra_flags=["-DWRCONTACT_CHECK_BOUNDS"])
+    rows = poses(400, seed=21)
+    checked = run_steps(rows, tmp_path, choice="compiled", package=package)
+    usual = run_steps(rows, tmp_path, choice="compiled")
+    np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
+
+
+def test_generated_c_is_of_this_source():
+    assert f"INT64_C(0x{fingerprint():015x})" in (KERNEL / "generated" / "unit.c").read_text(), "run tools/transpile_kernel.py"
+
+
+def test_missing_library_warns_once(tmp_path):
+    package = copy_package(tmp_path, "renamed_wheelset", with_library=False)
+    code = "from renamed_wheelset.kernel.library import default_kernel as k; print(k().compiled, k().compiled)"
+    child = run_python(code, tmp_path, "auto")
+    assert child.stdout.split() == ["False", "False"], child.stderr
+    assert child.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
+    assert f"there is no {LIBRARY_NAME} in {package / 'kernel'}" in child.stderr
+
+
+@needs_library
+def test_library_of_other_sources_is_refused(tmp_path):
+    folder = copy_package(tmp_path, "edited_wheelset", with_library=True) / "kernel"
+    assert library.open_library(folder).wrcontact_abi() == fingerprint(folder)
+    with open(folder / "layout.py", "a") as source:
+        source.write("# edited\n")
+    with pytest.raises(library.LibraryUnusable, match="another version of the kernel"):
+        library.open_library(folder)
+
+
+def test_file_that_is_no_library_is_refused(tmp_path):
+    (tmp_path / LIBRARY_NAME).write_bytes(b"half a library")
+    with pytest.raises(library.LibraryUnusable, match="cannot be loaded"):
+        library.open_library(tmp_path)
+
+
+def test_unknown_choice_is_refused(monkeypatch):
+    monkeypatch.setenv("WRCONTACT_KERNEL", "fortran")
+    with pytest.raises(ValueError, match="'fortran'; it may be auto, compiled, python"):
+        library.default_kernel.__wrapped__()
+
+
+def test_failing_compiler_leaves_no_library(tmp_path):
+    with pytest.raises(CompilerProblem, match="failed on the kernel"):
+        compile_library(tmp_path, compiler=[sys.executable, "-c", "raise SystemExit(1)"])
+    assert not list(tmp_path.iterdir())
+
+
+def arrays(**changed):
+    """Arrays that can be bound."""
+    return {"tables": np.zeros(8), "state": np.zeros(8), "workspace": np.zeros(8), "inputs": np.zeros(INPUT_COUNT),
+            "outputs": np.zeros(OUTPUT_COUNT), **changed}
+
+
+def read_only(size):
+    array = np.zeros(size)
+    array.flags.writeable = False
+    return array
+
+
+@pytest.mark.parametrize("changed, sentence", [
+    ({"tables": [0.0]}, "tables must be a numpy array of float64, not list"),
+    ({"state": np.zeros(8, np.float32)}, "state must be a numpy array of float64, not float32"),
+    ({"workspace": np.zeros(16)[::2]}, "workspace must be C-contiguous"),
+    ({"inputs": np.zeros(INPUT_COUNT - 1)}, f"inputs has {INPUT_COUNT - 1} values and needs {INPUT_COUNT}"),
+    ({"outputs": read_only(OUTPUT_COUNT)}, "outputs is read-only"),
+])
+def test_unusable_arrays_are_refused(changed, sentence):
+    with pytest.raises((TypeError, ValueError), match=sentence):
+        library.Kernel().bind(**arrays(**changed))
+
+
+def test_read_only_tables_are_welcome():
+    library.Kernel().bind(**arrays(tables=read_only(8)))
+
+
+@pytest.mark.parametrize("make", [library.Kernel, library.default_kernel])
+def test_bound_arrays_stay_alive(make):
+    kernel, given = make(), arrays()
+    alive = {name: weakref.ref(array) for name, array in given.items()}
+    bound = kernel.bind(**given)
+    del given
+    gc.collect()
+    assert all(reference() is not None for reference in alive.values())
+    del bound
+    gc.collect()
+    assert not any(reference() is not None for reference in alive.values())
+
+
+@pytest.mark.parametrize("body, why", [
+    ("for i in range(3):\n        x += 1.0\n    else:\n        x = 0.0", "drops the else"),
+    ("for i in range(3):\n        i += 1", "changes its own variable"),
+    ("for i in range(3):\n        x += 1.0\n    x += i", "one turn further"),
+    ("x = x ** 2", "power that the C compiler replaces"),
+    ("x = hypot(x, 1.0)", "hypot differs"),
+])
+def test_python_that_means_something_else_in_c_is_refused(tmp_path, body, why):
+    path = tmp_path / "trap.py"
+    path.write_text(f"def trap(x: float) -> float:\n    {body}\n    return x\n")
+    with pytest.raises(Refused, match=f"trap.py, line .*{why}"):
+        Module(path).refuse_silent_traps()
+
+
+def test_end_of_a_range_is_read_once(tmp_path):
+    path = tmp_path / "turns.py"
+    path.write_text("# \u03c8\ndef turns(n: int) -> int:\n    for i in range(1, n + 1):\n        n = 2\n    return n\n", encoding="utf-8")
+    assert "    i_end = n + 1\n    for i in range(1, i_end):\n" in Module(path).source().decode()

@@ -1,0 +1,218 @@
+"""ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
+
+Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+
+    d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E*/pi) d / (n r a)
+
+(the source's eq. 2.25 prints E*/(2 pi), which integrates to a quarter of the force), so the line load
+(pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
+
+Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
+of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
+"""
+
+from math import fabs, pi
+from typing import Final
+
+from .layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
+from .nodes import NODE_LINE, NODE_RISE, node_field
+from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD, REGION_LOW,
+                      REGION_MIDDLE, REGION_MOVE, REGION_RESIDUAL, REGION_SLOPE, REGION_SPACING, REGION_STATION,
+                      REGION_STIFFNESS, region_block)
+
+FORCE_ITERATIONS: Final[int] = 60
+#: The force is met to this, relative; rounding of the sums is 1e-14.
+FORCE_SHARP: Final[float] = 1e-12
+
+
+def cell_part(d_before: float, d_low: float, d_high: float):
+    """The loaded part [from, to] of a cell, as shares of it counted from its inner node.
+
+    d is the quadratic through the inner neighbour and the cell's two nodes, which is exact for a parabola.
+    """
+    start = 0.0
+    stop = 1.0
+    if d_low <= 0.0 and d_high <= 0.0:
+        stop = 0.0
+    elif d_low <= 0.0 or d_high <= 0.0:
+        bend = 0.5 * (d_before - 2.0 * d_low + d_high)
+        slope = d_high - d_low - bend
+        root = 0.5
+        for i in range(40):
+            value = d_low + root * (slope + root * bend)
+            rate = slope + 2.0 * root * bend
+            if rate == 0.0:
+                rate = d_high - d_low
+            following = root - value / rate
+            if following < 0.0:
+                following = 0.0
+            if following > 1.0:
+                following = 1.0
+            if fabs(following - root) < 1e-15:
+                break
+            root = following
+        if d_low > 0.0:
+            stop = root
+        else:
+            start = root
+    return start, stop
+
+
+def quadratic_integral(before: float, low: float, high: float, start: float, stop: float):
+    """Integral over [start, stop] of the quadratic through (-1, before), (0, low), (1, high)."""
+    bend = 0.5 * (before - 2.0 * low + high)
+    slope = high - low - bend
+    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
+    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0))
+    return upper - lower
+
+
+def clip_to_bound(work: 'float[:]', block: int, k: int, outward: int, stop: float):
+    """``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell."""
+    spacing = work[block + REGION_SPACING]
+    reach = (work[block + REGION_HIGH] - work[block + REGION_STATION]) / spacing - float(k)
+    if outward < 0:
+        reach = (work[block + REGION_STATION] - work[block + REGION_LOW]) / spacing + float(k)
+    if reach < stop:
+        stop = reach
+    if stop < 0.0:
+        stop = 0.0
+    return stop
+
+
+def region_load(work: 'float[:]', region: int, level: float):
+    """Load [N] of ``region`` at local penetration ``level`` [m] and its derivative [N/m]."""
+    block = region_block(region)
+    spacing = work[block + REGION_SPACING]
+    rises = node_field(region, NODE_RISE)
+    lines = node_field(region, NODE_LINE)
+    load = 0.0
+    stiffness = 0.0
+    if level > 0.0:
+        for outward in range(-1, 2, 2):
+            last = int(work[block + REGION_LAST])
+            if outward < 0:
+                last = -int(work[block + REGION_FIRST])
+            d_before = level - work[rises - outward]
+            c_before = work[lines - outward]
+            d_low = level - work[rises]
+            c_low = work[lines]
+            for k in range(last):
+                at = outward * (k + 1)
+                d_high = level - work[rises + at]
+                c_high = work[lines + at]
+                if d_low > 0.0 or d_high > 0.0:
+                    start, stop = cell_part(d_before, d_low, d_high)
+                    if k == last - 1:
+                        stop = clip_to_bound(work, block, outward * k, outward, stop)
+                    if stop > start:
+                        load += quadratic_integral(c_before * d_before, c_low * d_low, c_high * d_high, start, stop)
+                        stiffness += quadratic_integral(c_before, c_low, c_high, start, stop)
+                d_before = d_low
+                c_before = c_low
+                d_low = d_high
+                c_low = c_high
+    return load * spacing, stiffness * spacing
+
+
+def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
+    """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself."""
+    result = 0.0
+    if first != second:
+        distance = fabs(work[region_block(first) + REGION_MIDDLE] - work[region_block(second) + REGION_MIDDLE])
+        result = 1.0 / (pi * tables[SET_CONTACT_MODULUS] * distance)
+    return result
+
+
+def load_regions(tables: 'float[:]', work: 'float[:]', count: int):
+    """Loads and stiffnesses of all regions at their levels; the total load [N]."""
+    total = 0.0
+    for i in range(count):
+        block = region_block(i)
+        load, stiffness = region_load(work, i, work[block + REGION_LEVEL])
+        work[block + REGION_LOAD] = load
+        work[block + REGION_STIFFNESS] = stiffness
+        total += load
+    return total
+
+
+def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
+                 prescribed: int):
+    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
+    all levels together; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+    """
+    for i in range(count):
+        work[region_block(i) + REGION_LEVEL] = penetration - work[region_block(i) + REGION_GAP]
+    for iteration in range(FORCE_ITERATIONS):
+        state[STATE_SOLVE_COUNT] += 1.0
+        total = load_regions(tables, work, count)
+        residual, slope, rest = level_residuals(tables, work, count, penetration)
+        # total(levels) must become force: the levels follow penetration by slope, after closing their own residuals
+        move = 0.0
+        if prescribed == 0:
+            if slope > 0.0:
+                move = (force - total - rest) / slope
+            else:
+                move = penetration
+            if penetration + move < 0.25 * penetration:
+                move = -0.75 * penetration
+        penetration += move
+        apply_moves(work, count, move)
+        missed = fabs(force - total)
+        if prescribed == 1:
+            missed = 0.0
+        if missed <= FORCE_SHARP * force and residual <= FORCE_SHARP * penetration and fabs(move) <= 1e-11 * penetration:
+            load_regions(tables, work, count)
+            return penetration, 1
+    return penetration, 0
+
+
+def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetration: float):
+    """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
+    level_i = penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+
+    Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
+    Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
+    """
+    largest = 0.0
+    for i in range(count):
+        block = region_block(i)
+        pushed = 0.0
+        for j in range(count):
+            pushed += influence(tables, work, i, j) * work[region_block(j) + REGION_LOAD]
+        residual = penetration - work[block + REGION_GAP] - pushed - work[block + REGION_LEVEL]
+        work[block + REGION_RESIDUAL] = residual
+        work[block + REGION_SLOPE] = 1.0
+        work[block + REGION_MOVE] = residual
+        if fabs(residual) > largest:
+            largest = fabs(residual)
+    sweeps = 12
+    if count == 1:
+        sweeps = 0
+    for sweep in range(sweeps):
+        for i in range(count):
+            block = region_block(i)
+            slope = 1.0
+            move = work[block + REGION_RESIDUAL]
+            for j in range(count):
+                other = region_block(j)
+                coupling = influence(tables, work, i, j) * work[other + REGION_STIFFNESS]
+                slope -= coupling * work[other + REGION_SLOPE]
+                move -= coupling * work[other + REGION_MOVE]
+            work[block + REGION_SLOPE] = slope
+            work[block + REGION_MOVE] = move
+    slope = 0.0
+    rest = 0.0
+    for i in range(count):
+        block = region_block(i)
+        slope += work[block + REGION_STIFFNESS] * work[block + REGION_SLOPE]
+        rest += work[block + REGION_STIFFNESS] * work[block + REGION_MOVE]
+    return largest, slope, rest
+
+
+def apply_moves(work: 'float[:]', count: int, move: float):
+    """Move the levels with the penetration by ``move`` [m] and close their residuals."""
+    for i in range(count):
+        block = region_block(i)
+        work[block + REGION_LEVEL] += work[block + REGION_MOVE] + work[block + REGION_SLOPE] * move
+    return 0

@@ -1,0 +1,357 @@
+/* Generated from analyn.py by tools/transpile_kernel.py; change that one.
+ *
+ * ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
+ *
+ * Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+ *
+ *     d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E* /pi) d / (n r a)
+ *
+ * (the source's eq. 2.25 prints E* /(2 pi), which integrates to a quarter of the force), so the line load
+ * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
+ *
+ * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
+ * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
+ */
+
+#include "analyn.h"
+
+/* The loaded part [from, to] of a cell, as shares of it counted from its inner node.
+ *
+ * d is the quadratic through the inner neighbour and the cell's two nodes, which is exact for a parabola.
+ */
+static int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high)
+{
+    double bend;
+    double slope;
+    double root;
+    int64_t i;
+    double value;
+    double rate;
+    double following;
+    (*start) = 0.0;
+    (*stop) = 1.0;
+    if ((d_low <= 0.0) && (d_high <= 0.0))
+    {
+        (*stop) = 0.0;
+    }
+    else if ((d_low <= 0.0) || (d_high <= 0.0))
+    {
+        bend = 0.5 * (d_before - 2.0 * d_low + d_high);
+        slope = d_high - d_low - bend;
+        root = 0.5;
+        for (i = INT64_C(0); i < INT64_C(40); i += INT64_C(1))
+        {
+            value = d_low + root * (slope + root * bend);
+            rate = slope + 2.0 * root * bend;
+            if (rate == 0.0)
+            {
+                rate = d_high - d_low;
+            }
+            following = root - value / rate;
+            if (following < 0.0)
+            {
+                following = 0.0;
+            }
+            if (following > 1.0)
+            {
+                following = 1.0;
+            }
+            if (fabs(following - root) < 1e-15)
+            {
+                break;
+            }
+            root = following;
+        }
+        if (d_low > 0.0)
+        {
+            (*stop) = root;
+        }
+        else
+        {
+            (*start) = root;
+        }
+    }
+    return 0;
+}
+
+/* Integral over [start, stop] of the quadratic through (-1, before), (0, low), (1, high). */
+static double analyn__quadratic_integral(double before, double low, double high, double start, double stop)
+{
+    double bend;
+    double slope;
+    double upper;
+    double lower;
+    bend = 0.5 * (before - 2.0 * low + high);
+    slope = high - low - bend;
+    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
+    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0));
+    return upper - lower;
+}
+
+/* ``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell. */
+static double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop)
+{
+    double spacing;
+    double reach;
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    reach = ((*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION))) / spacing - (double)(k);
+    if (outward < INT64_C(0))
+    {
+        reach = ((*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW))) / spacing + (double)(k);
+    }
+    if (reach < stop)
+    {
+        stop = reach;
+    }
+    if (stop < 0.0)
+    {
+        stop = 0.0;
+    }
+    return stop;
+}
+
+/* Load [N] of ``region`` at local penetration ``level`` [m] and its derivative [N/m]. */
+static int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level)
+{
+    int64_t block;
+    double spacing;
+    int64_t rises;
+    int64_t lines;
+    double load;
+    double stiffness;
+    int64_t outward;
+    int64_t last;
+    double d_before;
+    double c_before;
+    double d_low;
+    double c_low;
+    int64_t k;
+    int64_t at;
+    double d_high;
+    double c_high;
+    double start;
+    double stop;
+    block = regions__region_block(region);
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    rises = nodes__node_field(region, nodes__NODE_RISE);
+    lines = nodes__node_field(region, nodes__NODE_LINE);
+    load = 0.0;
+    stiffness = 0.0;
+    if (level > 0.0)
+    {
+        for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
+        {
+            last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+            if (outward < INT64_C(0))
+            {
+                last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+            }
+            d_before = level - (*cspan_at(&work, rises - outward));
+            c_before = (*cspan_at(&work, lines - outward));
+            d_low = level - (*cspan_at(&work, rises));
+            c_low = (*cspan_at(&work, lines));
+            for (k = INT64_C(0); k < last; k += INT64_C(1))
+            {
+                at = outward * (k + INT64_C(1));
+                d_high = level - (*cspan_at(&work, rises + at));
+                c_high = (*cspan_at(&work, lines + at));
+                if ((d_low > 0.0) || (d_high > 0.0))
+                {
+                    analyn__cell_part(&start, &stop, d_before, d_low, d_high);
+                    if (k == last - INT64_C(1))
+                    {
+                        stop = analyn__clip_to_bound(work, block, outward * k, outward, stop);
+                    }
+                    if (stop > start)
+                    {
+                        load += analyn__quadratic_integral(c_before * d_before, c_low * d_low, c_high * d_high, start, stop);
+                        stiffness += analyn__quadratic_integral(c_before, c_low, c_high, start, stop);
+                    }
+                }
+                d_before = d_low;
+                c_before = c_low;
+                d_low = d_high;
+                c_low = c_high;
+            }
+        }
+    }
+    (*result_0) = load * spacing;
+    (*result_1) = stiffness * spacing;
+    return 0;
+}
+
+/* What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself. */
+static double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
+{
+    double distance;
+    double result;
+    result = 0.0;
+    if (first != second)
+    {
+        distance = fabs((*cspan_at(&work, regions__region_block(first) + regions__REGION_MIDDLE)) - (*cspan_at(&work, regions__region_block(second) + regions__REGION_MIDDLE)));
+        result = 1.0 / (M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) * distance);
+    }
+    return result;
+}
+
+/* Loads and stiffnesses of all regions at their levels; the total load [N]. */
+static double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count)
+{
+    int64_t i;
+    int64_t block;
+    double load;
+    double stiffness;
+    double total;
+    total = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        analyn__region_load(&load, &stiffness, work, i, (*cspan_at(&work, block + regions__REGION_LEVEL)));
+        (*cspan_at(&work, block + regions__REGION_LOAD)) = load;
+        (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = stiffness;
+        total += load;
+    }
+    return total;
+}
+
+/* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
+ * all levels together; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+ */
+static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed)
+{
+    int64_t i;
+    int64_t iteration;
+    double total;
+    double residual;
+    double slope;
+    double rest;
+    double move;
+    double missed;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, regions__region_block(i) + regions__REGION_LEVEL)) = penetration - (*cspan_at(&work, regions__region_block(i) + regions__REGION_GAP));
+    }
+    for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
+    {
+        (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
+        total = analyn__load_regions(tables, work, count);
+        analyn__level_residuals(&residual, &slope, &rest, tables, work, count, penetration);
+        /* total(levels) must become force: the levels follow penetration by slope, after closing their own residuals */
+        move = 0.0;
+        if (prescribed == INT64_C(0))
+        {
+            if (slope > 0.0)
+            {
+                move = (force - total - rest) / slope;
+            }
+            else
+            {
+                move = penetration;
+            }
+            if (penetration + move < 0.25 * penetration)
+            {
+                move = (-0.75) * penetration;
+            }
+        }
+        penetration += move;
+        analyn__apply_moves(work, count, move);
+        missed = fabs(force - total);
+        if (prescribed == INT64_C(1))
+        {
+            missed = 0.0;
+        }
+        if ((missed <= analyn__FORCE_SHARP * force) && (residual <= analyn__FORCE_SHARP * penetration) && (fabs(move) <= 1e-11 * penetration))
+        {
+            analyn__load_regions(tables, work, count);
+            (*result_0_0001) = penetration;
+            (*result_1_0001) = INT64_C(1);
+            return 0;
+        }
+    }
+    (*result_0_0001) = penetration;
+    (*result_1_0001) = INT64_C(0);
+    return 0;
+}
+
+/* Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
+ * level_i = penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+ *
+ * Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
+ * Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
+ */
+static int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration)
+{
+    int64_t i;
+    int64_t block;
+    double pushed;
+    int64_t j;
+    double residual;
+    int64_t sweeps;
+    int64_t sweep;
+    double move;
+    int64_t other;
+    double coupling;
+    (*largest) = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        pushed = 0.0;
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            pushed += analyn__influence(tables, work, i, j) * (*cspan_at(&work, regions__region_block(j) + regions__REGION_LOAD));
+        }
+        residual = penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - pushed - (*cspan_at(&work, block + regions__REGION_LEVEL));
+        (*cspan_at(&work, block + regions__REGION_RESIDUAL)) = residual;
+        (*cspan_at(&work, block + regions__REGION_SLOPE)) = 1.0;
+        (*cspan_at(&work, block + regions__REGION_MOVE)) = residual;
+        if (fabs(residual) > (*largest))
+        {
+            (*largest) = fabs(residual);
+        }
+    }
+    sweeps = INT64_C(12);
+    if (count == INT64_C(1))
+    {
+        sweeps = INT64_C(0);
+    }
+    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            block = regions__region_block(i);
+            (*slope) = 1.0;
+            move = (*cspan_at(&work, block + regions__REGION_RESIDUAL));
+            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            {
+                other = regions__region_block(j);
+                coupling = analyn__influence(tables, work, i, j) * (*cspan_at(&work, other + regions__REGION_STIFFNESS));
+                (*slope) -= coupling * (*cspan_at(&work, other + regions__REGION_SLOPE));
+                move -= coupling * (*cspan_at(&work, other + regions__REGION_MOVE));
+            }
+            (*cspan_at(&work, block + regions__REGION_SLOPE)) = (*slope);
+            (*cspan_at(&work, block + regions__REGION_MOVE)) = move;
+        }
+    }
+    (*slope) = 0.0;
+    (*rest) = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        (*slope) += (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SLOPE));
+        (*rest) += (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_MOVE));
+    }
+    return 0;
+}
+
+/* Move the levels with the penetration by ``move`` [m] and close their residuals. */
+static int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move)
+{
+    int64_t i;
+    int64_t block;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        (*cspan_at(&work, block + regions__REGION_LEVEL)) += (*cspan_at(&work, block + regions__REGION_MOVE)) + (*cspan_at(&work, block + regions__REGION_SLOPE)) * move;
+    }
+    return INT64_C(0);
+}

@@ -1,0 +1,37 @@
+/* Generated from analyn.py by tools/transpile_kernel.py; change that one.
+ *
+ * ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
+ *
+ * Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+ *
+ *     d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E* /pi) d / (n r a)
+ *
+ * (the source's eq. 2.25 prints E* /(2 pi), which integrates to a quarter of the force), so the line load
+ * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
+ *
+ * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
+ * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
+ */
+
+#ifndef WRCONTACT_KERNEL_ANALYN_H
+#define WRCONTACT_KERNEL_ANALYN_H
+
+#include "../native/spans.h"
+#include "layout.h"
+#include "nodes.h"
+#include "regions.h"
+
+static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
+static const double analyn__FORCE_SHARP = 1e-12;
+
+static int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
+static double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
+static double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
+static int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
+static double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second);
+static double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
+static int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);
+static int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
+static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed);
+
+#endif

@@ -1,0 +1,45 @@
+/* Generated from contact_plane.py by tools/transpile_kernel.py; change that one.
+ *
+ * The geometry that a normal contact model needs, in the plane of the rigid contact point.
+ *
+ * Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
+ * plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
+ * n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
+ * residual is removed by the curve's own slope, which leaves an error of second order in a small residual.
+ */
+
+#ifndef WRCONTACT_KERNEL_CONTACT_PLANE_H
+#define WRCONTACT_KERNEL_CONTACT_PLANE_H
+
+#include "../native/spans.h"
+#include "layout.h"
+#include "locus.h"
+#include "profile_table.h"
+
+static const int64_t contact_plane__FRAME_ABSCISSA = INT64_C(3630);
+static const int64_t contact_plane__FRAME_HEIGHT = INT64_C(3631);
+static const int64_t contact_plane__FRAME_Y = INT64_C(3632);
+static const int64_t contact_plane__FRAME_COS = INT64_C(3633);
+static const int64_t contact_plane__FRAME_SIN = INT64_C(3634);
+static const int64_t contact_plane__FRAME_SHIFT = INT64_C(3635);
+static const int64_t contact_plane__FRAME_PLACE = INT64_C(3636);
+static const int64_t contact_plane__TRACER_STATION = INT64_C(3640);
+static const int64_t contact_plane__TRACER_RAIL = INT64_C(3641);
+static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(3642);
+static const int64_t contact_plane__TRACER_RAIL_BEND = INT64_C(3643);
+static const int64_t contact_plane__TRACER_WHEEL = INT64_C(3644);
+static const int64_t contact_plane__TRACER_WHEEL_RATE = INT64_C(3645);
+static const int64_t contact_plane__TRACER_WHEEL_BEND = INT64_C(3646);
+static const double contact_plane__NO_GAP = 1.0;
+static const double contact_plane__NEAR = 0.001;
+static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);
+static const double contact_plane__CURVATURE_FLOOR = 0.05;
+
+static int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y);
+static int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
+static double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
+static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
+static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* result_2, double* result_3, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
+static int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
+
+#endif

@@ -1,0 +1,83 @@
+/* Generated from gap.py by tools/transpile_kernel.py; change that one.
+ *
+ * The vertical gap between a placed right wheel and its rail, along the contact locus.
+ *
+ * gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the rail.  The
+ * wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift is that gap.
+ */
+
+#include "gap.h"
+
+/* 1 if the rail profile has a height at ``abscissa`` [m], else 0. */
+static int64_t gap__above_rail(array_double_1d tables, double abscissa)
+{
+    int64_t rail;
+    int64_t inside;
+    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    inside = INT64_C(0);
+    if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
+    {
+        inside = INT64_C(1);
+    }
+    return inside;
+}
+
+/* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m]. */
+static int64_t gap__vertical_gap(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
+{
+    double z;
+    double slope;
+    double bend;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double stretch;
+    double outline_rate;
+    double z_rail;
+    double rail_slope;
+    double rail_bend;
+    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_point(&y_track, &z_track, &outline_slope, place, at, y, z, slope);
+    locus__outline_rates(&stretch, &outline_rate, place, at, z, slope, bend);
+    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)));
+    (*result_0) = z_rail - z_track;
+    (*result_1) = rail_slope - outline_slope;
+    (*result_2) = rail_bend * stretch - outline_rate;
+    return 0;
+}
+
+/* Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
+ *
+ * At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel point,
+ * z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
+ * dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
+ */
+static double gap__gap_per_roll(array_double_1d tables, array_double_1d place, int64_t at, double y)
+{
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double z_rail;
+    double rail_slope;
+    double sin_phi;
+    double cos_phi;
+    double arm;
+    double height;
+    double sin_roll;
+    double cos_roll;
+    double lateral;
+    double vertical;
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_point(&y_track, &z_track, &outline_slope, place, at, y, z, slope);
+    profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)));
+    locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
+    arm = (*cspan_at(&place, at + locus__PLACE_ARM)) + y;
+    height = ((*cspan_at(&place, at + locus__PLACE_RADIUS)) + z) * cos_phi;
+    sin_roll = (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
+    lateral = (-(*cspan_at(&place, at + locus__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
+    vertical = arm * cos_roll - height * sin_roll;
+    return rail_slope * lateral - vertical;
+}

@@ -1,0 +1,147 @@
+/* Generated from locus.py by tools/transpile_kernel.py; change that one.
+ *
+ * The contact locus: where a yawed wheel can touch a rail that is the same all along the track.
+ *
+ * The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.  That
+ * leaves one angle around the wheel for every profile point (Wang 1984; closed form in docs/method.md):
+ *
+ *     phi(y) = -atan t - asin w,   t = tan(yaw) sin(roll),   w = tan(yaw) cos(roll) r'(y) / sqrt(1 + t^2)
+ *
+ * Seen along the track the locus is the wheel's outline, and wheel against rail becomes a problem in the (y, z) plane.
+ * Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
+ */
+
+#include "locus.h"
+
+/* Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]. */
+static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
+{
+    double t;
+    double cos_t;
+    t = tan(yaw) * sin(roll);
+    cos_t = 1.0 / sqrt(1.0 + t * t);
+    (*cspan_at(&place, at + locus__PLACE_SHIFT)) = lateral_shift;
+    (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = sin(yaw);
+    (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = cos(yaw);
+    (*cspan_at(&place, at + locus__PLACE_SIN_ROLL)) = sin(roll);
+    (*cspan_at(&place, at + locus__PLACE_COS_ROLL)) = cos(roll);
+    (*cspan_at(&place, at + locus__PLACE_T)) = t;
+    (*cspan_at(&place, at + locus__PLACE_COS_T)) = cos_t;
+    (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) = tan(yaw) * cos(roll) * cos_t;
+    (*cspan_at(&place, at + locus__PLACE_RADIUS)) = radius;
+    (*cspan_at(&place, at + locus__PLACE_ARM)) = arm;
+    (*cspan_at(&place, at + locus__PLACE_YAWED)) = (yaw == 0.0 ? 0.0 : 1.0);
+    return INT64_C(0);
+}
+
+/* sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x component.
+ *
+ * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
+ */
+static int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope)
+{
+    double w;
+    double root;
+    double t;
+    double cos_t;
+    w = (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) * slope;
+    if (w > 1.0)
+    {
+        w = 1.0;
+    }
+    if (w < -1.0)
+    {
+        w = -1.0;
+    }
+    root = sqrt(1.0 - w * w);
+    t = (*cspan_at(&place, at + locus__PLACE_T));
+    cos_t = (*cspan_at(&place, at + locus__PLACE_COS_T));
+    (*result_0) = (-(t * root + w)) * cos_t;
+    (*result_1) = (root - t * w) * cos_t;
+    return 0;
+}
+
+/* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y, z).
+ *
+ * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
+ */
+static int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope)
+{
+    double sin_roll;
+    double cos_roll;
+    double arm;
+    double r;
+    double sin_yaw;
+    double cos_yaw;
+    double sin_phi;
+    double cos_phi;
+    double normal_y;
+    double normal_z;
+    sin_roll = (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
+    arm = (*cspan_at(&place, at + locus__PLACE_ARM)) + y;
+    r = (*cspan_at(&place, at + locus__PLACE_RADIUS)) + z;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) == 0.0)
+    {
+        (*y_track) = (*cspan_at(&place, at + locus__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&place, at + locus__PLACE_RADIUS));
+        (*outline_slope) = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll);
+    }
+    else
+    {
+        sin_yaw = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        cos_yaw = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
+        locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
+        (*y_track) = (*cspan_at(&place, at + locus__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
+        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&place, at + locus__PLACE_RADIUS));
+        normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
+        normal_z = cos_phi * cos_roll - slope * sin_roll;
+        (*outline_slope) = (-normal_y) / normal_z;
+    }
+    return 0;
+}
+
+/* Derivatives along the wheel's profile of the outline's lateral coordinate [-] and slope [1/m]. */
+static int64_t locus__outline_rates(double* stretch, double* slope_rate, array_double_1d place, int64_t at, double z, double slope, double bend)
+{
+    double sin_roll;
+    double cos_roll;
+    double r;
+    double sin_yaw;
+    double cos_yaw;
+    double sin_phi;
+    double cos_phi;
+    double w;
+    double phi_rate;
+    double normal_y;
+    double normal_z;
+    double normal_y_rate;
+    double normal_z_rate;
+    sin_roll = (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
+    r = (*cspan_at(&place, at + locus__PLACE_RADIUS)) + z;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) == 0.0)
+    {
+        (*stretch) = cos_roll - slope * sin_roll;
+        (*slope_rate) = bend / ((*stretch) * (*stretch));
+    }
+    else
+    {
+        sin_yaw = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        cos_yaw = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
+        locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
+        w = (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) * slope;
+        phi_rate = 0.0;
+        if (w * w < 1.0)
+        {
+            phi_rate = (-(*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE))) * bend / sqrt(1.0 - w * w);
+        }
+        (*stretch) = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate));
+        normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
+        normal_z = cos_phi * cos_roll - slope * sin_roll;
+        normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll);
+        normal_z_rate = (-sin_phi) * phi_rate * cos_roll - bend * sin_roll;
+        (*slope_rate) = (-(normal_y_rate * normal_z - normal_y * normal_z_rate)) / (normal_z * normal_z);
+    }
+    return 0;
+}

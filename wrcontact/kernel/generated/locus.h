@@ -1,0 +1,38 @@
+/* Generated from locus.py by tools/transpile_kernel.py; change that one.
+ *
+ * The contact locus: where a yawed wheel can touch a rail that is the same all along the track.
+ *
+ * The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.  That
+ * leaves one angle around the wheel for every profile point (Wang 1984; closed form in docs/method.md):
+ *
+ *     phi(y) = -atan t - asin w,   t = tan(yaw) sin(roll),   w = tan(yaw) cos(roll) r'(y) / sqrt(1 + t^2)
+ *
+ * Seen along the track the locus is the wheel's outline, and wheel against rail becomes a problem in the (y, z) plane.
+ * Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
+ */
+
+#ifndef WRCONTACT_KERNEL_LOCUS_H
+#define WRCONTACT_KERNEL_LOCUS_H
+
+#include "../native/spans.h"
+#include "profile_table.h"
+
+static const int64_t locus__PLACE_SHIFT = INT64_C(0);
+static const int64_t locus__PLACE_SIN_YAW = INT64_C(1);
+static const int64_t locus__PLACE_COS_YAW = INT64_C(2);
+static const int64_t locus__PLACE_SIN_ROLL = INT64_C(3);
+static const int64_t locus__PLACE_COS_ROLL = INT64_C(4);
+static const int64_t locus__PLACE_T = INT64_C(5);
+static const int64_t locus__PLACE_W_PER_SLOPE = INT64_C(6);
+static const int64_t locus__PLACE_COS_T = INT64_C(7);
+static const int64_t locus__PLACE_RADIUS = INT64_C(8);
+static const int64_t locus__PLACE_ARM = INT64_C(9);
+static const int64_t locus__PLACE_YAWED = INT64_C(10);
+static const int64_t locus__PLACE_SIZE = INT64_C(11);
+
+static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm);
+static int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope);
+static int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope);
+static int64_t locus__outline_rates(double* stretch, double* slope_rate, array_double_1d place, int64_t at, double z, double slope, double bend);
+
+#endif

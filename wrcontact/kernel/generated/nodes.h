@@ -1,0 +1,42 @@
+/* Generated from nodes.py by tools/transpile_kernel.py; change that one.
+ *
+ * Nodes across a region: gap, longitudinal and lateral curvature, and from them ANALYN's coefficients.
+ *
+ * Nodes are anchored at the region's minimum, station + k h, with h a fixed share of the half-width of the
+ * interpenetration; so a result depends on the pose alone and moves smoothly with it.
+ *
+ * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width w) are
+ * smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With
+ * B_t and B_s these two,
+ *
+ *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
+ *
+ * follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+ */
+
+#ifndef WRCONTACT_KERNEL_NODES_H
+#define WRCONTACT_KERNEL_NODES_H
+
+#include "../native/spans.h"
+#include "contact_plane.h"
+#include "hertz.h"
+#include "layout.h"
+#include "regions.h"
+
+static const int64_t nodes__NODE_GAP = INT64_C(0);
+static const int64_t nodes__NODE_A = INT64_C(1);
+static const int64_t nodes__NODE_RISE = INT64_C(2);
+static const int64_t nodes__NODE_LINE = INT64_C(3);
+static const int64_t nodes__NODE_LENGTH = INT64_C(4);
+static const double nodes__FLOOR = 0.02;
+static const double nodes__COVER = 1.1;
+static const double nodes__TRACE_SHARE = 0.001;
+static const double nodes__FINEST_TRACE = 1e-08;
+
+static int64_t nodes__node_field(int64_t region, int64_t field);
+static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window);
+static double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window);
+static double nodes__lateral_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window);
+static int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window);
+
+#endif

@@ -1,0 +1,314 @@
+/* Generated from normal_contact.py by tools/transpile_kernel.py; change that one.
+ *
+ * The normal contact of one side: regions, widths, nodes, levels, patches.
+ *
+ * 1. guess the penetration from the force (it hardly depends on the lateral curvature),
+ * 2. find the regions whose gap is below it, and the half-width of each one's interpenetration,
+ * 3. solve on COARSE nodes: that fixes the half-widths, hence spacing and window of
+ * 4. the FINE nodes, on which the force is met.
+ */
+
+#include "normal_contact.h"
+
+/* ((3 N / 4 E*)^2 (A + B))^(1/3) [m], Hertz's eq. (2.8) with r = 1 and a typical B. */
+static double normal_contact__guess_penetration(double force, double A, double contact_modulus)
+{
+    double share;
+    share = 0.75 * force / contact_modulus;
+    return pow((share * share * (1.0 + normal_contact__TYPICAL_RATIO) * A), (1.0 / 3.0));
+}
+
+/* Half-widths of the region's interpenetration at ``level`` [m], and the station its load is thought to act at. */
+static int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level)
+{
+    int64_t block;
+    double guess;
+    double high;
+    double low;
+    block = regions__region_block(region);
+    guess = sqrt(level / (4.0 * (*cspan_at(&work, block + regions__REGION_CURVATURE))));
+    if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > 0.0)
+    {
+        guess = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+    }
+    high = regions__zone_width(tables, work, state, block, 1.0, level, guess);
+    guess = high;
+    if ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) > 0.0)
+    {
+        guess = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
+    }
+    low = regions__zone_width(tables, work, state, block, -1.0, level, guess);
+    (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) = high;
+    (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) = low;
+    (*cspan_at(&work, block + regions__REGION_MIDDLE)) = (*cspan_at(&work, block + regions__REGION_STATION)) + 0.5 * (high - low);
+    return INT64_C(0);
+}
+
+/* Widths, nodes and coefficients of all regions at their levels times ``enlarge``. */
+static int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, int64_t nodes, int64_t window, double enlarge)
+{
+    int64_t i;
+    int64_t block;
+    double level;
+    double mean;
+    double widest;
+    double spacing;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        normal_contact__measure_widths(tables, work, state, i, level);
+        mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
+        widest = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
+        if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > widest)
+        {
+            widest = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+        }
+        spacing = mean / (double)(nodes);
+        if (widest * enlarge > normal_contact__WIDEST * spacing)
+        {
+            spacing = widest * enlarge / normal_contact__WIDEST;
+        }
+        nodes__lay_nodes(tables, work, state, i, level * enlarge, spacing, window);
+        nodes__weigh_nodes(tables, work, i, window);
+    }
+    return INT64_C(0);
+}
+
+/* Levels before any interaction is known; a region that is hardly reached still gets nodes for a tenth of it. */
+static int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration)
+{
+    int64_t i;
+    int64_t block;
+    double level;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        level = penetration - (*cspan_at(&work, block + regions__REGION_GAP));
+        if (level < 0.1 * penetration)
+        {
+            level = 0.1 * penetration;
+        }
+        (*cspan_at(&work, block + regions__REGION_LEVEL)) = level;
+    }
+    return INT64_C(0);
+}
+
+/* Levels of the coarse solve as widths of the fine one, none below a tenth of the penetration. */
+static int64_t normal_contact__keep_levels(array_double_1d work, int64_t count, double penetration)
+{
+    int64_t i;
+    int64_t block;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        if ((*cspan_at(&work, block + regions__REGION_LEVEL)) < 0.1 * penetration)
+        {
+            (*cspan_at(&work, block + regions__REGION_LEVEL)) = 0.1 * penetration;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* 1 if no region is loaded at an end of its nodes other than its bound, else 0. */
+static int64_t normal_contact__covered(array_double_1d work, int64_t count)
+{
+    int64_t i;
+    int64_t block;
+    int64_t rises;
+    double level;
+    int64_t result;
+    result = INT64_C(1);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        rises = nodes__node_field(i, nodes__NODE_RISE);
+        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)))))) && ((*cspan_at(&work, block + regions__REGION_HIGH)) >= regions__FAR))
+        {
+            result = INT64_C(0);
+        }
+        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))))) && ((*cspan_at(&work, block + regions__REGION_LOW)) <= -regions__FAR))
+        {
+            result = INT64_C(0);
+        }
+    }
+    return result;
+}
+
+/* Penetration [m] on coarse nodes and the number of regions, repeated while the guess was far off. */
+static int64_t normal_contact__solve_coarse(double* penetration, int64_t* count, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double guess)
+{
+    int64_t repeat;
+    int64_t i;
+    int64_t met;
+    (*count) = INT64_C(1);
+    (*penetration) = guess;
+    for (repeat = INT64_C(0); repeat < normal_contact__COARSE_REPEATS; repeat += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LOW)) = 0.0;
+            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_HIGH)) = 0.0;
+        }
+        regions__open_contact_region(tables, work, state);
+        (*count) = regions__find_regions(tables, work, state, side, 1.2 * guess);
+        (*count) = regions__bound_regions(tables, work, state, (*count), normal_contact__COARSE_MERGE * guess);
+        normal_contact__start_levels(work, (*count), guess);
+        normal_contact__prepare_regions(tables, work, state, (*count), normal_contact__COARSE_NODES, normal_contact__COARSE_WINDOW, normal_contact__GUESS_FACTOR);
+        analyn__solve_levels(penetration, &met, tables, work, state, (*count), force, guess, INT64_C(0));
+        if (((*penetration) < normal_contact__GUESS_FACTOR * guess) && (normal_contact__GUESS_FACTOR * (*penetration) > guess))
+        {
+            break;
+        }
+        guess = (*penetration);
+    }
+    return 0;
+}
+
+/* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
+ * number; third value 1 when met.
+ */
+static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
+{
+    int64_t by_penetration;
+    int64_t i;
+    double A;
+    double guess;
+    double enlarge;
+    int64_t repeat;
+    regions__open_contact_region(tables, work, state);
+    (*count) = INT64_C(1);
+    by_penetration = INT64_C(0);
+    (*penetration) = prescribed;
+    if (isfinite(prescribed))
+    {
+        by_penetration = INT64_C(1);
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LOW)) = 0.0;
+            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_HIGH)) = 0.0;
+        }
+        (*count) = regions__find_regions(tables, work, state, side, (*penetration));
+        (*count) = regions__bound_regions(tables, work, state, (*count), (*penetration));
+        normal_contact__start_levels(work, (*count), (*penetration));
+    }
+    else
+    {
+        A = 0.5 * (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_CURVATURE));
+        guess = normal_contact__guess_penetration(force, A, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+        normal_contact__solve_coarse(penetration, count, tables, work, state, side, force, guess);
+        if ((*count) > INT64_C(1))
+        {
+            (*count) = regions__bound_regions(tables, work, state, (*count), (*penetration));
+        }
+        normal_contact__keep_levels(work, (*count), (*penetration));
+    }
+    enlarge = 1.0;
+    (*met) = INT64_C(0);
+    for (repeat = INT64_C(0); repeat < normal_contact__COVER_REPEATS; repeat += INT64_C(1))
+    {
+        normal_contact__prepare_regions(tables, work, state, (*count), normal_contact__FINE_NODES, normal_contact__FINE_WINDOW, enlarge);
+        analyn__solve_levels(penetration, met, tables, work, state, (*count), force, (*penetration), by_penetration);
+        if (((*met) == INT64_C(0)) || (normal_contact__covered(work, (*count)) == INT64_C(1)))
+        {
+            break;
+        }
+        enlarge *= 1.4;
+        normal_contact__keep_levels(work, (*count), (*penetration));
+    }
+    return 0;
+}
+
+/* Hertz's ellipse with the curvatures at the contact point, written to the outputs at ``side``; its penetration.
+ *
+ * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+ */
+static double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed)
+{
+    int64_t base;
+    double A;
+    double B;
+    double stiffness;
+    double load;
+    double one_alpha;
+    double one_beta;
+    double nr;
+    double a;
+    double b;
+    double area;
+    double pressure;
+    int64_t j;
+    double share;
+    double height;
+    double penetration;
+    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_X));
+    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_Y));
+    if (!(B > nodes__FLOOR * A))
+    {
+        B = nodes__FLOOR * A;
+    }
+    stiffness = hertz__hertz_stiffness(tables, base, A, B, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+    penetration = prescribed;
+    if (!isfinite(prescribed))
+    {
+        penetration = pow((force / stiffness), (2.0 / 3.0));
+    }
+    load = stiffness * penetration * sqrt(penetration);
+    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
+    a = sqrt(penetration / (one_alpha * A));
+    b = sqrt(penetration / (one_beta * B));
+    area = M_PI * a * b;
+    pressure = 1.5 * load / area;
+    (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = 1.0;
+    (*cspan_at(&work, side + layout__SIDE_PENETRATION)) = penetration;
+    (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
+    (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
+    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * a;
+    (*cspan_at(&work, side + layout__SIDE_PATCH_WIDTH)) = 2.0 * b;
+    (*cspan_at(&work, side + layout__SIDE_PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_AREA)) = area;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_CONTACT_ANGLE));
+    for (j = INT64_C(0); j < layout__STATION_COUNT; j += INT64_C(1))
+    {
+        share = 2.0 * (double)(j) / (double)(layout__STATION_COUNT - INT64_C(1)) - 1.0;
+        height = sqrt(1.0 - share * share);
+        (*cspan_at(&work, side + layout__SIDE_STATION + j)) = share * b;
+        (*cspan_at(&work, side + layout__SIDE_HALF_LENGTH + j)) = a * height;
+        (*cspan_at(&work, side + layout__SIDE_PRESSURE + j)) = pressure * height;
+    }
+    return penetration;
+}
+
+/* Normal contact of the side whose frame is open, into the outputs at ``outputs``; 1 when met, else 0. */
+static int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
+{
+    double penetration;
+    int64_t count;
+    int64_t islands;
+    int64_t met;
+    met = INT64_C(1);
+    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_HERTZ)
+    {
+        normal_contact__solve_hertz(tables, work, outputs, force, prescribed);
+    }
+    else
+    {
+        normal_contact__solve_analyn(&penetration, &count, &met, tables, work, state, side, force, prescribed);
+        if (met == INT64_C(1))
+        {
+            islands = patches__gather_islands(tables, work, count);
+            patches__write_patches(work, outputs, islands);
+            patches__write_outline(work, outputs, count, islands);
+            (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
+        }
+    }
+    return met;
+}

@@ -1,0 +1,481 @@
+/* Generated from patches.py by tools/transpile_kernel.py; change that one.
+ *
+ * From solved regions to contact patches: loads, areas, pressures, centroids, and the outline at evenly spaced stations.
+ *
+ * A patch is a connected run of loaded strips.  Between nodes the line load and the squares of half-length and pressure
+ * are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
+ */
+
+#include "patches.h"
+
+/* Integral over [start, stop] of x times the quadratic through (-1, before), (0, low), (1, high). */
+static double patches__quadratic_moment(double before, double low, double high, double start, double stop)
+{
+    double bend;
+    double slope;
+    double upper;
+    double lower;
+    bend = 0.5 * (before - 2.0 * low + high);
+    slope = high - low - bend;
+    upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0));
+    lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0));
+    return upper - lower;
+}
+
+/* A primitive of sqrt(low + slope x + bend x^2) for bend < 0. */
+static double patches__root_primitive(double low, double slope, double bend, double x)
+{
+    double value;
+    double spread;
+    double share;
+    value = low + x * (slope + x * bend);
+    if (value < 0.0)
+    {
+        value = 0.0;
+    }
+    spread = sqrt(slope * slope - 4.0 * bend * low);
+    share = (-(2.0 * bend * x + slope)) / spread;
+    if (share > 1.0)
+    {
+        share = 1.0;
+    }
+    if (share < -1.0)
+    {
+        share = -1.0;
+    }
+    return (2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value) + spread * spread / (8.0 * (-bend) * sqrt(-bend)) * asin(share);
+}
+
+/* Integral over [start, stop] of the square root of the quadratic through (-1, before), (0, low), (1, high).
+ *
+ * In closed form where the quadratic bends down noticeably, else by Simpson's rule in a root-friendly variable.
+ */
+static double patches__root_integral(double before, double low, double high, double start, double stop)
+{
+    double bend;
+    double slope;
+    double first;
+    double last;
+    double total;
+    double result;
+    bend = 0.5 * (before - 2.0 * low + high);
+    slope = high - low - bend;
+    result = 0.0;
+    if ((bend < (-1e-05) * (low + high)) && (slope * slope - 4.0 * bend * low > 0.0))
+    {
+        result = patches__root_primitive(low, slope, bend, stop) - patches__root_primitive(low, slope, bend, start);
+    }
+    else
+    {
+        first = low + start * (slope + start * bend);
+        last = low + stop * (slope + stop * bend);
+        if (first < 0.0)
+        {
+            first = 0.0;
+        }
+        if (last < 0.0)
+        {
+            last = 0.0;
+        }
+        total = sqrt(first) + sqrt(last);
+        if (total > 0.0)
+        {
+            /* exact for a straight line: 2/3 (q1 + sqrt(q0 q1) + q0) / (sqrt(q0) + sqrt(q1)) */
+            result = (stop - start) * 2.0 / 3.0 * (first + sqrt(first * last) + last) / total;
+        }
+    }
+    return result;
+}
+
+/* Square of the half-length at node ``k`` [m^2]; negative where unloaded. */
+static double patches__square_length(array_double_1d work, int64_t region, double level, int64_t k)
+{
+    double result;
+    result = (level - (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k))) / (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LENGTH) + k));
+    return result;
+}
+
+/* Square of the pressure on x = 0 at node ``k`` [Pa^2]: p0 = (2/pi) (E* /(n r)) sqrt(d (1 + alpha) A). */
+static double patches__square_pressure(array_double_1d work, int64_t region, double level, int64_t k)
+{
+    double line;
+    double result;
+    line = 2.0 / M_PI * (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LINE) + k));
+    result = line * line * (level - (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k))) * (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LENGTH) + k));
+    return result;
+}
+
+/* Largest value of the parabola through the roots of three values, the middle one largest; its own root where a
+ * neighbour is not positive.
+ */
+static double patches__peak_root(double before, double middle, double after)
+{
+    double left;
+    double right;
+    double bend;
+    double top;
+    top = sqrt(middle);
+    if ((before > 0.0) && (after > 0.0))
+    {
+        left = sqrt(before);
+        right = sqrt(after);
+        bend = left - 2.0 * top + right;
+        if (bend < 0.0)
+        {
+            top -= (right - left) * (right - left) / (8.0 * bend);
+        }
+    }
+    return top;
+}
+
+/* Begin island ``count`` at station ``start``. */
+static int64_t patches__open_island(array_double_1d work, int64_t count, double start, double angle)
+{
+    int64_t at;
+    int64_t i;
+    at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * count;
+    for (i = INT64_C(0); i < patches__ISLAND_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, at + i)) = 0.0;
+    }
+    (*cspan_at(&work, at + patches__ISLAND_START)) = start;
+    (*cspan_at(&work, at + patches__ISLAND_STOP)) = start;
+    (*cspan_at(&work, at + patches__ISLAND_ANGLE)) = angle;
+    return INT64_C(0);
+}
+
+/* Walk over all regions by rising station and collect the islands; their number. */
+static int64_t patches__gather_islands(array_double_1d tables, array_double_1d work, int64_t count)
+{
+    int64_t region;
+    int64_t block;
+    double level;
+    double height;
+    double slope;
+    int64_t fresh;
+    int64_t k_end;
+    int64_t k;
+    int64_t islands;
+    islands = INT64_C(0);
+    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    {
+        block = regions__region_block(region);
+        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        if (level > 0.0)
+        {
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
+            fresh = INT64_C(1);
+            k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+            for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+            {
+                patches__gather_cell(&islands, &fresh, work, region, level, k, islands, fresh, -atan(slope));
+            }
+        }
+    }
+    return islands;
+}
+
+/* Add the cell between nodes ``k`` and ``k`` + 1; the number of islands, and 1 if the next cell starts a new one. */
+static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, int64_t fresh, double angle)
+{
+    int64_t block;
+    double spacing;
+    int64_t outward;
+    int64_t low;
+    int64_t before;
+    int64_t high;
+    int64_t rises;
+    double start;
+    double stop;
+    double inner;
+    double begin;
+    double end;
+    int64_t at;
+    block = regions__region_block(region);
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    outward = INT64_C(1);
+    low = k;
+    if (k < INT64_C(0))
+    {
+        outward = -INT64_C(1);
+        low = k + INT64_C(1);
+    }
+    before = low - outward;
+    high = low + outward;
+    rises = nodes__node_field(region, nodes__NODE_RISE);
+    analyn__cell_part(&start, &stop, level - (*cspan_at(&work, rises + before)), level - (*cspan_at(&work, rises + low)), level - (*cspan_at(&work, rises + high)));
+    if ((k == (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1)))
+    {
+        stop = analyn__clip_to_bound(work, block, low, outward, stop);
+    }
+    if (stop > start)
+    {
+        inner = (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * (double)(low);
+        begin = inner + spacing * start;
+        end = inner + spacing * stop;
+        if (outward < INT64_C(0))
+        {
+            begin = inner - spacing * stop;
+            end = inner - spacing * start;
+        }
+        if (islands == INT64_C(0))
+        {
+            fresh = INT64_C(1);
+        }
+        else if (begin - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP)) < patches__JOINED * spacing)
+        {
+            fresh = INT64_C(0);
+        }
+        else
+        {
+            fresh = INT64_C(1);
+        }
+        if ((fresh == INT64_C(1)) && (islands < patches__ISLAND_LIMIT))
+        {
+            patches__open_island(work, islands, begin, angle);
+            islands += INT64_C(1);
+        }
+        at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1));
+        (*cspan_at(&work, at + patches__ISLAND_STOP)) = end;
+        patches__add_cell(work, region, level, before, low, high, start, stop, at, inner, spacing * (double)(outward));
+    }
+    (*result_0) = islands;
+    (*result_1) = fresh;
+    return 0;
+}
+
+/* Add load, moment and area of a cell's loaded part to the island at ``at``, and its nodes' extremes. */
+static int64_t patches__add_cell(array_double_1d work, int64_t region, double level, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step)
+{
+    int64_t rises;
+    int64_t lines;
+    double f_before;
+    double f_low;
+    double f_high;
+    double width;
+    double load;
+    double q_low;
+    double q_before;
+    double q_high;
+    double half;
+    double s_low;
+    double s_before;
+    double s_high;
+    double pressure;
+    rises = nodes__node_field(region, nodes__NODE_RISE);
+    lines = nodes__node_field(region, nodes__NODE_LINE);
+    f_before = (*cspan_at(&work, lines + before)) * (level - (*cspan_at(&work, rises + before)));
+    f_low = (*cspan_at(&work, lines + low)) * (level - (*cspan_at(&work, rises + low)));
+    f_high = (*cspan_at(&work, lines + high)) * (level - (*cspan_at(&work, rises + high)));
+    width = step;
+    if (step < 0.0)
+    {
+        width = -step;
+    }
+    load = width * analyn__quadratic_integral(f_before, f_low, f_high, start, stop);
+    (*cspan_at(&work, at + patches__ISLAND_LOAD)) += load;
+    (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += inner * load + width * step * patches__quadratic_moment(f_before, f_low, f_high, start, stop);
+    q_low = patches__square_length(work, region, level, low);
+    q_before = patches__square_length(work, region, level, before);
+    q_high = patches__square_length(work, region, level, high);
+    (*cspan_at(&work, at + patches__ISLAND_AREA)) += 2.0 * width * patches__root_integral(q_before, q_low, q_high, start, stop);
+    if ((q_low > 0.0) && (q_low >= q_before) && (q_low >= q_high))
+    {
+        half = patches__peak_root(q_before, q_low, q_high);
+        if (half > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)))
+        {
+            (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = half;
+        }
+    }
+    else if ((q_low > 0.0) && (sqrt(q_low) > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH))))
+    {
+        (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = sqrt(q_low);
+    }
+    s_low = patches__square_pressure(work, region, level, low);
+    s_before = patches__square_pressure(work, region, level, before);
+    s_high = patches__square_pressure(work, region, level, high);
+    if ((s_low > 0.0) && (s_low >= s_before) && (s_low >= s_high))
+    {
+        pressure = patches__peak_root(s_before, s_low, s_high);
+        if (pressure > (*cspan_at(&work, at + patches__ISLAND_PRESSURE)))
+        {
+            (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = pressure;
+        }
+    }
+    else if ((s_low > 0.0) && (sqrt(s_low) > (*cspan_at(&work, at + patches__ISLAND_PRESSURE))))
+    {
+        (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = sqrt(s_low);
+    }
+    return INT64_C(0);
+}
+
+/* The side's totals and its heaviest patches, from the islands, into the outputs at ``side``. */
+static int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands)
+{
+    double load;
+    double area;
+    double moment;
+    double pressure;
+    double half;
+    int64_t i;
+    int64_t at;
+    int64_t last;
+    int64_t rank;
+    int64_t heaviest;
+    load = 0.0;
+    area = 0.0;
+    moment = 0.0;
+    pressure = 0.0;
+    half = 0.0;
+    for (i = INT64_C(0); i < islands; i += INT64_C(1))
+    {
+        at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * i;
+        load += (*cspan_at(&work, at + patches__ISLAND_LOAD));
+        area += (*cspan_at(&work, at + patches__ISLAND_AREA));
+        moment += (*cspan_at(&work, at + patches__ISLAND_MOMENT));
+        if ((*cspan_at(&work, at + patches__ISLAND_PRESSURE)) > pressure)
+        {
+            pressure = (*cspan_at(&work, at + patches__ISLAND_PRESSURE));
+        }
+        if ((*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) > half)
+        {
+            half = (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH));
+        }
+    }
+    (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = (double)(islands);
+    (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
+    (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
+    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * half;
+    if (islands > INT64_C(0))
+    {
+        last = layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1));
+        (*cspan_at(&work, side + layout__SIDE_PATCH_WIDTH)) = (*cspan_at(&work, last + patches__ISLAND_STOP)) - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
+        (*cspan_at(&work, side + layout__SIDE_PATCH_CENTROID)) = moment / load;
+    }
+    for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    {
+        heaviest = -INT64_C(1);
+        for (i = INT64_C(0); i < islands; i += INT64_C(1))
+        {
+            at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * i;
+            if ((*cspan_at(&work, at + patches__ISLAND_LOAD)) > 0.0)
+            {
+                if (heaviest < INT64_C(0))
+                {
+                    heaviest = at;
+                }
+                else if ((*cspan_at(&work, at + patches__ISLAND_LOAD)) > (*cspan_at(&work, heaviest + patches__ISLAND_LOAD)))
+                {
+                    heaviest = at;
+                }
+            }
+        }
+        if (heaviest >= INT64_C(0))
+        {
+            patches__write_patch(work, side + layout__SIDE_PATCH + layout__PATCH_SIZE * rank, heaviest);
+            (*cspan_at(&work, heaviest + patches__ISLAND_LOAD)) = 0.0;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* One patch from the island at ``at`` to the outputs at ``to``. */
+static int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at)
+{
+    (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, at + patches__ISLAND_LOAD));
+    (*cspan_at(&work, to + layout__PATCH_AREA)) = (*cspan_at(&work, at + patches__ISLAND_AREA));
+    (*cspan_at(&work, to + layout__PATCH_MAX_PRESSURE)) = (*cspan_at(&work, at + patches__ISLAND_PRESSURE));
+    (*cspan_at(&work, to + layout__PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH));
+    (*cspan_at(&work, to + layout__PATCH_WIDTH)) = (*cspan_at(&work, at + patches__ISLAND_STOP)) - (*cspan_at(&work, at + patches__ISLAND_START));
+    (*cspan_at(&work, to + layout__PATCH_CENTROID)) = (*cspan_at(&work, at + patches__ISLAND_MOMENT)) / (*cspan_at(&work, at + patches__ISLAND_LOAD));
+    (*cspan_at(&work, to + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, at + patches__ISLAND_ANGLE));
+    return INT64_C(0);
+}
+
+/* Half-length and pressure at STATION_COUNT stations from the first loaded station to the last. */
+static int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands)
+{
+    double start;
+    double stop;
+    int64_t j;
+    double station;
+    double half;
+    double pressure;
+    int64_t region;
+    int64_t block;
+    if (islands > INT64_C(0))
+    {
+        start = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
+        stop = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP));
+        for (j = INT64_C(0); j < layout__STATION_COUNT; j += INT64_C(1))
+        {
+            station = start + (stop - start) * (double)(j) / (double)(layout__STATION_COUNT - INT64_C(1));
+            half = 0.0;
+            pressure = 0.0;
+            if ((j > INT64_C(0)) && (j < layout__STATION_COUNT - INT64_C(1)))
+            {
+                for (region = INT64_C(0); region < count; region += INT64_C(1))
+                {
+                    block = regions__region_block(region);
+                    if ((station >= (*cspan_at(&work, block + regions__REGION_LOW))) && (station <= (*cspan_at(&work, block + regions__REGION_HIGH))))
+                    {
+                        patches__strip_at(&half, &pressure, work, region, station);
+                    }
+                }
+            }
+            (*cspan_at(&work, side + layout__SIDE_STATION + j)) = station;
+            (*cspan_at(&work, side + layout__SIDE_HALF_LENGTH + j)) = half;
+            (*cspan_at(&work, side + layout__SIDE_PRESSURE + j)) = pressure;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Half-length [m] and pressure [Pa] of ``region`` at ``station``; zeros where it is not loaded. */
+static int64_t patches__strip_at(double* half, double* pressure, array_double_1d work, int64_t region, double station)
+{
+    int64_t block;
+    double level;
+    double u;
+    bool inside;
+    int64_t outward;
+    int64_t low;
+    double x;
+    double length;
+    double square;
+    block = regions__region_block(region);
+    level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+    (*half) = 0.0;
+    (*pressure) = 0.0;
+    u = (station - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
+    inside = (u > (*cspan_at(&work, block + regions__REGION_FIRST))) && (u < (*cspan_at(&work, block + regions__REGION_LAST)));
+    if ((level > 0.0) && inside)
+    {
+        outward = INT64_C(1);
+        if (u < 0.0)
+        {
+            outward = -INT64_C(1);
+            u = -u;
+        }
+        low = (int64_t)(u);
+        x = u - (double)(low);
+        low = outward * low;
+        length = patches__quadratic_value(patches__square_length(work, region, level, low - outward), patches__square_length(work, region, level, low), patches__square_length(work, region, level, low + outward), x);
+        square = patches__quadratic_value(patches__square_pressure(work, region, level, low - outward), patches__square_pressure(work, region, level, low), patches__square_pressure(work, region, level, low + outward), x);
+        if ((length > 0.0) && (square > 0.0))
+        {
+            (*half) = sqrt(length);
+            (*pressure) = sqrt(square);
+        }
+    }
+    return 0;
+}
+
+/* The quadratic through (-1, before), (0, low), (1, high) at x. */
+static double patches__quadratic_value(double before, double low, double high, double x)
+{
+    double bend;
+    bend = 0.5 * (before - 2.0 * low + high);
+    return low + x * (high - low - bend + x * bend);
+}

@@ -1,0 +1,349 @@
+/* Generated from regions.py by tools/transpile_kernel.py; change that one.
+ *
+ * Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
+ *
+ * A region is the neighbourhood of a local minimum of the normal gap.  Two minima belong to one region while the hump
+ * between them stays below MERGE of the penetration; otherwise the hump bounds both.
+ */
+
+#include "regions.h"
+
+/* Offset of region ``index`` in the workspace. */
+static int64_t regions__region_block(int64_t index)
+{
+    return layout__WORK_REGION + regions__REGION_SIZE * index;
+}
+
+/* Start region ``index`` at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
+static double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station)
+{
+    int64_t block;
+    double start;
+    double bend;
+    double curvature;
+    int64_t i;
+    double rate;
+    double move;
+    double gap;
+    block = regions__region_block(index);
+    start = station;
+    gap = regions__FAR;
+    bend = 0.0;
+    curvature = 0.0;
+    for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
+    {
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
+        move = (-rate) * regions__WANDER;
+        if (bend > 0.0)
+        {
+            move = (-rate) / bend;
+        }
+        if (station + move > start + regions__WANDER)
+        {
+            move = start + regions__WANDER - station;
+        }
+        if (station + move < start - regions__WANDER)
+        {
+            move = start - regions__WANDER - station;
+        }
+        if (fabs(move) < regions__TRACE)
+        {
+            break;
+        }
+        station += move;
+    }
+    (*cspan_at(&work, block + regions__REGION_STATION)) = station;
+    (*cspan_at(&work, block + regions__REGION_GAP)) = gap;
+    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
+    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+    return gap;
+}
+
+/* Region 0: the rigid contact point itself, station and gap zero. */
+static int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state)
+{
+    int64_t block;
+    double gap;
+    double rate;
+    double bend;
+    double curvature;
+    block = regions__region_block(INT64_C(0));
+    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0, regions__TRACE);
+    (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__FRAME_Y));
+    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
+    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
+    return INT64_C(0);
+}
+
+/* Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included. */
+static int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
+{
+    int64_t scan;
+    int64_t i_end;
+    int64_t i;
+    int64_t lower;
+    double apart;
+    double y;
+    bool own;
+    double across;
+    double station;
+    int64_t count;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    count = INT64_C(1);
+    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST)));
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
+    {
+        if (((*cspan_at(&work, side + layout__SIDE_MISMATCH + i)) < 0.0) && ((*cspan_at(&work, side + layout__SIDE_MISMATCH + i + INT64_C(1))) >= 0.0))
+        {
+            lower = i;
+            if ((*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1))) < (*cspan_at(&work, side + layout__SIDE_GAP + i)))
+            {
+                lower = i + INT64_C(1);
+            }
+            apart = (*cspan_at(&work, side + layout__SIDE_GAP + lower)) - (*cspan_at(&work, side + layout__SIDE_BEST));
+            y = (*cspan_at(&tables, scan + search__SCAN_START)) + (*cspan_at(&tables, scan + search__SCAN_STEP)) * (double)(lower);
+            own = fabs(y - (*cspan_at(&work, contact_plane__FRAME_Y))) < (*cspan_at(&tables, scan + search__SCAN_STEP));
+            if ((!own) && (apart * (*cspan_at(&work, contact_plane__FRAME_COS)) < 2.0 * level) && (count < layout__REGION_LIMIT))
+            {
+                across = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + lower)) - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+                station = across / (*cspan_at(&work, contact_plane__FRAME_COS));
+                contact_plane__start_tracer(work, station, (*cspan_at(&work, side + layout__SIDE_ABSCISSA + lower)), y);
+                if (regions__open_region(tables, work, state, count, station) < level)
+                {
+                    if (regions__is_new(work, count) == INT64_C(1))
+                    {
+                        count += INT64_C(1);
+                    }
+                }
+            }
+        }
+    }
+    return count;
+}
+
+/* 1 if region ``count`` is away from all before it, else 0. */
+static int64_t regions__is_new(array_double_1d work, int64_t count)
+{
+    int64_t i;
+    double distance;
+    int64_t new;
+    new = INT64_C(1);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        distance = (*cspan_at(&work, regions__region_block(i) + regions__REGION_STATION)) - (*cspan_at(&work, regions__region_block(count) + regions__REGION_STATION));
+        if (fabs(distance) < regions__APART)
+        {
+            new = INT64_C(0);
+        }
+    }
+    return new;
+}
+
+/* Order the regions by station, set the humps between them as bounds, and join those with a low hump; the count. */
+static int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level)
+{
+    int64_t i;
+    int64_t j;
+    int64_t low;
+    int64_t high;
+    double station;
+    double gap;
+    double bound;
+    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
+        {
+            if ((*cspan_at(&work, regions__region_block(j) + regions__REGION_STATION)) > (*cspan_at(&work, regions__region_block(j + INT64_C(1)) + regions__REGION_STATION)))
+            {
+                regions__swap_regions(work, j, j + INT64_C(1));
+            }
+        }
+    }
+    (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH)) = regions__FAR;
+    i = INT64_C(0);
+    while(i < count - INT64_C(1))
+    {
+        low = regions__region_block(i);
+        high = regions__region_block(i + INT64_C(1));
+        regions__find_hump(&station, &gap, tables, work, state, low, high);
+        if (gap < regions__MERGE * level)
+        {
+            if ((*cspan_at(&work, high + regions__REGION_GAP)) < (*cspan_at(&work, low + regions__REGION_GAP)))
+            {
+                bound = (*cspan_at(&work, low + regions__REGION_LOW));
+                regions__swap_regions(work, i, i + INT64_C(1));
+                (*cspan_at(&work, low + regions__REGION_LOW)) = bound;
+            }
+            for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
+            {
+                regions__swap_regions(work, j, j + INT64_C(1));
+            }
+            count -= INT64_C(1);
+            (*cspan_at(&work, regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH)) = regions__FAR;
+        }
+        else
+        {
+            (*cspan_at(&work, low + regions__REGION_HIGH)) = station;
+            (*cspan_at(&work, high + regions__REGION_LOW)) = station;
+            i += INT64_C(1);
+        }
+    }
+    return count;
+}
+
+/* Exchange two region blocks. */
+static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second)
+{
+    int64_t i;
+    double kept;
+    for (i = INT64_C(0); i < regions__REGION_SIZE; i += INT64_C(1))
+    {
+        kept = (*cspan_at(&work, regions__region_block(first) + i));
+        (*cspan_at(&work, regions__region_block(first) + i)) = (*cspan_at(&work, regions__region_block(second) + i));
+        (*cspan_at(&work, regions__region_block(second) + i)) = kept;
+    }
+    return INT64_C(0);
+}
+
+/* Station and gap [m] of the hump between two regions: best of HUMP_SAMPLES, then Newton on the rate. */
+static int64_t regions__find_hump(double* top, double* largest, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high)
+{
+    double left;
+    double right;
+    double step;
+    int64_t i;
+    double station;
+    double gap;
+    double rate;
+    double bend;
+    double curvature;
+    double move;
+    left = (*cspan_at(&work, low + regions__REGION_STATION));
+    right = (*cspan_at(&work, high + regions__REGION_STATION));
+    contact_plane__start_tracer(work, left, (*cspan_at(&work, low + regions__REGION_RAIL)), (*cspan_at(&work, low + regions__REGION_WHEEL)));
+    step = (right - left) / (double)(regions__HUMP_SAMPLES + INT64_C(1));
+    (*top) = left;
+    (*largest) = -regions__FAR;
+    for (i = INT64_C(1); i < regions__HUMP_SAMPLES + INT64_C(1); i += INT64_C(1))
+    {
+        station = left + step * (double)(i);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
+        if (gap > (*largest))
+        {
+            (*largest) = gap;
+            (*top) = station;
+        }
+    }
+    station = (*top);
+    for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
+    {
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
+        move = 0.0;
+        if (bend < 0.0)
+        {
+            move = (-rate) / bend;
+        }
+        if ((station + move > (*top) + step) || (station + move < (*top) - step))
+        {
+            move = 0.0;
+        }
+        if (gap > (*largest))
+        {
+            (*largest) = gap;
+            (*top) = station;
+        }
+        if (fabs(move) < regions__TRACE)
+        {
+            break;
+        }
+        station += move;
+    }
+    return 0;
+}
+
+/* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound.
+ *
+ * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
+ */
+static double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess)
+{
+    double limit;
+    double tolerance;
+    double root;
+    double low;
+    double high;
+    double width;
+    int64_t i;
+    double gap;
+    double rate;
+    double bend;
+    double curvature;
+    double rise;
+    double following;
+    double square;
+    double newton;
+    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    if (direction < 0.0)
+    {
+        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+    }
+    contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+    tolerance = 0.001 * guess;
+    if (tolerance > regions__TRACE)
+    {
+        tolerance = regions__TRACE;
+    }
+    root = sqrt(level);
+    low = 0.0;
+    high = -1.0;
+    width = guess;
+    for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
+    {
+        if (width > limit)
+        {
+            width = limit;
+        }
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, tolerance);
+        rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+        if (rise < level)
+        {
+            low = width;
+            if (width >= limit)
+            {
+                return limit;
+            }
+        }
+        else
+        {
+            high = width;
+        }
+        following = 2.0 * width;
+        if (high > 0.0)
+        {
+            following = 0.5 * (low + high);
+        }
+        if ((rise > 0.0) && (rate * direction > 0.0))
+        {
+            square = sqrt(rise);
+            newton = width + (root - square) * 2.0 * square / (rate * direction);
+            if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
+            {
+                following = newton;
+            }
+        }
+        if (fabs(following - width) < regions__WIDTH_SHARP * width)
+        {
+            return following;
+        }
+        width = following;
+    }
+    return width;
+}

@@ -1,0 +1,44 @@
+/* Generated from search.py by tools/transpile_kernel.py; change that one.
+ *
+ * The smallest vertical gap of one side: scan, bound, refine.
+ *
+ * The gap has up to three local minima (tread, flange root, flange) that exchange rank.  The scan nodes lie on a fixed
+ * raster of the wheel profile; between two nodes the gap lies above its chord by no less than -M h^2 / 8, where M bounds
+ * its second derivative.  Every cell that could hold a value within MARGIN of the best is searched, so the global minimum
+ * is bounded and not assumed.
+ */
+
+#ifndef WRCONTACT_KERNEL_SEARCH_H
+#define WRCONTACT_KERNEL_SEARCH_H
+
+#include "../native/spans.h"
+#include "gap.h"
+#include "layout.h"
+#include "locus.h"
+#include "profile_table.h"
+
+static const int64_t search__SCAN_COUNT = INT64_C(0);
+static const int64_t search__SCAN_START = INT64_C(1);
+static const int64_t search__SCAN_STEP = INT64_C(2);
+static const int64_t search__SCAN_RAIL_COUNT = INT64_C(3);
+static const int64_t search__SCAN_RAIL_START = INT64_C(4);
+static const int64_t search__SCAN_RAIL_STEP = INT64_C(5);
+static const int64_t search__SCAN_RAIL_OFFSET = INT64_C(6);
+static const int64_t search__SCAN_NODES = INT64_C(8);
+static const int64_t search__SCAN_ROW = INT64_C(3);
+static const double search__MARGIN = 1e-05;
+static const double search__REACH = 2.5e-06;
+static const double search__NARROW = 6.5e-05;
+static const double search__SHARP = 1e-13;
+static const double search__LONGEST_MOVE = 0.0001;
+static const double search__LARGE_GAP = 1000.0;
+
+static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
+static double search__largest_bend(array_double_1d tables, array_double_1d work, int64_t side, int64_t cell);
+static int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high);
+static int64_t search__keep_minimum(array_double_1d work, int64_t side, double y, double gap);
+static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t cell, double bend);
+static int64_t search__find_minima(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
+static int64_t search__follow_minima(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
+
+#endif

@@ -1,0 +1,249 @@
+/* Generated from step.py by tools/transpile_kernel.py; change that one.
+ *
+ * One step of a wheelset: from pose and load to contact positions, roll and patches.
+ *
+ * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact, solve its normal contact.
+ */
+
+#include "step.h"
+
+/* 1 if all inputs are finite, the force is not negative and the load transfer within -1 ... 1, else 0. */
+static int64_t step__inputs_valid(array_double_1d work)
+{
+    int64_t i;
+    int64_t valid;
+    valid = INT64_C(1);
+    for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
+    {
+        if (!isfinite((*cspan_at(&work, layout__WORK_INPUTS + i))))
+        {
+            valid = INT64_C(0);
+        }
+    }
+    if (valid == INT64_C(1))
+    {
+        if (((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER))) > 1.0))
+        {
+            valid = INT64_C(0);
+        }
+    }
+    return valid;
+}
+
+/* 1 if shift and yaw are within the range of the profiles, else 0. */
+static int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work)
+{
+    int64_t inside;
+    inside = INT64_C(1);
+    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT))) > (*cspan_at(&tables, layout__SET_LATERAL_LIMIT)))
+    {
+        inside = INT64_C(0);
+    }
+    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW))) > (*cspan_at(&tables, layout__SET_YAW_LIMIT)))
+    {
+        inside = INT64_C(0);
+    }
+    return inside;
+}
+
+/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right); opens its contact plane.
+ *
+ * 1 if the profiles are parallel at the smallest gap, else 0.
+ */
+static int64_t step__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift)
+{
+    int64_t side;
+    int64_t at;
+    int64_t out;
+    double y;
+    double gap;
+    double mismatch;
+    double rate;
+    double z;
+    double slope;
+    double bend;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double abscissa;
+    double z_rail;
+    double rail_slope;
+    double sin_phi;
+    double cos_phi;
+    double r;
+    double lateral;
+    int64_t parallel;
+    side = layout__WORK_SIDE + layout__WORK_SIDE_SIZE * index;
+    at = layout__WORK_PLACE + locus__PLACE_SIZE * index;
+    out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
+    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
+    gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
+    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
+    abscissa = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
+    r = (*cspan_at(&tables, layout__SET_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
+    (*cspan_at(&work, out + layout__SIDE_X_WHEEL)) = r * sin_phi;
+    (*cspan_at(&work, out + layout__SIDE_Y_WHEEL)) = y;
+    (*cspan_at(&work, out + layout__SIDE_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__SET_RADIUS));
+    (*cspan_at(&work, out + layout__SIDE_Y_RAIL)) = abscissa;
+    (*cspan_at(&work, out + layout__SIDE_Z_RAIL)) = z_rail;
+    (*cspan_at(&work, out + layout__SIDE_X_TRACK)) = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
+    (*cspan_at(&work, out + layout__SIDE_Y_TRACK)) = y_track;
+    if (index == INT64_C(0))
+    {
+        (*cspan_at(&work, out + layout__SIDE_Y_TRACK)) = -y_track;
+    }
+    (*cspan_at(&work, out + layout__SIDE_Z_TRACK)) = z_rail;
+    (*cspan_at(&work, out + layout__SIDE_CONTACT_ANGLE)) = -atan(rail_slope);
+    (*cspan_at(&work, out + layout__SIDE_ROLLING_RADIUS)) = r;
+    contact_plane__open_frame(tables, work, at, y, shift);
+    regions__open_contact_region(tables, work, state);
+    (*cspan_at(&work, out + layout__SIDE_CURVATURE_X)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_CURVATURE));
+    (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_BEND));
+    parallel = INT64_C(0);
+    if (fabs(mismatch) < step__PARALLEL)
+    {
+        parallel = INT64_C(1);
+    }
+    return parallel;
+}
+
+/* Contact and patches of one side; its outcome. */
+static int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force)
+{
+    int64_t side;
+    int64_t out;
+    int64_t i;
+    double penetration;
+    int64_t status;
+    side = layout__WORK_SIDE + layout__WORK_SIDE_SIZE * index;
+    out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
+    for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, out + i)) = 0.0;
+    }
+    status = layout__VALID;
+    if (step__describe_contact(tables, work, state, index, shift) == INT64_C(0))
+    {
+        status = layout__OFF_PROFILE;
+    }
+    else
+    {
+        penetration = (*cspan_at(&tables, layout__SET_PENETRATION_LEFT + index));
+        if ((force > 0.0) || (penetration > 0.0))
+        {
+            if (normal_contact__solve_normal(tables, work, state, side, out, force, penetration) == INT64_C(0))
+            {
+                status = layout__NOT_CONVERGED;
+            }
+        }
+        else
+        {
+            status = layout__UNLOADED;
+        }
+    }
+    return status;
+}
+
+/* Roll [rad] and outcome; starts at the given guess, or at the last roll where none is given. */
+static int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
+{
+    double guess;
+    guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL_GUESS));
+    if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && (guess == 0.0))
+    {
+        guess = (*cspan_at(&state, layout__STATE_ROLL));
+    }
+    roll__solve_roll(result_0, result_1, tables, work, state, guess);
+    return 0;
+}
+
+/* Evaluate the wheelset at the workspace's inputs into its outputs; the status. */
+static int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
+{
+    double roll;
+    int64_t status;
+    int64_t index;
+    double sign;
+    double force;
+    double shift;
+    int64_t outcome;
+    if (step__inputs_valid(work) == INT64_C(0))
+    {
+        return layout__INVALID_INPUT;
+    }
+    if (step__inputs_in_range(tables, work) == INT64_C(0))
+    {
+        return layout__OFF_PROFILE;
+    }
+    step__find_roll(&roll, &status, tables, work, state);
+    if (status != layout__VALID)
+    {
+        return status;
+    }
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE + layout__SIDE_BEST));
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        sign = (double)(INT64_C(2) * index - INT64_C(1));
+        force = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER)));
+        shift = (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE * index + layout__SIDE_BEST));
+        outcome = step__step_side(tables, work, state, index, shift, force);
+        if (outcome > status)
+        {
+            status = outcome;
+        }
+    }
+    if (status <= layout__UNLOADED)
+    {
+        (*cspan_at(&state, layout__STATE_ROLL)) = roll;
+        (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
+    }
+    return status;
+}
+
+/* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. */
+static int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
+{
+    int64_t i;
+    int64_t status;
+    for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
+    {
+        (*cspan_at(&workspace, layout__WORK_INPUTS + i)) = (*cspan_at(&inputs, layout__INPUT_COUNT * row + i));
+    }
+    status = step__evaluate(tables, workspace, state);
+    if (status <= layout__UNLOADED)
+    {
+        for (i = INT64_C(0); i < layout__OUTPUT_COUNT; i += INT64_C(1))
+        {
+            (*cspan_at(&outputs, layout__OUTPUT_COUNT * row + i)) = (*cspan_at(&workspace, layout__WORK_OUTPUTS + i));
+        }
+    }
+    return status;
+}
+
+/* Evaluate one wheelset at ``inputs`` into ``outputs``; the status.
+ *
+ * Outputs keep their values unless the status is VALID or UNLOADED.  ``state`` holds where the next roll search
+ * starts; it never changes an answer.
+ */
+static int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
+{
+    int64_t result;
+    result = step__step_row(tables, state, workspace, inputs, outputs, INT64_C(0));
+    return result;
+}
+
+/* Evaluate ``count`` rows of inputs, one after the other. */
+static int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses)
+{
+    int64_t row;
+    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    {
+        (*cspan_at(&statuses, row)) = (double)(step__step_row(tables, state, workspace, inputs, outputs, row));
+    }
+    return INT64_C(0);
+}

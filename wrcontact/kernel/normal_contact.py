@@ -1,0 +1,228 @@
+"""The normal contact of one side: regions, widths, nodes, levels, patches.
+
+1. guess the penetration from the force (it hardly depends on the lateral curvature),
+2. find the regions whose gap is below it, and the half-width of each one's interpenetration,
+3. solve on COARSE nodes: that fixes the half-widths, hence spacing and window of
+4. the FINE nodes, on which the force is met.
+"""
+
+from math import atan, fabs, isfinite, pi, sqrt
+from typing import Final
+
+from .analyn import solve_levels
+from .contact_plane import longitudinal_curvature
+from .hertz import hertz_coefficients, hertz_stiffness
+from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
+                     PATCH_NORMAL_FORCE, PATCH_WIDTH, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL, SIDE_AREA,
+                     SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE,
+                     SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
+                     SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
+from .nodes import FLOOR, NODE_RISE, lay_nodes, node_field, weigh_nodes
+from .patches import gather_islands, write_outline, write_patches
+from .regions import (FAR, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
+                      REGION_LOW, REGION_MIDDLE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, bound_regions,
+                      find_regions, open_contact_region, region_block, zone_width)
+
+COARSE_NODES: Final[int] = 8         # nodes per mean half-width
+COARSE_WINDOW: Final[int] = 2
+FINE_NODES: Final[int] = 20
+FINE_WINDOW: Final[int] = 4          # a fifth of the half-width: see docs/method.md for the measurement
+#: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
+TYPICAL_RATIO: Final[float] = 2.0
+#: The coarse solve is repeated while the guess was off by more than this factor.
+GUESS_FACTOR: Final[float] = 1.5
+#: Minima are joined more hesitantly while the penetration is only guessed; the fine solve joins the rest.
+COARSE_MERGE: Final[float] = 0.6
+COARSE_REPEATS: Final[int] = 8
+COVER_REPEATS: Final[int] = 6
+WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
+
+
+def guess_penetration(force: float, A: float, contact_modulus: float):
+    """((3 N / 4 E*)^2 (A + B))^(1/3) [m], Hertz's eq. (2.8) with r = 1 and a typical B."""
+    share = 0.75 * force / contact_modulus
+    return (share * share * (1.0 + TYPICAL_RATIO) * A) ** (1.0 / 3.0)
+
+
+def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, level: float):
+    """Half-widths of the region's interpenetration at ``level`` [m], and the station its load is thought to act at."""
+    block = region_block(region)
+    guess = sqrt(level / (4.0 * work[block + REGION_CURVATURE]))
+    if work[block + REGION_WIDTH_HIGH] > 0.0:
+        guess = work[block + REGION_WIDTH_HIGH]
+    high = zone_width(tables, work, state, block, 1.0, level, guess)
+    guess = high
+    if work[block + REGION_WIDTH_LOW] > 0.0:
+        guess = work[block + REGION_WIDTH_LOW]
+    low = zone_width(tables, work, state, block, -1.0, level, guess)
+    work[block + REGION_WIDTH_HIGH] = high
+    work[block + REGION_WIDTH_LOW] = low
+    work[block + REGION_MIDDLE] = work[block + REGION_STATION] + 0.5 * (high - low)
+    return 0
+
+
+def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, nodes: int, window: int,
+                    enlarge: float):
+    """Widths, nodes and coefficients of all regions at their levels times ``enlarge``."""
+    for i in range(count):
+        block = region_block(i)
+        level = work[block + REGION_LEVEL]
+        measure_widths(tables, work, state, i, level)
+        mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
+        widest = work[block + REGION_WIDTH_LOW]
+        if work[block + REGION_WIDTH_HIGH] > widest:
+            widest = work[block + REGION_WIDTH_HIGH]
+        spacing = mean / float(nodes)
+        if widest * enlarge > WIDEST * spacing:
+            spacing = widest * enlarge / WIDEST
+        lay_nodes(tables, work, state, i, level * enlarge, spacing, window)
+        weigh_nodes(tables, work, i, window)
+    return 0
+
+
+def start_levels(work: 'float[:]', count: int, penetration: float):
+    """Levels before any interaction is known; a region that is hardly reached still gets nodes for a tenth of it."""
+    for i in range(count):
+        block = region_block(i)
+        level = penetration - work[block + REGION_GAP]
+        if level < 0.1 * penetration:
+            level = 0.1 * penetration
+        work[block + REGION_LEVEL] = level
+    return 0
+
+
+def keep_levels(work: 'float[:]', count: int, penetration: float):
+    """Levels of the coarse solve as widths of the fine one, none below a tenth of the penetration."""
+    for i in range(count):
+        block = region_block(i)
+        if work[block + REGION_LEVEL] < 0.1 * penetration:
+            work[block + REGION_LEVEL] = 0.1 * penetration
+    return 0
+
+
+def covered(work: 'float[:]', count: int):
+    """1 if no region is loaded at an end of its nodes other than its bound, else 0."""
+    result = 1
+    for i in range(count):
+        block = region_block(i)
+        rises = node_field(i, NODE_RISE)
+        level = work[block + REGION_LEVEL]
+        if level > work[rises + int(work[block + REGION_LAST])] and work[block + REGION_HIGH] >= FAR:
+            result = 0
+        if level > work[rises + int(work[block + REGION_FIRST])] and work[block + REGION_LOW] <= -FAR:
+            result = 0
+    return result
+
+
+def solve_coarse(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, guess: float):
+    """Penetration [m] on coarse nodes and the number of regions, repeated while the guess was far off."""
+    count = 1
+    penetration = guess
+    for repeat in range(COARSE_REPEATS):
+        for i in range(3):
+            work[region_block(i) + REGION_WIDTH_LOW] = 0.0
+            work[region_block(i) + REGION_WIDTH_HIGH] = 0.0
+        open_contact_region(tables, work, state)
+        count = find_regions(tables, work, state, side, 1.2 * guess)
+        count = bound_regions(tables, work, state, count, COARSE_MERGE * guess)
+        start_levels(work, count, guess)
+        prepare_regions(tables, work, state, count, COARSE_NODES, COARSE_WINDOW, GUESS_FACTOR)
+        penetration, met = solve_levels(tables, work, state, count, force, guess, 0)
+        if penetration < GUESS_FACTOR * guess and GUESS_FACTOR * penetration > guess:
+            break
+        guess = penetration
+    return penetration, count
+
+
+def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, prescribed: float):
+    """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
+    number; third value 1 when met."""
+    open_contact_region(tables, work, state)
+    count = 1
+    by_penetration = 0
+    penetration = prescribed
+    if isfinite(prescribed):
+        by_penetration = 1
+        for i in range(3):
+            work[region_block(i) + REGION_WIDTH_LOW] = 0.0
+            work[region_block(i) + REGION_WIDTH_HIGH] = 0.0
+        count = find_regions(tables, work, state, side, penetration)
+        count = bound_regions(tables, work, state, count, penetration)
+        start_levels(work, count, penetration)
+    else:
+        A = 0.5 * work[region_block(0) + REGION_CURVATURE]
+        guess = guess_penetration(force, A, tables[SET_CONTACT_MODULUS])
+        penetration, count = solve_coarse(tables, work, state, side, force, guess)
+        if count > 1:
+            count = bound_regions(tables, work, state, count, penetration)
+        keep_levels(work, count, penetration)
+    enlarge = 1.0
+    met = 0
+    for repeat in range(COVER_REPEATS):
+        prepare_regions(tables, work, state, count, FINE_NODES, FINE_WINDOW, enlarge)
+        penetration, met = solve_levels(tables, work, state, count, force, penetration, by_penetration)
+        if met == 0 or covered(work, count) == 1:
+            break
+        enlarge *= 1.4
+        keep_levels(work, count, penetration)
+    return penetration, count, met
+
+
+def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, prescribed: float):
+    """Hertz's ellipse with the curvatures at the contact point, written to the outputs at ``side``; its penetration.
+
+    A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+    """
+    base = int(tables[SET_HERTZ])
+    A = 0.5 * work[side + SIDE_CURVATURE_X]
+    B = 0.5 * work[side + SIDE_CURVATURE_Y]
+    if not B > FLOOR * A:
+        B = FLOOR * A
+    stiffness = hertz_stiffness(tables, base, A, B, tables[SET_CONTACT_MODULUS])
+    penetration = prescribed
+    if not isfinite(prescribed):
+        penetration = (force / stiffness) ** (2.0 / 3.0)
+    load = stiffness * penetration * sqrt(penetration)
+    one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
+    a = sqrt(penetration / (one_alpha * A))
+    b = sqrt(penetration / (one_beta * B))
+    area = pi * a * b
+    pressure = 1.5 * load / area
+    work[side + SIDE_PATCH_COUNT] = 1.0
+    work[side + SIDE_PENETRATION] = penetration
+    work[side + SIDE_NORMAL_FORCE] = load
+    work[side + SIDE_AREA] = area
+    work[side + SIDE_MAX_PRESSURE] = pressure
+    work[side + SIDE_PATCH_LENGTH] = 2.0 * a
+    work[side + SIDE_PATCH_WIDTH] = 2.0 * b
+    work[side + SIDE_PATCH_CENTROID] = 0.0
+    work[side + SIDE_PATCH + PATCH_NORMAL_FORCE] = load
+    work[side + SIDE_PATCH + PATCH_AREA] = area
+    work[side + SIDE_PATCH + PATCH_MAX_PRESSURE] = pressure
+    work[side + SIDE_PATCH + PATCH_LENGTH] = 2.0 * a
+    work[side + SIDE_PATCH + PATCH_WIDTH] = 2.0 * b
+    work[side + SIDE_PATCH + PATCH_CENTROID] = 0.0
+    work[side + SIDE_PATCH + PATCH_CONTACT_ANGLE] = work[side + SIDE_CONTACT_ANGLE]
+    for j in range(STATION_COUNT):
+        share = 2.0 * float(j) / float(STATION_COUNT - 1) - 1.0
+        height = sqrt(1.0 - share * share)
+        work[side + SIDE_STATION + j] = share * b
+        work[side + SIDE_HALF_LENGTH + j] = a * height
+        work[side + SIDE_PRESSURE + j] = pressure * height
+    return penetration
+
+
+def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, outputs: int, force: float,
+                 prescribed: float):
+    """Normal contact of the side whose frame is open, into the outputs at ``outputs``; 1 when met, else 0."""
+    met = 1
+    if int(tables[SET_NORMAL_MODEL]) == MODEL_HERTZ:
+        solve_hertz(tables, work, outputs, force, prescribed)
+    else:
+        penetration, count, met = solve_analyn(tables, work, state, side, force, prescribed)
+        if met == 1:
+            islands = gather_islands(tables, work, count)
+            write_patches(work, outputs, islands)
+            write_outline(work, outputs, count, islands)
+            work[outputs + SIDE_PENETRATION] = penetration
+    return met

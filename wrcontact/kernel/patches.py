@@ -1,0 +1,310 @@
+"""From solved regions to contact patches: loads, areas, pressures, centroids, and the outline at evenly spaced stations.
+
+A patch is a connected run of loaded strips.  Between nodes the line load and the squares of half-length and pressure
+are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
+"""
+
+from math import asin, atan, pi, sqrt
+from typing import Final
+
+from .analyn import cell_part, clip_to_bound, quadratic_integral
+from .layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_LIMIT, PATCH_MAX_PRESSURE,
+                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SET_RAIL, SIDE_AREA, SIDE_HALF_LENGTH,
+                     SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
+                     SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS)
+from .nodes import NODE_LENGTH, NODE_LINE, NODE_RISE, node_field
+from .profile_table import height_slope
+from .regions import (REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_RAIL, REGION_SPACING,
+                      REGION_STATION, region_block)
+
+# an island: a run of loaded cells under construction
+ISLAND_SIZE: Final[int] = 10
+ISLAND_LIMIT: Final[int] = 8
+ISLAND_LOAD: Final[int] = 0
+ISLAND_AREA: Final[int] = 1
+ISLAND_MOMENT: Final[int] = 2        # integral of the line load times station [N m]
+ISLAND_PRESSURE: Final[int] = 3
+ISLAND_HALF_LENGTH: Final[int] = 4
+ISLAND_START: Final[int] = 5
+ISLAND_STOP: Final[int] = 6
+ISLAND_ANGLE: Final[int] = 7
+
+#: Loaded parts closer than this share of the spacing are one patch.
+JOINED: Final[float] = 1e-9
+
+
+def quadratic_moment(before: float, low: float, high: float, start: float, stop: float):
+    """Integral over [start, stop] of x times the quadratic through (-1, before), (0, low), (1, high)."""
+    bend = 0.5 * (before - 2.0 * low + high)
+    slope = high - low - bend
+    upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0))
+    lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0))
+    return upper - lower
+
+
+def root_primitive(low: float, slope: float, bend: float, x: float):
+    """A primitive of sqrt(low + slope x + bend x^2) for bend < 0."""
+    value = low + x * (slope + x * bend)
+    if value < 0.0:
+        value = 0.0
+    spread = sqrt(slope * slope - 4.0 * bend * low)
+    share = -(2.0 * bend * x + slope) / spread
+    if share > 1.0:
+        share = 1.0
+    if share < -1.0:
+        share = -1.0
+    return ((2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value)
+            + spread * spread / (8.0 * -bend * sqrt(-bend)) * asin(share))
+
+
+def root_integral(before: float, low: float, high: float, start: float, stop: float):
+    """Integral over [start, stop] of the square root of the quadratic through (-1, before), (0, low), (1, high).
+
+    In closed form where the quadratic bends down noticeably, else by Simpson's rule in a root-friendly variable.
+    """
+    bend = 0.5 * (before - 2.0 * low + high)
+    slope = high - low - bend
+    result = 0.0
+    if bend < -1e-5 * (low + high) and slope * slope - 4.0 * bend * low > 0.0:
+        result = root_primitive(low, slope, bend, stop) - root_primitive(low, slope, bend, start)
+    else:
+        first = low + start * (slope + start * bend)
+        last = low + stop * (slope + stop * bend)
+        if first < 0.0:
+            first = 0.0
+        if last < 0.0:
+            last = 0.0
+        total = sqrt(first) + sqrt(last)
+        if total > 0.0:
+            # exact for a straight line: 2/3 (q1 + sqrt(q0 q1) + q0) / (sqrt(q0) + sqrt(q1))
+            result = (stop - start) * 2.0 / 3.0 * (first + sqrt(first * last) + last) / total
+    return result
+
+
+def square_length(work: 'float[:]', region: int, level: float, k: int):
+    """Square of the half-length at node ``k`` [m^2]; negative where unloaded."""
+    return (level - work[node_field(region, NODE_RISE) + k]) / work[node_field(region, NODE_LENGTH) + k]
+
+
+def square_pressure(work: 'float[:]', region: int, level: float, k: int):
+    """Square of the pressure on x = 0 at node ``k`` [Pa^2]: p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A)."""
+    line = 2.0 / pi * work[node_field(region, NODE_LINE) + k]
+    return (line * line * (level - work[node_field(region, NODE_RISE) + k])
+            * work[node_field(region, NODE_LENGTH) + k])
+
+
+def peak_root(before: float, middle: float, after: float):
+    """Largest value of the parabola through the roots of three values, the middle one largest; its own root where a
+    neighbour is not positive."""
+    top = sqrt(middle)
+    if before > 0.0 and after > 0.0:
+        left = sqrt(before)
+        right = sqrt(after)
+        bend = left - 2.0 * top + right
+        if bend < 0.0:
+            top -= (right - left) * (right - left) / (8.0 * bend)
+    return top
+
+
+def open_island(work: 'float[:]', count: int, start: float, angle: float):
+    """Begin island ``count`` at station ``start``."""
+    at = WORK_ISLANDS + ISLAND_SIZE * count
+    for i in range(ISLAND_SIZE):
+        work[at + i] = 0.0
+    work[at + ISLAND_START] = start
+    work[at + ISLAND_STOP] = start
+    work[at + ISLAND_ANGLE] = angle
+    return 0
+
+
+def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
+    """Walk over all regions by rising station and collect the islands; their number."""
+    islands = 0
+    for region in range(count):
+        block = region_block(region)
+        level = work[block + REGION_LEVEL]
+        if level > 0.0:
+            height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
+            fresh = 1
+            for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
+                islands, fresh = gather_cell(work, region, level, k, islands, fresh, -atan(slope))
+    return islands
+
+
+def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: int, fresh: int, angle: float):
+    """Add the cell between nodes ``k`` and ``k`` + 1; the number of islands, and 1 if the next cell starts a new one."""
+    block = region_block(region)
+    spacing = work[block + REGION_SPACING]
+    outward = 1
+    low = k
+    if k < 0:
+        outward = -1
+        low = k + 1
+    before = low - outward
+    high = low + outward
+    rises = node_field(region, NODE_RISE)
+    start, stop = cell_part(level - work[rises + before], level - work[rises + low], level - work[rises + high])
+    if k == int(work[block + REGION_FIRST]) or k == int(work[block + REGION_LAST]) - 1:
+        stop = clip_to_bound(work, block, low, outward, stop)
+    if stop > start:
+        inner = work[block + REGION_STATION] + spacing * float(low)
+        begin = inner + spacing * start
+        end = inner + spacing * stop
+        if outward < 0:
+            begin = inner - spacing * stop
+            end = inner - spacing * start
+        if islands == 0:
+            fresh = 1
+        elif begin - work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP] < JOINED * spacing:
+            fresh = 0
+        else:
+            fresh = 1
+        if fresh == 1 and islands < ISLAND_LIMIT:
+            open_island(work, islands, begin, angle)
+            islands += 1
+        at = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
+        work[at + ISLAND_STOP] = end
+        add_cell(work, region, level, before, low, high, start, stop, at, inner, spacing * float(outward))
+    return islands, fresh
+
+
+def add_cell(work: 'float[:]', region: int, level: float, before: int, low: int, high: int, start: float, stop: float,
+             at: int, inner: float, step: float):
+    """Add load, moment and area of a cell's loaded part to the island at ``at``, and its nodes' extremes."""
+    rises = node_field(region, NODE_RISE)
+    lines = node_field(region, NODE_LINE)
+    f_before = work[lines + before] * (level - work[rises + before])
+    f_low = work[lines + low] * (level - work[rises + low])
+    f_high = work[lines + high] * (level - work[rises + high])
+    width = step
+    if step < 0.0:
+        width = -step
+    load = width * quadratic_integral(f_before, f_low, f_high, start, stop)
+    work[at + ISLAND_LOAD] += load
+    work[at + ISLAND_MOMENT] += inner * load + width * step * quadratic_moment(f_before, f_low, f_high, start, stop)
+    q_low = square_length(work, region, level, low)
+    q_before = square_length(work, region, level, before)
+    q_high = square_length(work, region, level, high)
+    work[at + ISLAND_AREA] += 2.0 * width * root_integral(q_before, q_low, q_high, start, stop)
+    if q_low > 0.0 and q_low >= q_before and q_low >= q_high:
+        half = peak_root(q_before, q_low, q_high)
+        if half > work[at + ISLAND_HALF_LENGTH]:
+            work[at + ISLAND_HALF_LENGTH] = half
+    elif q_low > 0.0 and sqrt(q_low) > work[at + ISLAND_HALF_LENGTH]:
+        work[at + ISLAND_HALF_LENGTH] = sqrt(q_low)
+    s_low = square_pressure(work, region, level, low)
+    s_before = square_pressure(work, region, level, before)
+    s_high = square_pressure(work, region, level, high)
+    if s_low > 0.0 and s_low >= s_before and s_low >= s_high:
+        pressure = peak_root(s_before, s_low, s_high)
+        if pressure > work[at + ISLAND_PRESSURE]:
+            work[at + ISLAND_PRESSURE] = pressure
+    elif s_low > 0.0 and sqrt(s_low) > work[at + ISLAND_PRESSURE]:
+        work[at + ISLAND_PRESSURE] = sqrt(s_low)
+    return 0
+
+
+def write_patches(work: 'float[:]', side: int, islands: int):
+    """The side's totals and its heaviest patches, from the islands, into the outputs at ``side``."""
+    load = 0.0
+    area = 0.0
+    moment = 0.0
+    pressure = 0.0
+    half = 0.0
+    for i in range(islands):
+        at = WORK_ISLANDS + ISLAND_SIZE * i
+        load += work[at + ISLAND_LOAD]
+        area += work[at + ISLAND_AREA]
+        moment += work[at + ISLAND_MOMENT]
+        if work[at + ISLAND_PRESSURE] > pressure:
+            pressure = work[at + ISLAND_PRESSURE]
+        if work[at + ISLAND_HALF_LENGTH] > half:
+            half = work[at + ISLAND_HALF_LENGTH]
+    work[side + SIDE_PATCH_COUNT] = float(islands)
+    work[side + SIDE_NORMAL_FORCE] = load
+    work[side + SIDE_AREA] = area
+    work[side + SIDE_MAX_PRESSURE] = pressure
+    work[side + SIDE_PATCH_LENGTH] = 2.0 * half
+    if islands > 0:
+        last = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
+        work[side + SIDE_PATCH_WIDTH] = work[last + ISLAND_STOP] - work[WORK_ISLANDS + ISLAND_START]
+        work[side + SIDE_PATCH_CENTROID] = moment / load
+    for rank in range(PATCH_LIMIT):
+        heaviest = -1
+        for i in range(islands):
+            at = WORK_ISLANDS + ISLAND_SIZE * i
+            if work[at + ISLAND_LOAD] > 0.0:
+                if heaviest < 0:
+                    heaviest = at
+                elif work[at + ISLAND_LOAD] > work[heaviest + ISLAND_LOAD]:
+                    heaviest = at
+        if heaviest >= 0:
+            write_patch(work, side + SIDE_PATCH + PATCH_SIZE * rank, heaviest)
+            work[heaviest + ISLAND_LOAD] = 0.0
+    return 0
+
+
+def write_patch(work: 'float[:]', to: int, at: int):
+    """One patch from the island at ``at`` to the outputs at ``to``."""
+    work[to + PATCH_NORMAL_FORCE] = work[at + ISLAND_LOAD]
+    work[to + PATCH_AREA] = work[at + ISLAND_AREA]
+    work[to + PATCH_MAX_PRESSURE] = work[at + ISLAND_PRESSURE]
+    work[to + PATCH_LENGTH] = 2.0 * work[at + ISLAND_HALF_LENGTH]
+    work[to + PATCH_WIDTH] = work[at + ISLAND_STOP] - work[at + ISLAND_START]
+    work[to + PATCH_CENTROID] = work[at + ISLAND_MOMENT] / work[at + ISLAND_LOAD]
+    work[to + PATCH_CONTACT_ANGLE] = work[at + ISLAND_ANGLE]
+    return 0
+
+
+def write_outline(work: 'float[:]', side: int, count: int, islands: int):
+    """Half-length and pressure at STATION_COUNT stations from the first loaded station to the last."""
+    if islands > 0:
+        start = work[WORK_ISLANDS + ISLAND_START]
+        stop = work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP]
+        for j in range(STATION_COUNT):
+            station = start + (stop - start) * float(j) / float(STATION_COUNT - 1)
+            half = 0.0
+            pressure = 0.0
+            if j > 0 and j < STATION_COUNT - 1:
+                for region in range(count):
+                    block = region_block(region)
+                    if station >= work[block + REGION_LOW] and station <= work[block + REGION_HIGH]:
+                        half, pressure = strip_at(work, region, station)
+            work[side + SIDE_STATION + j] = station
+            work[side + SIDE_HALF_LENGTH + j] = half
+            work[side + SIDE_PRESSURE + j] = pressure
+    return 0
+
+
+def strip_at(work: 'float[:]', region: int, station: float):
+    """Half-length [m] and pressure [Pa] of ``region`` at ``station``; zeros where it is not loaded."""
+    block = region_block(region)
+    level = work[block + REGION_LEVEL]
+    half = 0.0
+    pressure = 0.0
+    u = (station - work[block + REGION_STATION]) / work[block + REGION_SPACING]
+    inside = u > work[block + REGION_FIRST] and u < work[block + REGION_LAST]
+    if level > 0.0 and inside:
+        outward = 1
+        if u < 0.0:
+            outward = -1
+            u = -u
+        low = int(u)
+        x = u - float(low)
+        low = outward * low
+        length = quadratic_value(square_length(work, region, level, low - outward),
+                                 square_length(work, region, level, low),
+                                 square_length(work, region, level, low + outward), x)
+        square = quadratic_value(square_pressure(work, region, level, low - outward),
+                                 square_pressure(work, region, level, low),
+                                 square_pressure(work, region, level, low + outward), x)
+        if length > 0.0 and square > 0.0:
+            half = sqrt(length)
+            pressure = sqrt(square)
+    return half, pressure
+
+
+def quadratic_value(before: float, low: float, high: float, x: float):
+    """The quadratic through (-1, before), (0, low), (1, high) at x."""
+    bend = 0.5 * (before - 2.0 * low + high)
+    return low + x * (high - low - bend + x * bend)

@@ -1,0 +1,242 @@
+"""Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
+
+A region is the neighbourhood of a local minimum of the normal gap.  Two minima belong to one region while the hump
+between them stays below MERGE of the penetration; otherwise the hump bounds both.
+"""
+
+from math import fabs, sqrt
+from typing import Final
+
+from .contact_plane import FRAME_ABSCISSA, FRAME_COS, FRAME_Y, TRACER_RAIL, TRACER_WHEEL, normal_gap, start_tracer
+from .layout import (REGION_LIMIT, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP, SIDE_LAST,
+                     SIDE_MISMATCH, WORK_REGION)
+from .search import SCAN_START, SCAN_STEP
+
+# a region block
+REGION_SIZE: Final[int] = 32
+REGION_STATION: Final[int] = 0       # of the minimum [m]
+REGION_GAP: Final[int] = 1           # there [m]
+REGION_RAIL: Final[int] = 2          # rail and wheel abscissa there [m]
+REGION_WHEEL: Final[int] = 3
+REGION_LOW: Final[int] = 4           # stations that bound it [m]
+REGION_HIGH: Final[int] = 5
+REGION_WIDTH_LOW: Final[int] = 6     # half-widths of the interpenetration [m]
+REGION_WIDTH_HIGH: Final[int] = 7
+REGION_SPACING: Final[int] = 8       # of its nodes [m]
+REGION_FIRST: Final[int] = 9         # first and last node
+REGION_LAST: Final[int] = 10
+REGION_LEVEL: Final[int] = 11        # local penetration: total minus own gap minus what other regions push down [m]
+REGION_LOAD: Final[int] = 12         # [N]
+REGION_STIFFNESS: Final[int] = 13    # load per level [N/m]
+REGION_BEND: Final[int] = 14         # second derivative of the gap at the minimum [1/m]
+REGION_CURVATURE: Final[int] = 15    # the wheel's 1/R_x at the minimum [1/m]
+REGION_MIDDLE: Final[int] = 16       # station that stands for its load in the interaction [m]
+REGION_RESIDUAL: Final[int] = 17     # of its level during the force solve [m]
+REGION_SLOPE: Final[int] = 18        # change of its level per change of the penetration [-]
+REGION_MOVE: Final[int] = 19         # change of its level that closes the residual [m]
+
+#: Two minima are one region while the hump between them is below this share of the penetration: ANALYN's contact ends
+#: where (1 + beta) g reaches the penetration, with 1 + beta near 2 where a hump is narrow.
+MERGE: Final[float] = 0.5
+#: Minima closer than this to another are the same [m].
+APART: Final[float] = 2e-4
+#: A minimum of the normal gap lies within this of the vertical gap's [m].
+WANDER: Final[float] = 2e-3
+FAR: Final[float] = 1.0
+TRACE: Final[float] = 1e-8           # tolerance of the abscissae while regions are sought [m]
+WIDTH_ITERATIONS: Final[int] = 60
+WIDTH_SHARP: Final[float] = 1e-7     # relative; the width only sets spacing and window of the nodes
+HUMP_SAMPLES: Final[int] = 8
+MINIMUM_ITERATIONS: Final[int] = 12
+
+
+def region_block(index: int):
+    """Offset of region ``index`` in the workspace."""
+    return WORK_REGION + REGION_SIZE * index
+
+
+def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, station: float):
+    """Start region ``index`` at the gap's local minimum near ``station``; its gap [m] (FAR if there is none)."""
+    block = region_block(index)
+    start = station
+    gap = FAR
+    bend = 0.0
+    curvature = 0.0
+    for i in range(MINIMUM_ITERATIONS):
+        gap, rate, bend, curvature = normal_gap(tables, work, state, station, TRACE)
+        move = -rate * WANDER
+        if bend > 0.0:
+            move = -rate / bend
+        if station + move > start + WANDER:
+            move = start + WANDER - station
+        if station + move < start - WANDER:
+            move = start - WANDER - station
+        if fabs(move) < TRACE:
+            break
+        station += move
+    work[block + REGION_STATION] = station
+    work[block + REGION_GAP] = gap
+    work[block + REGION_RAIL] = work[TRACER_RAIL]
+    work[block + REGION_WHEEL] = work[TRACER_WHEEL]
+    work[block + REGION_BEND] = bend
+    work[block + REGION_CURVATURE] = curvature
+    return gap
+
+
+def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+    """Region 0: the rigid contact point itself, station and gap zero."""
+    block = region_block(0)
+    gap, rate, bend, curvature = normal_gap(tables, work, state, 0.0, TRACE)
+    work[block + REGION_STATION] = 0.0
+    work[block + REGION_GAP] = 0.0
+    work[block + REGION_RAIL] = work[FRAME_ABSCISSA]
+    work[block + REGION_WHEEL] = work[FRAME_Y]
+    work[block + REGION_BEND] = bend
+    work[block + REGION_CURVATURE] = curvature
+    work[block + REGION_LOW] = -FAR
+    work[block + REGION_HIGH] = FAR
+    return 0
+
+
+def find_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, level: float):
+    """Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included."""
+    scan = int(tables[SET_SCAN])
+    count = 1
+    for i in range(int(work[side + SIDE_FIRST]), int(work[side + SIDE_LAST])):
+        if work[side + SIDE_MISMATCH + i] < 0.0 and work[side + SIDE_MISMATCH + i + 1] >= 0.0:
+            lower = i
+            if work[side + SIDE_GAP + i + 1] < work[side + SIDE_GAP + i]:
+                lower = i + 1
+            apart = work[side + SIDE_GAP + lower] - work[side + SIDE_BEST]
+            y = tables[scan + SCAN_START] + tables[scan + SCAN_STEP] * float(lower)
+            own = fabs(y - work[FRAME_Y]) < tables[scan + SCAN_STEP]
+            if not own and apart * work[FRAME_COS] < 2.0 * level and count < REGION_LIMIT:
+                across = work[side + SIDE_ABSCISSA + lower] - work[FRAME_ABSCISSA]
+                station = across / work[FRAME_COS]
+                start_tracer(work, station, work[side + SIDE_ABSCISSA + lower], y)
+                if open_region(tables, work, state, count, station) < level:
+                    if is_new(work, count) == 1:
+                        count += 1
+    return count
+
+
+def is_new(work: 'float[:]', count: int):
+    """1 if region ``count`` is away from all before it, else 0."""
+    new = 1
+    for i in range(count):
+        distance = work[region_block(i) + REGION_STATION] - work[region_block(count) + REGION_STATION]
+        if fabs(distance) < APART:
+            new = 0
+    return new
+
+
+def bound_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, level: float):
+    """Order the regions by station, set the humps between them as bounds, and join those with a low hump; the count."""
+    for i in range(count - 1):
+        for j in range(count - 1 - i):
+            if work[region_block(j) + REGION_STATION] > work[region_block(j + 1) + REGION_STATION]:
+                swap_regions(work, j, j + 1)
+    work[region_block(0) + REGION_LOW] = -FAR
+    work[region_block(count - 1) + REGION_HIGH] = FAR
+    i = 0
+    while i < count - 1:
+        low = region_block(i)
+        high = region_block(i + 1)
+        station, gap = find_hump(tables, work, state, low, high)
+        if gap < MERGE * level:
+            if work[high + REGION_GAP] < work[low + REGION_GAP]:
+                bound = work[low + REGION_LOW]
+                swap_regions(work, i, i + 1)
+                work[low + REGION_LOW] = bound
+            for j in range(i + 1, count - 1):
+                swap_regions(work, j, j + 1)
+            count -= 1
+            work[region_block(count - 1) + REGION_HIGH] = FAR
+        else:
+            work[low + REGION_HIGH] = station
+            work[high + REGION_LOW] = station
+            i += 1
+    return count
+
+
+def swap_regions(work: 'float[:]', first: int, second: int):
+    """Exchange two region blocks."""
+    for i in range(REGION_SIZE):
+        kept = work[region_block(first) + i]
+        work[region_block(first) + i] = work[region_block(second) + i]
+        work[region_block(second) + i] = kept
+    return 0
+
+
+def find_hump(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int, high: int):
+    """Station and gap [m] of the hump between two regions: best of HUMP_SAMPLES, then Newton on the rate."""
+    left = work[low + REGION_STATION]
+    right = work[high + REGION_STATION]
+    start_tracer(work, left, work[low + REGION_RAIL], work[low + REGION_WHEEL])
+    step = (right - left) / float(HUMP_SAMPLES + 1)
+    top = left
+    largest = -FAR
+    for i in range(1, HUMP_SAMPLES + 1):
+        station = left + step * float(i)
+        gap, rate, bend, curvature = normal_gap(tables, work, state, station, TRACE)
+        if gap > largest:
+            largest = gap
+            top = station
+    station = top
+    for i in range(MINIMUM_ITERATIONS):
+        gap, rate, bend, curvature = normal_gap(tables, work, state, station, TRACE)
+        move = 0.0
+        if bend < 0.0:
+            move = -rate / bend
+        if station + move > top + step or station + move < top - step:
+            move = 0.0
+        if gap > largest:
+            largest = gap
+            top = station
+        if fabs(move) < TRACE:
+            break
+        station += move
+    return top, largest
+
+
+def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, level: float,
+               guess: float):
+    """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound.
+
+    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
+    """
+    limit = work[block + REGION_HIGH] - work[block + REGION_STATION]
+    if direction < 0.0:
+        limit = work[block + REGION_STATION] - work[block + REGION_LOW]
+    start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
+    tolerance = 1e-3 * guess
+    if tolerance > TRACE:
+        tolerance = TRACE
+    root = sqrt(level)
+    low = 0.0
+    high = -1.0
+    width = guess
+    for i in range(WIDTH_ITERATIONS):
+        if width > limit:
+            width = limit
+        gap, rate, bend, curvature = normal_gap(tables, work, state,
+                                                work[block + REGION_STATION] + direction * width, tolerance)
+        rise = gap - work[block + REGION_GAP]
+        if rise < level:
+            low = width
+            if width >= limit:
+                return limit
+        else:
+            high = width
+        following = 2.0 * width
+        if high > 0.0:
+            following = 0.5 * (low + high)
+        if rise > 0.0 and rate * direction > 0.0:
+            square = sqrt(rise)
+            newton = width + (root - square) * 2.0 * square / (rate * direction)
+            if newton > low and newton < 4.0 * width and (high < 0.0 or newton < high):
+                following = newton
+        if fabs(following - width) < WIDTH_SHARP * width:
+            return following
+        width = following
+    return width

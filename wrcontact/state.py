@@ -1,0 +1,162 @@
+"""What an evaluation returns: names over the kernel's output array, for one pose or for a table of them."""
+
+import numpy as np
+
+from .kernel import layout
+
+
+class _View:
+    """Named places of an output array (270,) or (n, 270), from ``offset`` on."""
+
+    __slots__ = ("_values", "_offset")
+
+    def __init__(self, values, offset):
+        self._values = values
+        self._offset = offset
+
+    def __repr__(self):
+        names = [name for name in dir(type(self)) if not name.startswith("_")]
+        return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in names)})"
+
+
+def _place(offset, unit, text):
+    """A property that reads one number (a float, or (n,) of a table) at ``offset``."""
+
+    def read(self):
+        value = self._values[..., self._offset + offset]
+        return float(value) if value.ndim == 0 else value
+
+    return property(read, doc=f"{text} [{unit}].")
+
+
+def _run(offset, unit, text):
+    """A property that reads STATION_COUNT numbers from ``offset`` on: (31,), or (n, 31) of a table."""
+
+    def read(self):
+        start = self._offset + offset
+        return self._values[..., start:start + layout.STATION_COUNT]
+
+    return property(read, doc=f"{text} [{unit}], (31,).")
+
+
+class Contact(_View):
+    """The contact point of one wheel, in the wheel's, the rail's and the track's frame (wrcontact/conventions.py)."""
+
+    __slots__ = ()
+    x_wheel = _place(layout.SIDE_X_WHEEL, "m", "ahead of the wheel's principal profile")
+    y_wheel = _place(layout.SIDE_Y_WHEEL, "m", "on the wheel profile, positive to the field side")
+    z_wheel = _place(layout.SIDE_Z_WHEEL, "m", "below the running circle")
+    y_rail = _place(layout.SIDE_Y_RAIL, "m", "on the rail profile, positive to the field side")
+    z_rail = _place(layout.SIDE_Z_RAIL, "m", "below the rail's highest point")
+    x_track = _place(layout.SIDE_X_TRACK, "m", "along the track")
+    y_track = _place(layout.SIDE_Y_TRACK, "m", "across the track, positive to the right")
+    z_track = _place(layout.SIDE_Z_TRACK, "m", "below top of rail")
+
+
+class Patch(_View):
+    """One loaded region."""
+
+    __slots__ = ()
+    normal_force = _place(layout.PATCH_NORMAL_FORCE, "N", "its share of the wheel's normal force")
+    area = _place(layout.PATCH_AREA, "m^2", "area")
+    max_pressure = _place(layout.PATCH_MAX_PRESSURE, "Pa", "largest pressure")
+    length = _place(layout.PATCH_LENGTH, "m", "largest extent along the track")
+    width = _place(layout.PATCH_WIDTH, "m", "extent across, in the contact plane")
+    centroid = _place(layout.PATCH_CENTROID, "m", "centre of pressure, station in the contact plane")
+    contact_angle = _place(layout.PATCH_CONTACT_ANGLE, "rad", "angle of the rail there, positive towards the flange")
+
+
+class Outline(_View):
+    """The patch over the loaded width: 31 stations across, from the first loaded one to the last."""
+
+    __slots__ = ()
+    station = _run(layout.SIDE_STATION, "m", "lateral coordinate in the contact plane, positive to the field side")
+    half_length = _run(layout.SIDE_HALF_LENGTH, "m", "half the patch's length along the track")
+    pressure = _run(layout.SIDE_PRESSURE, "Pa", "pressure on the patch's centre line")
+
+
+class Side(_View):
+    """One wheel on its rail."""
+
+    __slots__ = ()
+    contact_angle = _place(layout.SIDE_CONTACT_ANGLE, "rad", "angle of the contact plane, positive towards the flange")
+    rolling_radius = _place(layout.SIDE_ROLLING_RADIUS, "m", "radius of the wheel profile at the contact point")
+    curvature_x = _place(layout.SIDE_CURVATURE_X, "1/m", "relative longitudinal curvature 1/R_x at the contact point")
+    curvature_y = _place(layout.SIDE_CURVATURE_Y, "1/m", "relative lateral curvature 1/R_y at the contact point")
+    penetration = _place(layout.SIDE_PENETRATION, "m", "approach of the bodies")
+    normal_force = _place(layout.SIDE_NORMAL_FORCE, "N", "sum over the patches")
+    area = _place(layout.SIDE_AREA, "m^2", "area of all patches")
+    max_pressure = _place(layout.SIDE_MAX_PRESSURE, "Pa", "largest pressure of all patches")
+    patch_length = _place(layout.SIDE_PATCH_LENGTH, "m", "largest extent along the track")
+    patch_width = _place(layout.SIDE_PATCH_WIDTH, "m", "extent from the first loaded station to the last")
+    patch_centroid = _place(layout.SIDE_PATCH_CENTROID, "m", "centre of pressure, station in the contact plane")
+
+    @property
+    def patch_count(self):
+        """Number of loaded regions; of which the three with the largest load are in ``patches``."""
+        count = self._values[..., self._offset + layout.SIDE_PATCH_COUNT]
+        if count.ndim:
+            return count
+        return int(count) if np.isfinite(count) else 0
+
+    @property
+    def contact(self):
+        """The contact point."""
+        return Contact(self._values, self._offset)
+
+    @property
+    def patches(self):
+        """Loaded regions by falling load; always three in a table, with zeros where absent."""
+        start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_SIZE
+        count = layout.PATCH_LIMIT if self._values.ndim > 1 else min(self.patch_count, layout.PATCH_LIMIT)
+        return tuple(Patch(self._values, start + size * k) for k in range(count))
+
+    @property
+    def outline(self):
+        """Outline and pressure over the loaded width."""
+        return Outline(self._values, self._offset)
+
+
+class WheelsetState:
+    """Result of an evaluation: ``status``, ``roll`` [rad], ``vertical_shift`` [m, positive down], ``left``, ``right``.
+
+    ``inputs`` are the five inputs, ``values`` the kernel's outputs; (n, ...) for a table.
+    """
+
+    __slots__ = ("values", "status", "inputs")
+
+    def __init__(self, values, status, inputs):
+        self.values = values
+        self.status = status
+        self.inputs = inputs
+
+    @property
+    def roll(self):
+        """Roll of the wheelset [rad], right wheel down positive."""
+        return self.values[..., layout.OUT_ROLL][()]
+
+    @property
+    def vertical_shift(self):
+        """Vertical shift of the wheelset [m], positive down."""
+        return self.values[..., layout.OUT_VERTICAL_SHIFT][()]
+
+    @property
+    def left(self):
+        """The left wheel."""
+        return Side(self.values, layout.OUT_LEFT)
+
+    @property
+    def right(self):
+        """The right wheel."""
+        return Side(self.values, layout.OUT_RIGHT)
+
+    def __len__(self):
+        if self.values.ndim == 1:
+            raise TypeError("the state of one pose has no length")
+        return len(self.values)
+
+    def __repr__(self):
+        if self.values.ndim > 1:
+            return f"WheelsetState({len(self.values)} poses)"
+        return (f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
+                f"vertical_shift={self.vertical_shift:.6g} m)")

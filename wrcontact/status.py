@@ -1,0 +1,58 @@
+"""Every outcome of a step, each with its sentence."""
+
+import math
+from enum import IntEnum
+
+from .kernel import layout
+from .tables import LATERAL_LIMIT, YAW_LIMIT
+
+
+class Status(IntEnum):
+    """What became of a step; the FMU's ``status``."""
+
+    VALID = layout.VALID
+    UNLOADED = layout.UNLOADED            #: a wheel carries nothing: geometry valid, its patch empty
+    OFF_PROFILE = layout.OFF_PROFILE      #: contact beyond the profiles; outputs keep the last valid values
+    NOT_CONVERGED = layout.NOT_CONVERGED  #: likewise
+    INVALID_INPUT = layout.INVALID_INPUT  #: likewise
+
+
+INPUT_NAMES = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
+INPUT_UNITS = ("m", "rad", "rad", "N", "1")
+
+
+def explain(status, inputs):
+    """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
+
+    ``inputs`` are the five inputs in the order of :data:`INPUT_NAMES`.
+    """
+    shift, yaw, _, force, transfer = (float(value) for value in inputs)
+    kept = "the outputs keep their last valid values"
+    if status == Status.VALID:
+        return ""
+    if status == Status.INVALID_INPUT:
+        return f"{_invalid_input(inputs)}; {kept}"
+    if status == Status.UNLOADED:
+        name, value = ("normal_force", f"{force:g} N") if force == 0.0 else ("load_transfer", f"{transfer:g}")
+        return (f"{name} is {value}, so a wheel carries no load; its patch is empty "
+                "(a load needs normal_force > 0 N and |load_transfer| < 1)")
+    if status == Status.OFF_PROFILE:
+        if abs(shift) <= LATERAL_LIMIT and abs(yaw) > YAW_LIMIT:
+            return f"yaw is {yaw:g} rad, beyond the profiles; permitted is |yaw| <= {YAW_LIMIT:g} rad; {kept}"
+        if abs(shift) > LATERAL_LIMIT:
+            return (f"lateral_shift is {shift:g} m, beyond the profiles; permitted is |lateral_shift| <= "
+                    f"{LATERAL_LIMIT:g} m; {kept}")
+        return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a profile, where "
+                f"there is no contact; permitted are shifts that keep the contact on both profiles; {kept}")
+    return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, load_transfer "
+            f"{transfer:g} within the iteration limit; {kept}")
+
+
+def _invalid_input(inputs):
+    """The first input that is not permitted, in a clause."""
+    for name, unit, value in zip(INPUT_NAMES, INPUT_UNITS, inputs):
+        if not math.isfinite(value):
+            return f"{name} is {value} {unit}; permitted are finite numbers"
+    if inputs[layout.IN_NORMAL_FORCE] < 0.0:
+        return f"normal_force is {inputs[layout.IN_NORMAL_FORCE]:g} N; permitted is normal_force >= 0 N"
+    return f"load_transfer is {inputs[layout.IN_LOAD_TRANSFER]:g}; permitted is -1 <= load_transfer <= 1"
