@@ -27,10 +27,13 @@ sys.path[:] = [entry for entry in sys.path if not is_root(entry)] + [str(ROOT)]
 def outdated_file():
     """A module here that the installed package has not, or has otherwise; None where there is none."""
     installed = Path(importlib.util.find_spec("wrcontact").origin).parent
-    for path in sorted((ROOT / "wrcontact").rglob("*.py")):
-        copy = installed / path.relative_to(ROOT / "wrcontact")
-        if not copy.exists() or copy.read_bytes() != path.read_bytes():
-            return path
+    if installed == ROOT / "wrcontact":
+        return None
+    for folder, copies in ((ROOT / "wrcontact", installed), (ROOT / "fmu_src", installed / "fmu_src")):
+        for path in sorted(folder.rglob("*.py")):
+            copy = copies / path.relative_to(folder)
+            if not copy.exists() or copy.read_bytes() != path.read_bytes():
+                return path
     return None
 
 

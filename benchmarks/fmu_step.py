@@ -119,8 +119,9 @@ class Instance:
 def moving_inputs():
     """A hunting wheelset: poses that change at every step, flange to flange."""
     phase = np.linspace(0, 2 * np.pi, STEPS, endpoint=False)
-    rows = np.column_stack((5e-3 * np.sin(phase), 5e-3 * np.cos(phase), 0 * phase, 78.5e3 + 5e3 * np.sin(7 * phase), 0.1 * np.sin(3 * phase)))
-    rows = [tuple(row) for row in rows.tolist()]
+    shift, yaw = 5e-3 * np.sin(phase), 5e-3 * np.cos(phase)
+    force, transfer = 78.5e3 + 5e3 * np.sin(7 * phase), 0.1 * np.sin(3 * phase)
+    rows = [tuple(row) for row in np.column_stack((shift, yaw, 0 * phase, force, transfer)).tolist()]
     while True:
         yield from rows
 

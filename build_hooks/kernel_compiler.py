@@ -18,7 +18,7 @@ KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 LIBRARY_NAME = runpy.run_path(str(KERNEL / "files.py"))["LIBRARY_NAME"]
 
 # No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
-FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-fno-math-errno", "-g0",
+FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-shared", "-fPIC")
 PROBE = "#include <math.h>\ndouble probe(double x) { return sin(x); }\n"
 ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64"), ("Darwin", "arm64"), ("Windows", "AMD64"),

@@ -2,6 +2,7 @@
 
 * Where no C compiler works, ``ziglang`` (a C compiler as a wheel) is asked for as a build requirement.
 * The library goes into the wheel, whose tag is then ``py3-none-<platform>``; an editable installation gets it in place.
+* The FMU's sources, ``fmu_src`` at the top of the checkout, go into the wheel as ``wrcontact/fmu_src``.
 * Where compiling fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the package then runs
   its Python source, slowly, and says so.  pip shows the warning with ``-v`` only.
 
@@ -20,6 +21,8 @@ from setuptools.build_meta import *  # noqa: F401,F403  the hooks that stay as t
 from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build import build
 from setuptools.command.build_py import build_py
+
+PACKAGE = KERNEL.parent
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -40,12 +43,14 @@ class FreshBuild(build):
 
 
 class BuildWithKernel(build_py):
-    """``build_py``, and then the library beside the kernel's modules."""
+    """``build_py``, and then the library beside the kernel's modules and the FMU's sources inside the package."""
 
     def run(self):
         super().run()
-        target = KERNEL if self.editable_mode else Path(self.build_lib, "wrcontact", "kernel")
-        self.distribution.has_kernel_library = wanted() and compiled_into(target)
+        package = PACKAGE if self.editable_mode else Path(self.build_lib, "wrcontact")
+        self.distribution.has_kernel_library = wanted() and compiled_into(package / "kernel")
+        if not self.editable_mode:
+            shutil.copytree(PACKAGE.parent / "fmu_src", package / "fmu_src", ignore=shutil.ignore_patterns("__pycache__"))
 
 
 class PlatformWheel(bdist_wheel):
@@ -66,7 +71,7 @@ def compiled_into(folder):
     try:
         compile_library(folder)
     except (CompilerProblem, OSError) as problem:
-        print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 150 times slower): {problem}",
+        print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 times slower): {problem}",
               file=sys.stderr)
         return False
     return True

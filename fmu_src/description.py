@@ -5,7 +5,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 from ..interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, STRING, UNITS, VARIABLES, select
 
 MODEL = "WheelsetContact"
-DESCRIPTION = "Wheel-rail contact of one wheelset on track: contact points, roll, and normal contact (ANALYN or Hertz) on both wheels"
+DESCRIPTION = "Wheel-rail contact of a wheelset on track: contact points, roll and normal contact (ANALYN or Hertz) of both wheels"
 
 CAPABILITIES = {
     "modelIdentifier": MODEL,

@@ -99,13 +99,13 @@ def _row(name, variable, starts):
     """One variable as a table row."""
     unit = UNITS.get(variable.unit)
     start = starts.get(variable.name, variable.start)
-    limits = [f"&ge; {variable.minimum:g}" if variable.minimum is not None else "", f"&le; {variable.maximum:g}" if variable.maximum is not None else ""]
+    limits = (("&ge;", variable.minimum), ("&le;", variable.maximum))
     cells = [
         f"<code>{escape(name)}</code>",
         escape(variable.unit),
         unit.display if unit else "",
         "" if start is None else escape(str(start)),
-        " or ".join(variable.choices) or ", ".join(limit for limit in limits if limit),
+        " or ".join(variable.choices) or ", ".join(f"{sign} {limit:g}" for sign, limit in limits if limit is not None),
         escape(variable.meaning),
     ]
     return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>\n"

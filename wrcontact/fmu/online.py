@@ -46,7 +46,7 @@ def imports_of(module):
         if isinstance(node, ast.ImportFrom) and node.level:
             yield from files_of(module.parents[node.level - 1], node)
         elif names_itself(node):
-            raise ValueError(f"{module}, line {node.lineno}: modules of {PACKAGE.name} import each other relatively, or an FMU would run the host's")
+            raise ValueError(f"{module}, line {node.lineno}: a packed module must import relatively, or it gets the host's")
 
 
 def files_of(folder, node):

@@ -208,8 +208,9 @@ class Session:
         header, numbers = _read_snapshot(saved)
         stepper = self._stepper_for(header)
         arrays = [self._values] if stepper is None else [self._values, stepper.inputs, stepper.outputs, stepper.state]
-        if numbers.size != sum(array.size for array in arrays):
-            raise Refused(f"the saved state holds {numbers.size} numbers, expected are {sum(array.size for array in arrays)}")
+        expected = sum(array.size for array in arrays)
+        if numbers.size != expected:
+            raise Refused(f"the saved state holds {numbers.size} numbers, expected are {expected}; the present state is kept")
         for array in arrays:
             array[:], numbers = numbers[: array.size], numbers[array.size :]
         self.parameters, self._stepper = header["parameters"], stepper

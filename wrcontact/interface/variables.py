@@ -9,7 +9,9 @@ import re
 from dataclasses import dataclass
 
 from ..kernel import layout
+from ..system import CHOICES, RANGES
 from ..tables import LATERAL_LIMIT, YAW_LIMIT
+from .starts import STARTS
 
 INPUT, PARAMETER, OUTPUT = "input", "parameter", "output"
 REAL, INTEGER, STRING = "Real", "Integer", "String"
@@ -84,19 +86,20 @@ class Variable:
 GEOMETRY = ("lateral_shift", "yaw")
 LOAD = GEOMETRY + ("normal_force", "load_transfer")
 
+# What each method decides, and what each choice means; which choices there are is said in one place, system.CHOICES.
 METHODS = {
-    "contact_mode": (("rigid",), "how wheel and rail meet: rigid = undeformed surfaces touch at equal gaps left and right"),
-    "load": (("normal",), "what normal_force prescribes: normal = the total over the patches of a wheel"),
+    "contact_mode": ("how wheel and rail meet", {"rigid": "undeformed surfaces touch, at equal gaps left and right"}),
+    "load": ("what normal_force prescribes", {"normal": "the total over the patches of a wheel"}),
     "normal_model": (
-        ("analyn", "hertz"),
-        "normal contact: analyn = ANALYN with interacting regions, hertz = one Hertz ellipse from the curvatures at the contact point",
+        "normal contact",
+        {"analyn": "ANALYN with interacting regions", "hertz": "one Hertz ellipse from the curvatures at the contact point"},
     ),
-    "separation": (("normal",), "undeformed distance, measured along: normal = the normal of the contact plane"),
+    "separation": ("how the undeformed distance is measured", {"normal": "along the normal of the contact plane"}),
     "longitudinal_curvature": (
-        ("effective", "basic"),
-        "rolling curvature of the wheel: effective = with contact angle and yaw, basic = 1/(rolling radius)",
+        "rolling curvature of the wheel",
+        {"effective": "of the cut along the contact normal", "basic": "1 / rolling radius"},
     ),
-    "lateral_curvature": (("smooth",), "relative lateral curvature across the patch: smooth = averaged over a share of it"),
+    "lateral_curvature": ("relative lateral curvature", {"smooth": "averaged over a window in proportion to the patch"}),
 }
 
 
@@ -111,7 +114,7 @@ def _inputs():
                  unit="rad", start=0.0, minimum=-0.5, maximum=0.5, nominal=1e-3, index=layout.IN_ROLL_GUESS),
         Variable("normal_force", INPUT, "Normal force per wheel, total over its patches, before load transfer",
                  unit="N", start=78500.0, minimum=0.0, maximum=1e7, nominal=1e5, index=layout.IN_NORMAL_FORCE),
-        Variable("load_transfer", INPUT, "Share L of the normal force N moved from the left to the right wheel: right N (1 + L), left N (1 - L)",
+        Variable("load_transfer", INPUT, "Share L of the normal force N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left",
                  unit="1", start=0.0, minimum=-1.0, maximum=1.0, nominal=0.1, index=layout.IN_LOAD_TRANSFER),
     ]  # fmt: skip
 
@@ -120,27 +123,31 @@ def _parameters():
     """What stays: profiles, track, material and methods."""
     return [
         Variable("wheel_profile", PARAMETER, "Wheel profile: a built-in name, or a file in the FMU's resources",
-                 STRING, start="S1002", keyword="wheel"),
+                 STRING, start=STARTS.get("wheel_profile", "S1002"), keyword="wheel"),
         Variable("rail_profile", PARAMETER, "Rail profile: a built-in name, or a file in the FMU's resources",
-                 STRING, start="UIC60", keyword="rail"),
-        Variable("rail_inclination", PARAMETER, "Inclination of the rail to the track centre as a slope; 0.025 is 1:40",
-                 unit="1", start=0.025, minimum=-0.2, maximum=0.2, nominal=0.025, keyword="rail_inclination"),
-        Variable("gauge", PARAMETER, "Track gauge between the gauge faces of the rails",
-                 unit="m", start=1.435, minimum=0.5, maximum=2.0, nominal=1.0, keyword="gauge"),
-        Variable("gauge_depth", PARAMETER, "Depth below the highest point of the inclined rail head at which the gauge is measured",
-                 unit="m", start=0.014, minimum=0.001, maximum=0.05, nominal=0.01, keyword="gauge_depth"),
-        Variable("running_circle_distance", PARAMETER, "Distance between the running circles of the two wheels",
-                 unit="m", start=1.5, minimum=0.5, maximum=2.5, nominal=1.0, keyword="running_circle_distance"),
-        Variable("nominal_radius", PARAMETER, "Wheel radius at the running circle",
-                 unit="m", start=0.46, minimum=0.1, maximum=1.0, nominal=0.5, keyword="nominal_radius"),
-        Variable("youngs_modulus", PARAMETER, "Young's modulus of wheel and rail",
-                 unit="Pa", start=210e9, minimum=1e9, maximum=1e12, nominal=1e11, keyword="youngs_modulus"),
-        Variable("poisson_ratio", PARAMETER, "Poisson's ratio of wheel and rail",
-                 unit="1", start=0.28, minimum=0.0, maximum=0.5, nominal=0.3, keyword="poisson_ratio"),
-    ] + [
-        Variable(name, PARAMETER, f"Method, {meaning}", STRING, start=choices[0], keyword=name, choices=choices)
-        for name, (choices, meaning) in METHODS.items()
+                 STRING, start=STARTS.get("rail_profile", "UIC60"), keyword="rail"),
+        _number("rail_inclination", 0.025, 0.025, "Inclination of the rail to the track centre as a slope; 0.025 is 1:40"),
+        _number("gauge", 1.435, 1.0, "Track gauge between the gauge faces of the rails"),
+        _number("gauge_depth", 0.014, 0.01, "Depth below the highest point of the inclined rail head at which the gauge is measured"),
+        _number("running_circle_distance", 1.5, 1.0, "Distance between the running circles of the two wheels"),
+        _number("nominal_radius", 0.46, 0.5, "Wheel radius at the running circle"),
+        _number("youngs_modulus", 210e9, 1e11, "Young's modulus of wheel and rail"),
+        _number("poisson_ratio", 0.28, 0.3, "Poisson's ratio of wheel and rail"),
+        *(_method(name, *METHODS[name]) for name in CHOICES),
     ]  # fmt: skip
+
+
+def _number(name, start, nominal, meaning):
+    """A numeric parameter; unit and range are those of the contact system."""
+    low, high, unit = RANGES[name]
+    return Variable(name, PARAMETER, meaning, unit=unit, start=start, minimum=low, maximum=high, nominal=nominal, keyword=name)
+
+
+def _method(name, decides, words):
+    """A method parameter with its choices explained; the first choice is the default."""
+    choices = CHOICES[name]
+    meaning = f"Method, {decides}: " + ", ".join(f"{choice} = {words[choice]}" for choice in choices)
+    return Variable(name, PARAMETER, meaning, STRING, start=choices[0], keyword=name, choices=choices)
 
 
 SIDE_TABLE = (

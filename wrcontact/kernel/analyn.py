@@ -11,7 +11,7 @@ Regions press on each other: the level of region i is the total penetration minu
 of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
 """
 
-from math import fabs, pi
+from math import fabs, pi, sqrt
 from typing import Final
 
 from .layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
@@ -23,44 +23,50 @@ from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
+#: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
+CLOSED: Final[float] = 1e-10
+#: The penetration is sought up to this multiple of the first value.
+HIGHEST: Final[float] = 1e3
+
+
+def bend_of(before: float, low: float, high: float):
+    """Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
+
+    Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
+    """
+    bend = 0.5 * (before - 2.0 * low + high)
+    limit = 0.5 * (fabs(low) + fabs(high))
+    if bend > limit:
+        bend = limit
+    if bend < -limit:
+        bend = -limit
+    return bend
 
 
 def cell_part(d_before: float, d_low: float, d_high: float):
-    """The loaded part [from, to] of a cell, as shares of it counted from its inner node.
-
-    d is the quadratic through the inner neighbour and the cell's two nodes, which is exact for a parabola.
-    """
+    """The loaded part [from, to] of a cell, as shares of it counted from its inner node."""
     start = 0.0
     stop = 1.0
     if d_low <= 0.0 and d_high <= 0.0:
         stop = 0.0
     elif d_low <= 0.0 or d_high <= 0.0:
-        bend = 0.5 * (d_before - 2.0 * d_low + d_high)
+        bend = bend_of(d_before, d_low, d_high)
         slope = d_high - d_low - bend
-        root = 0.5
-        for i in range(40):
-            value = d_low + root * (slope + root * bend)
-            rate = slope + 2.0 * root * bend
-            if rate == 0.0:
-                rate = d_high - d_low
-            following = root - value / rate
-            if following < 0.0:
-                following = 0.0
-            if following > 1.0:
-                following = 1.0
-            if fabs(following - root) < 1e-15:
-                break
-            root = following
+        # the root between two values of opposite sign, in the form that does not cancel
+        spread = sqrt(slope * slope - 4.0 * bend * d_low)
+        root = 0.0
         if d_low > 0.0:
+            root = 2.0 * d_low / (spread - slope)
             stop = root
         else:
+            root = -2.0 * d_low / (spread + slope)
             start = root
     return start, stop
 
 
 def quadratic_integral(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of the quadratic through (-1, before), (0, low), (1, high)."""
-    bend = 0.5 * (before - 2.0 * low + high)
+    """Integral over [start, stop] of the quadratic of ``bend_of``."""
+    bend = bend_of(before, low, high)
     slope = high - low - bend
     upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
     lower = start * (low + start * (slope / 2.0 + start * bend / 3.0))
@@ -143,27 +149,32 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
     """
     for i in range(count):
         work[region_block(i) + REGION_LEVEL] = penetration - work[region_block(i) + REGION_GAP]
+    low = 0.0
+    high = HIGHEST * penetration
     for iteration in range(FORCE_ITERATIONS):
         state[STATE_SOLVE_COUNT] += 1.0
         total = load_regions(tables, work, count)
         residual, slope, rest = level_residuals(tables, work, count, penetration)
-        # total(levels) must become force: the levels follow penetration by slope, after closing their own residuals
         move = 0.0
+        missed = 0.0
         if prescribed == 0:
+            missed = fabs(force - total)
+            if residual <= CLOSED * penetration and missed > 10.0 * CLOSED * force:
+                if total < force:
+                    low = penetration
+                else:
+                    high = penetration
+            following = 0.5 * (low + high)
+            # the levels follow the penetration by their slopes, after closing their own residuals
             if slope > 0.0:
-                move = (force - total - rest) / slope
-            else:
-                move = penetration
-            if penetration + move < 0.25 * penetration:
-                move = -0.75 * penetration
+                newton = penetration + (force - total - rest) / slope
+                if newton > low and newton < high:
+                    following = newton
+            move = following - penetration
+        if missed <= FORCE_SHARP * force and residual <= FORCE_SHARP * penetration:
+            return penetration, 1
         penetration += move
         apply_moves(work, count, move)
-        missed = fabs(force - total)
-        if prescribed == 1:
-            missed = 0.0
-        if missed <= FORCE_SHARP * force and residual <= FORCE_SHARP * penetration and fabs(move) <= 1e-11 * penetration:
-            load_regions(tables, work, count)
-            return penetration, 1
     return penetration, 0
 
 

@@ -5,7 +5,7 @@
     inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     status = bound.step()                                               # writes outputs and state
 
-The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.3 us a call, during which other
+The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.2 us a call, during which other
 threads run.  The environment variable ``WRCONTACT_KERNEL`` chooses: ``auto`` (default: the library, or a warning and the
 source), ``compiled`` (the library or an error), ``python`` (the source: for a debugger, and as the library's witness).
 """
@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from .files import HERE, LIBRARY_NAME, fingerprint
-from .layout import INPUT_COUNT, OUTPUT_COUNT
+from .layout import INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
 
 CHOICES = ("auto", "compiled", "python")
 
@@ -42,7 +42,7 @@ def default_kernel():
     except LibraryUnusable as reason:
         if choice == "compiled":
             raise
-        warnings.warn(f"The contact kernel runs uncompiled, about 150 times slower: {reason}.", RuntimeWarning, stacklevel=2)
+        warnings.warn(f"The contact kernel runs uncompiled, about 100 times slower: {reason}.", RuntimeWarning, stacklevel=2)
         return Kernel()
 
 
@@ -58,8 +58,8 @@ class Kernel:
 
     def bind(self, tables, state, workspace, inputs, outputs):
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
-        arrays = (checked("tables", tables), checked("state", state, written=True),
-                  checked("workspace", workspace, written=True), checked("inputs", inputs, INPUT_COUNT),
+        arrays = (checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
+                  checked("workspace", workspace, WORK_SIZE, written=True), checked("inputs", inputs, INPUT_COUNT),
                   checked("outputs", outputs, OUTPUT_COUNT, written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 

@@ -15,7 +15,7 @@ follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to ze
 from math import fabs, pi, sqrt
 from typing import Final
 
-from .contact_plane import normal_gap, start_tracer
+from .contact_plane import NO_GAP, normal_gap, start_tracer
 from .hertz import hertz_coefficients
 from .layout import NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ, WORK_NODES
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
@@ -62,25 +62,55 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         k = 0
         left = window
         passed = 0
+        ended = 0
         while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2:
             k += 1
-            station = origin + spacing * float(direction * k)
-            gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
-            work[gaps + direction * k] = gap - work[block + REGION_GAP]
-            work[longitudinal + direction * k] = 0.5 * curvature
+            at = direction * k
+            station = origin + spacing * float(at)
+            if ended == 0:
+                gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
+                if gap >= NO_GAP:
+                    ended = 1
+                    end_region(work, block, direction, station - spacing * float(direction))
+            if ended == 0:
+                work[gaps + at] = gap - work[block + REGION_GAP]
+                work[longitudinal + at] = 0.5 * curvature
+            else:
+                extrapolate_node(work, gaps, longitudinal, at, direction)
             if passed > 0:
                 left -= 1
-            else:
-                if gap - work[block + REGION_GAP] > COVER * level:
-                    passed = k
-                if station > work[block + REGION_HIGH] or station < work[block + REGION_LOW]:
-                    passed = k
+            elif ended == 1 or work[gaps + at] > COVER * level:
+                passed = k
+            elif station > work[block + REGION_HIGH] or station < work[block + REGION_LOW]:
+                passed = k
         if passed == 0:
             passed = k - window
         if direction < 0:
             work[block + REGION_FIRST] = float(-passed)
         else:
             work[block + REGION_LAST] = float(passed)
+    return 0
+
+
+def end_region(work: 'float[:]', block: int, direction: int, station: float):
+    """Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back."""
+    if direction > 0:
+        if station < work[block + REGION_HIGH]:
+            work[block + REGION_HIGH] = station
+    elif station > work[block + REGION_LOW]:
+        work[block + REGION_LOW] = station
+    return 0
+
+
+def extrapolate_node(work: 'float[:]', gaps: int, longitudinal: int, at: int, direction: int):
+    """Continue gap and A past an end, so that windows over it see the curvature before it."""
+    one = gaps + at - direction
+    if at * direction > 2:
+        work[gaps + at] = 3.0 * work[one] - 3.0 * work[one - direction] + work[one - 2 * direction]
+    else:
+        # next to the minimum: take the other side's, or nothing if that is not known yet
+        work[gaps + at] = work[one]
+    work[longitudinal + at] = work[longitudinal + at - direction]
     return 0
 
 

@@ -13,7 +13,7 @@ from .analyn import solve_levels
 from .contact_plane import longitudinal_curvature
 from .hertz import hertz_coefficients, hertz_stiffness
 from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_WIDTH, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL, SIDE_AREA,
+                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL, SIDE_AREA,
                      SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE,
                      SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
                      SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
@@ -35,6 +35,8 @@ GUESS_FACTOR: Final[float] = 1.5
 COARSE_MERGE: Final[float] = 0.6
 COARSE_REPEATS: Final[int] = 8
 COVER_REPEATS: Final[int] = 6
+#: Smallest mean half-width, as a share of the half-length sqrt(level R_x), of a region that an end nearly closes.
+NARROWEST: Final[float] = 0.01
 WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
 
 
@@ -72,6 +74,9 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
         widest = work[block + REGION_WIDTH_LOW]
         if work[block + REGION_WIDTH_HIGH] > widest:
             widest = work[block + REGION_WIDTH_HIGH]
+        least = NARROWEST * sqrt(level / work[block + REGION_CURVATURE])
+        if mean < least:
+            mean = least
         spacing = mean / float(nodes)
         if widest * enlarge > WIDEST * spacing:
             spacing = widest * enlarge / WIDEST
@@ -119,7 +124,7 @@ def solve_coarse(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     count = 1
     penetration = guess
     for repeat in range(COARSE_REPEATS):
-        for i in range(3):
+        for i in range(REGION_LIMIT):
             work[region_block(i) + REGION_WIDTH_LOW] = 0.0
             work[region_block(i) + REGION_WIDTH_HIGH] = 0.0
         open_contact_region(tables, work, state)
@@ -128,6 +133,8 @@ def solve_coarse(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
         start_levels(work, count, guess)
         prepare_regions(tables, work, state, count, COARSE_NODES, COARSE_WINDOW, GUESS_FACTOR)
         penetration, met = solve_levels(tables, work, state, count, force, guess, 0)
+        if met == 0:
+            penetration = guess
         if penetration < GUESS_FACTOR * guess and GUESS_FACTOR * penetration > guess:
             break
         guess = penetration
@@ -143,7 +150,7 @@ def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = 1
-        for i in range(3):
+        for i in range(REGION_LIMIT):
             work[region_block(i) + REGION_WIDTH_LOW] = 0.0
             work[region_block(i) + REGION_WIDTH_HIGH] = 0.0
         count = find_regions(tables, work, state, side, penetration)
@@ -156,16 +163,34 @@ def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
         if count > 1:
             count = bound_regions(tables, work, state, count, penetration)
         keep_levels(work, count, penetration)
+    penetration, met = solve_fine(tables, work, state, count, force, penetration, by_penetration)
+    if met == 0 and count > 1:
+        # regions so close that pressing on each other has no fixed point are one region
+        count = 1
+        open_contact_region(tables, work, state)
+        start_levels(work, count, penetration)
+        penetration, met = solve_fine(tables, work, state, count, force, penetration, by_penetration)
+    return penetration, count, met
+
+
+def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
+               by_penetration: int):
+    """Penetration [m] on fine nodes laid over the regions' levels, laid again where the patch outgrows them; and 1 when
+    met, else 0."""
+    start = penetration
     enlarge = 1.0
     met = 0
     for repeat in range(COVER_REPEATS):
         prepare_regions(tables, work, state, count, FINE_NODES, FINE_WINDOW, enlarge)
-        penetration, met = solve_levels(tables, work, state, count, force, penetration, by_penetration)
-        if met == 0 or covered(work, count) == 1:
+        penetration, met = solve_levels(tables, work, state, count, force, start, by_penetration)
+        if met == 0:
+            return start, met
+        if covered(work, count) == 1:
             break
         enlarge *= 1.4
+        start = penetration
         keep_levels(work, count, penetration)
-    return penetration, count, met
+    return penetration, met
 
 
 def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, prescribed: float):

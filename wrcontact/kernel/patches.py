@@ -7,7 +7,7 @@ are the quadratics through the cell's nodes and its inner neighbour, so that an 
 from math import asin, atan, pi, sqrt
 from typing import Final
 
-from .analyn import cell_part, clip_to_bound, quadratic_integral
+from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
 from .layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_LIMIT, PATCH_MAX_PRESSURE,
                      PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SET_RAIL, SIDE_AREA, SIDE_HALF_LENGTH,
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
@@ -34,8 +34,8 @@ JOINED: Final[float] = 1e-9
 
 
 def quadratic_moment(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of x times the quadratic through (-1, before), (0, low), (1, high)."""
-    bend = 0.5 * (before - 2.0 * low + high)
+    """Integral over [start, stop] of x times the quadratic of ``bend_of``."""
+    bend = bend_of(before, low, high)
     slope = high - low - bend
     upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0))
     lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0))
@@ -58,11 +58,11 @@ def root_primitive(low: float, slope: float, bend: float, x: float):
 
 
 def root_integral(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of the square root of the quadratic through (-1, before), (0, low), (1, high).
+    """Integral over [start, stop] of the square root of the quadratic of ``bend_of``.
 
     In closed form where the quadratic bends down noticeably, else by Simpson's rule in a root-friendly variable.
     """
-    bend = 0.5 * (before - 2.0 * low + high)
+    bend = bend_of(before, low, high)
     slope = high - low - bend
     result = 0.0
     if bend < -1e-5 * (low + high) and slope * slope - 4.0 * bend * low > 0.0:
@@ -305,6 +305,6 @@ def strip_at(work: 'float[:]', region: int, station: float):
 
 
 def quadratic_value(before: float, low: float, high: float, x: float):
-    """The quadratic through (-1, before), (0, low), (1, high) at x."""
-    bend = 0.5 * (before - 2.0 * low + high)
+    """The quadratic of ``bend_of`` at x."""
+    bend = bend_of(before, low, high)
     return low + x * (high - low - bend + x * bend)

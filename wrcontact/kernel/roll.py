@@ -44,10 +44,13 @@ def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
 
 
 def follow_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Refine the known minima of both sides."""
+    """Refine the known minima of both sides; 1 if all were found again, else 0."""
+    found = 1
     for i in range(2):
-        follow_minima(tables, work, WORK_SIDE + WORK_SIDE_SIZE * i, work, WORK_PLACE + PLACE_SIZE * i, state)
-    return 0
+        if found == 1:
+            found = follow_minima(tables, work, WORK_SIDE + WORK_SIDE_SIZE * i, work, WORK_PLACE + PLACE_SIZE * i,
+                                  state)
+    return found
 
 
 def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float):
@@ -64,8 +67,10 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: f
     for i in range(ROLL_ITERATIONS):
         state[STATE_ROLL_COUNT] += 1.0
         place_both(tables, work, roll)
-        away = roll - scanned
-        if fabs(away) > REACH:
+        known = 0
+        if fabs(roll - scanned) < REACH:
+            known = follow_both(tables, work, state)
+        if known == 0:
             if search_both(tables, work, state) == 0:
                 if retried == 1 or roll == 0.0:
                     return roll, OFF_PROFILE
@@ -75,8 +80,6 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: f
                 high = ROLL_LIMIT
                 continue
             scanned = roll
-        else:
-            follow_both(tables, work, state)
         difference = work[right + SIDE_BEST] - work[left + SIDE_BEST]
         rate = (gap_per_roll(tables, work, WORK_PLACE + PLACE_SIZE, work[right + SIDE_BEST_Y])
                 + gap_per_roll(tables, work, WORK_PLACE, work[left + SIDE_BEST_Y]))

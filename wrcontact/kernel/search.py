@@ -10,7 +10,7 @@ from math import fabs
 from typing import Final
 
 from .gap import above_rail, vertical_gap
-from .layout import (MINIMUM_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_Y,
+from .layout import (MINIMUM_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_Y,
                      SIDE_FIRST, SIDE_GAP, SIDE_LAST, SIDE_MINIMUM_COUNT, SIDE_MINIMUM_GAP, SIDE_MINIMUM_Y,
                      SIDE_MISMATCH, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
 from .locus import outline_point
@@ -36,8 +36,11 @@ REACH: Final[float] = 2.5e-6
 NARROW: Final[float] = 6.5e-5
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
-#: A known minimum moves by no more than this in one Newton step [m].
+#: A known minimum that moves by more than this in a Newton step is looked for anew [m].
 LONGEST_MOVE: Final[float] = 1e-4
+FOLLOW_ITERATIONS: Final[int] = 12
+#: The end of the rail is located to this [m].
+END_SHARP: Final[float] = 1e-9
 LARGE_GAP: Final[float] = 1e3
 
 
@@ -116,22 +119,58 @@ def find_minima(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if work[side + SIDE_GAP + i + 1] < lowest:
             lowest = work[side + SIDE_GAP + i + 1]
         if lowest - bend * step * step / 8.0 < work[side + SIDE_BEST] + MARGIN:
-            search_cell(tables, work, side, place, at, state, i, bend)
+            low = tables[scan + SCAN_START] + step * float(i)
+            search_cell(tables, work, side, place, at, state, bend, low, low + step, work[side + SIDE_GAP + i],
+                        work[side + SIDE_GAP + i + 1], work[side + SIDE_MISMATCH + i],
+                        work[side + SIDE_MISMATCH + i + 1])
+    if work[side + SIDE_MISMATCH + first] > 0.0 and first > 0:
+        search_end(tables, work, side, place, at, state, first, -1)
+    if work[side + SIDE_MISMATCH + last] < 0.0 and last + 1 < int(tables[scan + SCAN_COUNT]):
+        search_end(tables, work, side, place, at, state, last, 1)
     return 0
 
 
-def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', cell: int,
-                bend: float):
-    """Local minima between two scan nodes: halve while the bound allows a better value, refine where the slope turns."""
+def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', node: int,
+               outward: int):
+    """Search between scan node ``node``, where the gap falls outwards, and the end of the rail beyond it."""
     scan = int(tables[SET_SCAN])
+    inner = tables[scan + SCAN_START] + tables[scan + SCAN_STEP] * float(node)
+    inside = inner
+    outside = inner + tables[scan + SCAN_STEP] * float(outward)
+    while fabs(outside - inside) > END_SHARP:
+        middle = 0.5 * (inside + outside)
+        z, slope = height_slope(tables, int(tables[SET_WHEEL]), middle)
+        y_track, z_track, outline_slope = outline_point(place, at, middle, z, slope)
+        if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 1:
+            inside = middle
+        else:
+            outside = middle
+    gap, mismatch, rate = vertical_gap(tables, place, at, inside)
+    state[STATE_GAP_COUNT] += 1.0
+    cell = node
+    if outward < 0:
+        cell = node - 1
+    bend = largest_bend(tables, work, side, cell)
+    if inside < inner:
+        search_cell(tables, work, side, place, at, state, bend, inside, inner, gap, work[side + SIDE_GAP + node],
+                    mismatch, work[side + SIDE_MISMATCH + node])
+    elif inside > inner:
+        search_cell(tables, work, side, place, at, state, bend, inner, inside, work[side + SIDE_GAP + node], gap,
+                    work[side + SIDE_MISMATCH + node], mismatch)
+    return 0
+
+
+def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
+                bend: float, first: float, last: float, gap_first: float, gap_last: float, mismatch_first: float,
+                mismatch_last: float):
+    """Local minima in a cell: halve while the bound allows a better value, refine where the slope turns."""
     stack = side + SIDE_STACK
-    low = tables[scan + SCAN_START] + tables[scan + SCAN_STEP] * float(cell)
-    work[stack] = low
-    work[stack + 1] = low + tables[scan + SCAN_STEP]
-    work[stack + 2] = work[side + SIDE_GAP + cell]
-    work[stack + 3] = work[side + SIDE_GAP + cell + 1]
-    work[stack + 4] = work[side + SIDE_MISMATCH + cell]
-    work[stack + 5] = work[side + SIDE_MISMATCH + cell + 1]
+    work[stack] = first
+    work[stack + 1] = last
+    work[stack + 2] = gap_first
+    work[stack + 3] = gap_last
+    work[stack + 4] = mismatch_first
+    work[stack + 5] = mismatch_last
     depth = 1
     while depth > 0:
         depth -= 1
@@ -219,29 +258,35 @@ def keep_minimum(work: 'float[:]', side: int, y: float, gap: float):
 
 
 def follow_minima(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]'):
-    """Refine the listed minima after a small change of roll; the smallest goes into SIDE_BEST."""
-    best = LARGE_GAP
+    """Refine the listed minima after a small change of roll; the smallest goes into SIDE_BEST.
+
+    1 if all were found again close by, else 0: between nearly conformal profiles a minimum can run away or vanish, and
+    the side must be scanned anew.
+    """
     if work[side + SIDE_MINIMUM_COUNT] < 1.0:
-        keep_minimum(work, side, work[side + SIDE_BEST_Y], work[side + SIDE_BEST])
+        return 0
+    best = LARGE_GAP
     for i in range(int(work[side + SIDE_MINIMUM_COUNT])):
         y = work[side + SIDE_MINIMUM_Y + i]
-        for k in range(20):
+        met = 0
+        for k in range(FOLLOW_ITERATIONS):
             gap, mismatch, rate = vertical_gap(tables, place, at, y)
             state[STATE_GAP_COUNT] += 1.0
-            move = 0.0
-            if rate > 0.0:
-                move = -mismatch / rate
+            if not rate > 0.0:
+                return 0
+            move = -mismatch / rate
             if fabs(move) < SHARP:
+                met = 1
                 break
-            if move > LONGEST_MOVE:
-                move = LONGEST_MOVE
-            if move < -LONGEST_MOVE:
-                move = -LONGEST_MOVE
+            if fabs(move) > LONGEST_MOVE:
+                return 0
             y += move
+        if met == 0:
+            return 0
         work[side + SIDE_MINIMUM_Y + i] = y
         work[side + SIDE_MINIMUM_GAP + i] = gap
         if gap < best:
             best = gap
             work[side + SIDE_BEST] = gap
             work[side + SIDE_BEST_Y] = y
-    return 0
+    return 1

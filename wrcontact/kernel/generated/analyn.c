@@ -15,19 +15,34 @@
 
 #include "analyn.h"
 
-/* The loaded part [from, to] of a cell, as shares of it counted from its inner node.
+/* Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
  *
- * d is the quadratic through the inner neighbour and the cell's two nodes, which is exact for a parabola.
+ * Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
  */
+static double analyn__bend_of(double before, double low, double high)
+{
+    double limit;
+    double bend;
+    bend = 0.5 * (before - 2.0 * low + high);
+    limit = 0.5 * (fabs(low) + fabs(high));
+    if (bend > limit)
+    {
+        bend = limit;
+    }
+    if (bend < -limit)
+    {
+        bend = -limit;
+    }
+    return bend;
+}
+
+/* The loaded part [from, to] of a cell, as shares of it counted from its inner node. */
 static int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high)
 {
     double bend;
     double slope;
+    double spread;
     double root;
-    int64_t i;
-    double value;
-    double rate;
-    double following;
     (*start) = 0.0;
     (*stop) = 1.0;
     if ((d_low <= 0.0) && (d_high <= 0.0))
@@ -36,52 +51,33 @@ static int64_t analyn__cell_part(double* start, double* stop, double d_before, d
     }
     else if ((d_low <= 0.0) || (d_high <= 0.0))
     {
-        bend = 0.5 * (d_before - 2.0 * d_low + d_high);
+        bend = analyn__bend_of(d_before, d_low, d_high);
         slope = d_high - d_low - bend;
-        root = 0.5;
-        for (i = INT64_C(0); i < INT64_C(40); i += INT64_C(1))
-        {
-            value = d_low + root * (slope + root * bend);
-            rate = slope + 2.0 * root * bend;
-            if (rate == 0.0)
-            {
-                rate = d_high - d_low;
-            }
-            following = root - value / rate;
-            if (following < 0.0)
-            {
-                following = 0.0;
-            }
-            if (following > 1.0)
-            {
-                following = 1.0;
-            }
-            if (fabs(following - root) < 1e-15)
-            {
-                break;
-            }
-            root = following;
-        }
+        /* the root between two values of opposite sign, in the form that does not cancel */
+        spread = sqrt(slope * slope - 4.0 * bend * d_low);
+        root = 0.0;
         if (d_low > 0.0)
         {
+            root = 2.0 * d_low / (spread - slope);
             (*stop) = root;
         }
         else
         {
+            root = (-2.0) * d_low / (spread + slope);
             (*start) = root;
         }
     }
     return 0;
 }
 
-/* Integral over [start, stop] of the quadratic through (-1, before), (0, low), (1, high). */
+/* Integral over [start, stop] of the quadratic of ``bend_of``. */
 static double analyn__quadratic_integral(double before, double low, double high, double start, double stop)
 {
     double bend;
     double slope;
     double upper;
     double lower;
-    bend = 0.5 * (before - 2.0 * low + high);
+    bend = analyn__bend_of(before, low, high);
     slope = high - low - bend;
     upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
     lower = start * (low + start * (slope / 2.0 + start * bend / 3.0));
@@ -220,6 +216,8 @@ static double analyn__load_regions(array_double_1d tables, array_double_1d work,
 static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed)
 {
     int64_t i;
+    double low;
+    double high;
     int64_t iteration;
     double total;
     double residual;
@@ -227,46 +225,55 @@ static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_000
     double rest;
     double move;
     double missed;
+    double following;
+    double newton;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         (*cspan_at(&work, regions__region_block(i) + regions__REGION_LEVEL)) = penetration - (*cspan_at(&work, regions__region_block(i) + regions__REGION_GAP));
     }
+    low = 0.0;
+    high = analyn__HIGHEST * penetration;
     for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
         total = analyn__load_regions(tables, work, count);
         analyn__level_residuals(&residual, &slope, &rest, tables, work, count, penetration);
-        /* total(levels) must become force: the levels follow penetration by slope, after closing their own residuals */
         move = 0.0;
+        missed = 0.0;
         if (prescribed == INT64_C(0))
         {
+            missed = fabs(force - total);
+            if ((residual <= analyn__CLOSED * penetration) && (missed > 10.0 * analyn__CLOSED * force))
+            {
+                if (total < force)
+                {
+                    low = penetration;
+                }
+                else
+                {
+                    high = penetration;
+                }
+            }
+            following = 0.5 * (low + high);
+            /* the levels follow the penetration by their slopes, after closing their own residuals */
             if (slope > 0.0)
             {
-                move = (force - total - rest) / slope;
+                newton = penetration + (force - total - rest) / slope;
+                if ((newton > low) && (newton < high))
+                {
+                    following = newton;
+                }
             }
-            else
-            {
-                move = penetration;
-            }
-            if (penetration + move < 0.25 * penetration)
-            {
-                move = (-0.75) * penetration;
-            }
+            move = following - penetration;
         }
-        penetration += move;
-        analyn__apply_moves(work, count, move);
-        missed = fabs(force - total);
-        if (prescribed == INT64_C(1))
+        if ((missed <= analyn__FORCE_SHARP * force) && (residual <= analyn__FORCE_SHARP * penetration))
         {
-            missed = 0.0;
-        }
-        if ((missed <= analyn__FORCE_SHARP * force) && (residual <= analyn__FORCE_SHARP * penetration) && (fabs(move) <= 1e-11 * penetration))
-        {
-            analyn__load_regions(tables, work, count);
             (*result_0_0001) = penetration;
             (*result_1_0001) = INT64_C(1);
             return 0;
         }
+        penetration += move;
+        analyn__apply_moves(work, count, move);
     }
     (*result_0_0001) = penetration;
     (*result_1_0001) = INT64_C(0);

@@ -23,7 +23,10 @@
 
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;
+static const double analyn__CLOSED = 1e-10;
+static const double analyn__HIGHEST = 1000.0;
 
+static double analyn__bend_of(double before, double low, double high);
 static int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
 static double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
 static double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);

@@ -40,6 +40,8 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
     int64_t k;
     int64_t left;
     int64_t passed;
+    int64_t ended;
+    int64_t at;
     double station;
     block = regions__region_block(region);
     (*cspan_at(&work, block + regions__REGION_SPACING)) = spacing;
@@ -61,27 +63,41 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
         k = INT64_C(0);
         left = window;
         passed = INT64_C(0);
+        ended = INT64_C(0);
         while((left > INT64_C(0)) && (k < layout__NODE_LIMIT - layout__NODE_MIDDLE - INT64_C(2)))
         {
             k += INT64_C(1);
-            station = origin + spacing * (double)(direction * k);
-            contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, tolerance);
-            (*cspan_at(&work, gaps + direction * k)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
-            (*cspan_at(&work, longitudinal + direction * k)) = 0.5 * curvature;
+            at = direction * k;
+            station = origin + spacing * (double)(at);
+            if (ended == INT64_C(0))
+            {
+                contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, tolerance);
+                if (gap >= contact_plane__NO_GAP)
+                {
+                    ended = INT64_C(1);
+                    nodes__end_region(work, block, direction, station - spacing * (double)(direction));
+                }
+            }
+            if (ended == INT64_C(0))
+            {
+                (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+                (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
+            }
+            else
+            {
+                nodes__extrapolate_node(work, gaps, longitudinal, at, direction);
+            }
             if (passed > INT64_C(0))
             {
                 left -= INT64_C(1);
             }
-            else
+            else if ((ended == INT64_C(1)) || ((*cspan_at(&work, gaps + at)) > nodes__COVER * level))
             {
-                if (gap - (*cspan_at(&work, block + regions__REGION_GAP)) > nodes__COVER * level)
-                {
-                    passed = k;
-                }
-                if ((station > (*cspan_at(&work, block + regions__REGION_HIGH))) || (station < (*cspan_at(&work, block + regions__REGION_LOW))))
-                {
-                    passed = k;
-                }
+                passed = k;
+            }
+            else if ((station > (*cspan_at(&work, block + regions__REGION_HIGH))) || (station < (*cspan_at(&work, block + regions__REGION_LOW))))
+            {
+                passed = k;
             }
         }
         if (passed == INT64_C(0))
@@ -97,6 +113,41 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
             (*cspan_at(&work, block + regions__REGION_LAST)) = (double)(passed);
         }
     }
+    return INT64_C(0);
+}
+
+/* Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back. */
+static int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station)
+{
+    if (direction > INT64_C(0))
+    {
+        if (station < (*cspan_at(&work, block + regions__REGION_HIGH)))
+        {
+            (*cspan_at(&work, block + regions__REGION_HIGH)) = station;
+        }
+    }
+    else if (station > (*cspan_at(&work, block + regions__REGION_LOW)))
+    {
+        (*cspan_at(&work, block + regions__REGION_LOW)) = station;
+    }
+    return INT64_C(0);
+}
+
+/* Continue gap and A past an end, so that windows over it see the curvature before it. */
+static int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction)
+{
+    int64_t one;
+    one = gaps + at - direction;
+    if (at * direction > INT64_C(2))
+    {
+        (*cspan_at(&work, gaps + at)) = 3.0 * (*cspan_at(&work, one)) - 3.0 * (*cspan_at(&work, one - direction)) + (*cspan_at(&work, one - INT64_C(2) * direction));
+    }
+    else
+    {
+        /* next to the minimum: take the other side's, or nothing if that is not known yet */
+        (*cspan_at(&work, gaps + at)) = (*cspan_at(&work, one));
+    }
+    (*cspan_at(&work, longitudinal + at)) = (*cspan_at(&work, longitudinal + at - direction));
     return INT64_C(0);
 }
 

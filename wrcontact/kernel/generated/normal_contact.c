@@ -52,6 +52,7 @@ static int64_t normal_contact__prepare_regions(array_double_1d tables, array_dou
     double level;
     double mean;
     double widest;
+    double least;
     double spacing;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -63,6 +64,11 @@ static int64_t normal_contact__prepare_regions(array_double_1d tables, array_dou
         if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > widest)
         {
             widest = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+        }
+        least = normal_contact__NARROWEST * sqrt(level / (*cspan_at(&work, block + regions__REGION_CURVATURE)));
+        if (mean < least)
+        {
+            mean = least;
         }
         spacing = mean / (double)(nodes);
         if (widest * enlarge > normal_contact__WIDEST * spacing)
@@ -146,7 +152,7 @@ static int64_t normal_contact__solve_coarse(double* penetration, int64_t* count,
     (*penetration) = guess;
     for (repeat = INT64_C(0); repeat < normal_contact__COARSE_REPEATS; repeat += INT64_C(1))
     {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
         {
             (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LOW)) = 0.0;
             (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_HIGH)) = 0.0;
@@ -157,6 +163,10 @@ static int64_t normal_contact__solve_coarse(double* penetration, int64_t* count,
         normal_contact__start_levels(work, (*count), guess);
         normal_contact__prepare_regions(tables, work, state, (*count), normal_contact__COARSE_NODES, normal_contact__COARSE_WINDOW, normal_contact__GUESS_FACTOR);
         analyn__solve_levels(penetration, &met, tables, work, state, (*count), force, guess, INT64_C(0));
+        if (met == INT64_C(0))
+        {
+            (*penetration) = guess;
+        }
         if (((*penetration) < normal_contact__GUESS_FACTOR * guess) && (normal_contact__GUESS_FACTOR * (*penetration) > guess))
         {
             break;
@@ -175,8 +185,6 @@ static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count,
     int64_t i;
     double A;
     double guess;
-    double enlarge;
-    int64_t repeat;
     regions__open_contact_region(tables, work, state);
     (*count) = INT64_C(1);
     by_penetration = INT64_C(0);
@@ -184,7 +192,7 @@ static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count,
     if (isfinite(prescribed))
     {
         by_penetration = INT64_C(1);
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
         {
             (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LOW)) = 0.0;
             (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_HIGH)) = 0.0;
@@ -204,19 +212,50 @@ static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count,
         }
         normal_contact__keep_levels(work, (*count), (*penetration));
     }
+    normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, (*penetration), by_penetration);
+    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
+    {
+        /* regions so close that pressing on each other has no fixed point are one region */
+        (*count) = INT64_C(1);
+        regions__open_contact_region(tables, work, state);
+        normal_contact__start_levels(work, (*count), (*penetration));
+        normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, (*penetration), by_penetration);
+    }
+    return 0;
+}
+
+/* Penetration [m] on fine nodes laid over the regions' levels, laid again where the patch outgrows them; and 1 when
+ * met, else 0.
+ */
+static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration)
+{
+    double start;
+    double enlarge;
+    int64_t met;
+    int64_t repeat;
+    start = penetration;
     enlarge = 1.0;
-    (*met) = INT64_C(0);
+    met = INT64_C(0);
     for (repeat = INT64_C(0); repeat < normal_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        normal_contact__prepare_regions(tables, work, state, (*count), normal_contact__FINE_NODES, normal_contact__FINE_WINDOW, enlarge);
-        analyn__solve_levels(penetration, met, tables, work, state, (*count), force, (*penetration), by_penetration);
-        if (((*met) == INT64_C(0)) || (normal_contact__covered(work, (*count)) == INT64_C(1)))
+        normal_contact__prepare_regions(tables, work, state, count, normal_contact__FINE_NODES, normal_contact__FINE_WINDOW, enlarge);
+        analyn__solve_levels(&penetration, &met, tables, work, state, count, force, start, by_penetration);
+        if (met == INT64_C(0))
+        {
+            (*result_0_0001) = start;
+            (*result_1) = met;
+            return 0;
+        }
+        if (normal_contact__covered(work, count) == INT64_C(1))
         {
             break;
         }
         enlarge *= 1.4;
-        normal_contact__keep_levels(work, (*count), (*penetration));
+        start = penetration;
+        normal_contact__keep_levels(work, count, penetration);
     }
+    (*result_0_0001) = penetration;
+    (*result_1) = met;
     return 0;
 }
 

@@ -8,14 +8,14 @@
 
 #include "patches.h"
 
-/* Integral over [start, stop] of x times the quadratic through (-1, before), (0, low), (1, high). */
+/* Integral over [start, stop] of x times the quadratic of ``bend_of``. */
 static double patches__quadratic_moment(double before, double low, double high, double start, double stop)
 {
     double bend;
     double slope;
     double upper;
     double lower;
-    bend = 0.5 * (before - 2.0 * low + high);
+    bend = analyn__bend_of(before, low, high);
     slope = high - low - bend;
     upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0));
     lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0));
@@ -46,7 +46,7 @@ static double patches__root_primitive(double low, double slope, double bend, dou
     return (2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value) + spread * spread / (8.0 * (-bend) * sqrt(-bend)) * asin(share);
 }
 
-/* Integral over [start, stop] of the square root of the quadratic through (-1, before), (0, low), (1, high).
+/* Integral over [start, stop] of the square root of the quadratic of ``bend_of``.
  *
  * In closed form where the quadratic bends down noticeably, else by Simpson's rule in a root-friendly variable.
  */
@@ -58,7 +58,7 @@ static double patches__root_integral(double before, double low, double high, dou
     double last;
     double total;
     double result;
-    bend = 0.5 * (before - 2.0 * low + high);
+    bend = analyn__bend_of(before, low, high);
     slope = high - low - bend;
     result = 0.0;
     if ((bend < (-1e-05) * (low + high)) && (slope * slope - 4.0 * bend * low > 0.0))
@@ -472,10 +472,10 @@ static int64_t patches__strip_at(double* half, double* pressure, array_double_1d
     return 0;
 }
 
-/* The quadratic through (-1, before), (0, low), (1, high) at x. */
+/* The quadratic of ``bend_of`` at x. */
 static double patches__quadratic_value(double before, double low, double high, double x)
 {
     double bend;
-    bend = 0.5 * (before - 2.0 * low + high);
+    bend = analyn__bend_of(before, low, high);
     return low + x * (high - low - bend + x * bend);
 }

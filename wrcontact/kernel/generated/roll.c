@@ -45,15 +45,20 @@ static int64_t roll__search_both(array_double_1d tables, array_double_1d work, a
     return found;
 }
 
-/* Refine the known minima of both sides. */
+/* Refine the known minima of both sides; 1 if all were found again, else 0. */
 static int64_t roll__follow_both(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     int64_t i;
+    int64_t found;
+    found = INT64_C(1);
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        search__follow_minima(tables, work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE * i, work, layout__WORK_PLACE + locus__PLACE_SIZE * i, state);
+        if (found == INT64_C(1))
+        {
+            found = search__follow_minima(tables, work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE * i, work, layout__WORK_PLACE + locus__PLACE_SIZE * i, state);
+        }
     }
-    return INT64_C(0);
+    return found;
 }
 
 /* Roll [rad] and outcome; the sides' minima stay in the workspace. */
@@ -67,7 +72,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     double scanned;
     int64_t retried;
     int64_t i;
-    double away;
+    int64_t known;
     double difference;
     double rate;
     double following;
@@ -87,8 +92,12 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     {
         (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
         roll__place_both(tables, work, roll);
-        away = roll - scanned;
-        if (fabs(away) > search__REACH)
+        known = INT64_C(0);
+        if (fabs(roll - scanned) < search__REACH)
+        {
+            known = roll__follow_both(tables, work, state);
+        }
+        if (known == INT64_C(0))
         {
             if (roll__search_both(tables, work, state) == INT64_C(0))
             {
@@ -105,10 +114,6 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
                 continue;
             }
             scanned = roll;
-        }
-        else
-        {
-            roll__follow_both(tables, work, state);
         }
         difference = (*cspan_at(&work, right + layout__SIDE_BEST)) - (*cspan_at(&work, left + layout__SIDE_BEST));
         rate = gap__gap_per_roll(tables, work, layout__WORK_PLACE + locus__PLACE_SIZE, (*cspan_at(&work, right + layout__SIDE_BEST_Y))) + gap__gap_per_roll(tables, work, layout__WORK_PLACE, (*cspan_at(&work, left + layout__SIDE_BEST_Y)));

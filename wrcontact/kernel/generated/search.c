@@ -128,6 +128,7 @@ static int64_t search__find_minima(array_double_1d tables, array_double_1d work,
     int64_t i;
     double bend;
     double lowest;
+    double low;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     step = (*cspan_at(&tables, scan + search__SCAN_STEP));
     first = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST)));
@@ -142,20 +143,83 @@ static int64_t search__find_minima(array_double_1d tables, array_double_1d work,
         }
         if (lowest - bend * step * step / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)) + search__MARGIN)
         {
-            search__search_cell(tables, work, side, place, at, state, i, bend);
+            low = (*cspan_at(&tables, scan + search__SCAN_START)) + step * (double)(i);
+            search__search_cell(tables, work, side, place, at, state, bend, low, low + step, (*cspan_at(&work, side + layout__SIDE_GAP + i)), (*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1))), (*cspan_at(&work, side + layout__SIDE_MISMATCH + i)), (*cspan_at(&work, side + layout__SIDE_MISMATCH + i + INT64_C(1))));
         }
+    }
+    if (((*cspan_at(&work, side + layout__SIDE_MISMATCH + first)) > 0.0) && (first > INT64_C(0)))
+    {
+        search__search_end(tables, work, side, place, at, state, first, -INT64_C(1));
+    }
+    if (((*cspan_at(&work, side + layout__SIDE_MISMATCH + last)) < 0.0) && (last + INT64_C(1) < (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)))))
+    {
+        search__search_end(tables, work, side, place, at, state, last, INT64_C(1));
     }
     return INT64_C(0);
 }
 
-/* Local minima between two scan nodes: halve while the bound allows a better value, refine where the slope turns. */
-static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t cell, double bend)
+/* Search between scan node ``node``, where the gap falls outwards, and the end of the rail beyond it. */
+static int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward)
 {
     int64_t scan;
+    double inner;
+    double inside;
+    double outside;
+    double middle;
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double gap;
+    double mismatch;
+    double rate;
+    int64_t cell;
+    double bend;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    inner = (*cspan_at(&tables, scan + search__SCAN_START)) + (*cspan_at(&tables, scan + search__SCAN_STEP)) * (double)(node);
+    inside = inner;
+    outside = inner + (*cspan_at(&tables, scan + search__SCAN_STEP)) * (double)(outward);
+    while(fabs(outside - inside) > search__END_SHARP)
+    {
+        middle = 0.5 * (inside + outside);
+        profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), middle);
+        locus__outline_point(&y_track, &z_track, &outline_slope, place, at, middle, z, slope);
+        if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y))) == INT64_C(1))
+        {
+            inside = middle;
+        }
+        else
+        {
+            outside = middle;
+        }
+    }
+    gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, inside);
+    (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+    cell = node;
+    if (outward < INT64_C(0))
+    {
+        cell = node - INT64_C(1);
+    }
+    bend = search__largest_bend(tables, work, side, cell);
+    if (inside < inner)
+    {
+        search__search_cell(tables, work, side, place, at, state, bend, inside, inner, gap, (*cspan_at(&work, side + layout__SIDE_GAP + node)), mismatch, (*cspan_at(&work, side + layout__SIDE_MISMATCH + node)));
+    }
+    else if (inside > inner)
+    {
+        search__search_cell(tables, work, side, place, at, state, bend, inner, inside, (*cspan_at(&work, side + layout__SIDE_GAP + node)), gap, (*cspan_at(&work, side + layout__SIDE_MISMATCH + node)), mismatch);
+    }
+    return INT64_C(0);
+}
+
+/* Local minima in a cell: halve while the bound allows a better value, refine where the slope turns. */
+static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double bend, double first, double last, double gap_first, double gap_last, double mismatch_first, double mismatch_last)
+{
     int64_t stack;
-    double low;
     int64_t depth;
     int64_t top;
+    double low;
     double high;
     double gap_low;
     double gap_high;
@@ -168,15 +232,13 @@ static int64_t search__search_cell(array_double_1d tables, array_double_1d work,
     double middle;
     double mismatch;
     double rate;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     stack = side + layout__SIDE_STACK;
-    low = (*cspan_at(&tables, scan + search__SCAN_START)) + (*cspan_at(&tables, scan + search__SCAN_STEP)) * (double)(cell);
-    (*cspan_at(&work, stack)) = low;
-    (*cspan_at(&work, stack + INT64_C(1))) = low + (*cspan_at(&tables, scan + search__SCAN_STEP));
-    (*cspan_at(&work, stack + INT64_C(2))) = (*cspan_at(&work, side + layout__SIDE_GAP + cell));
-    (*cspan_at(&work, stack + INT64_C(3))) = (*cspan_at(&work, side + layout__SIDE_GAP + cell + INT64_C(1)));
-    (*cspan_at(&work, stack + INT64_C(4))) = (*cspan_at(&work, side + layout__SIDE_MISMATCH + cell));
-    (*cspan_at(&work, stack + INT64_C(5))) = (*cspan_at(&work, side + layout__SIDE_MISMATCH + cell + INT64_C(1)));
+    (*cspan_at(&work, stack)) = first;
+    (*cspan_at(&work, stack + INT64_C(1))) = last;
+    (*cspan_at(&work, stack + INT64_C(2))) = gap_first;
+    (*cspan_at(&work, stack + INT64_C(3))) = gap_last;
+    (*cspan_at(&work, stack + INT64_C(4))) = mismatch_first;
+    (*cspan_at(&work, stack + INT64_C(5))) = mismatch_last;
     depth = INT64_C(1);
     while(depth > INT64_C(0))
     {
@@ -310,49 +372,56 @@ static int64_t search__keep_minimum(array_double_1d work, int64_t side, double y
     return INT64_C(0);
 }
 
-/* Refine the listed minima after a small change of roll; the smallest goes into SIDE_BEST. */
+/* Refine the listed minima after a small change of roll; the smallest goes into SIDE_BEST.
+ *
+ * 1 if all were found again close by, else 0: between nearly conformal profiles a minimum can run away or vanish, and
+ * the side must be scanned anew.
+ */
 static int64_t search__follow_minima(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state)
 {
     double best;
     int64_t i_end;
     int64_t i;
     double y;
+    int64_t met;
     int64_t k;
     double gap;
     double mismatch;
     double rate;
     double move;
-    best = search__LARGE_GAP;
     if ((*cspan_at(&work, side + layout__SIDE_MINIMUM_COUNT)) < 1.0)
     {
-        search__keep_minimum(work, side, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), (*cspan_at(&work, side + layout__SIDE_BEST)));
+        return INT64_C(0);
     }
+    best = search__LARGE_GAP;
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_MINIMUM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         y = (*cspan_at(&work, side + layout__SIDE_MINIMUM_Y + i));
-        for (k = INT64_C(0); k < INT64_C(20); k += INT64_C(1))
+        met = INT64_C(0);
+        for (k = INT64_C(0); k < search__FOLLOW_ITERATIONS; k += INT64_C(1))
         {
             gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, y);
             (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-            move = 0.0;
-            if (rate > 0.0)
+            if (!(rate > 0.0))
             {
-                move = (-mismatch) / rate;
+                return INT64_C(0);
             }
+            move = (-mismatch) / rate;
             if (fabs(move) < search__SHARP)
             {
+                met = INT64_C(1);
                 break;
             }
-            if (move > search__LONGEST_MOVE)
+            if (fabs(move) > search__LONGEST_MOVE)
             {
-                move = search__LONGEST_MOVE;
-            }
-            if (move < -search__LONGEST_MOVE)
-            {
-                move = -search__LONGEST_MOVE;
+                return INT64_C(0);
             }
             y += move;
+        }
+        if (met == INT64_C(0))
+        {
+            return INT64_C(0);
         }
         (*cspan_at(&work, side + layout__SIDE_MINIMUM_Y + i)) = y;
         (*cspan_at(&work, side + layout__SIDE_MINIMUM_GAP + i)) = gap;
@@ -363,5 +432,5 @@ static int64_t search__follow_minima(array_double_1d tables, array_double_1d wor
             (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
         }
     }
-    return INT64_C(0);
+    return INT64_C(1);
 }

@@ -31,13 +31,16 @@ static const double search__REACH = 2.5e-06;
 static const double search__NARROW = 6.5e-05;
 static const double search__SHARP = 1e-13;
 static const double search__LONGEST_MOVE = 0.0001;
+static const int64_t search__FOLLOW_ITERATIONS = INT64_C(12);
+static const double search__END_SHARP = 1e-09;
 static const double search__LARGE_GAP = 1000.0;
 
 static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
 static double search__largest_bend(array_double_1d tables, array_double_1d work, int64_t side, int64_t cell);
 static int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high);
 static int64_t search__keep_minimum(array_double_1d work, int64_t side, double y, double gap);
-static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t cell, double bend);
+static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double bend, double first, double last, double gap_first, double gap_last, double mismatch_first, double mismatch_last);
+static int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward);
 static int64_t search__find_minima(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
 static int64_t search__follow_minima(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
 

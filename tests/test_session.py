@@ -1,0 +1,305 @@
+"""The session and the table of variables, with a kernel whose answers are known: sums of its inputs."""
+
+import math
+
+import numpy as np
+import pytest
+
+from wrcontact.interface import session as module
+from wrcontact.interface.session import Refused, Session
+from wrcontact.interface.variables import (
+    FIRST_OUTPUT,
+    INPUT,
+    OUTPUT,
+    PARAMETER,
+    REFERENCE,
+    STATUS,
+    UNITS,
+    VARIABLES,
+    documented,
+    select,
+)
+from wrcontact.kernel import layout
+
+SHIFT, FORCE, TRANSFER = (REFERENCE[name] for name in ("lateral_shift", "normal_force", "load_transfer"))
+
+
+class FakeStepper:
+    """Outputs count up from the sum of the inputs, plus what the memory holds; a negative force is invalid."""
+
+    def __init__(self):
+        self.inputs, self.outputs, self.state = np.zeros(layout.INPUT_COUNT), np.zeros(layout.OUTPUT_COUNT), np.zeros(3)
+
+    def step(self):
+        if not np.isfinite(self.inputs).all() or self.inputs[layout.IN_NORMAL_FORCE] < 0:
+            return layout.INVALID_INPUT
+        self.state[0] += 0.1
+        self.outputs[:] = self.inputs.sum() + np.arange(layout.OUTPUT_COUNT) + self.state[0]
+        return layout.VALID
+
+
+class FakeSystem:
+    """Accepts a gauge from 1 to 2 m, and keeps what it was made with."""
+
+    made = []
+
+    def __init__(self, **arguments):
+        if not 1.0 <= arguments["gauge"] <= 2.0:
+            raise ValueError(f"gauge is {arguments['gauge']} m, permitted is 1 to 2 m")
+        self.made.append(arguments)
+
+    def stepper(self):
+        return FakeStepper()
+
+
+@pytest.fixture
+def lines():
+    return []
+
+
+@pytest.fixture
+def session(monkeypatch, lines):
+    monkeypatch.setattr(module, "ContactSystem", FakeSystem)
+    monkeypatch.setattr(FakeSystem, "made", [])
+    return Session(tell=lines.append)
+
+
+@pytest.fixture
+def running(session):
+    session.start()
+    return session
+
+
+def roll(session):
+    return session.get_reals([REFERENCE["roll"]])[0]
+
+
+# --- table ------------------------------------------------------------------------------------------
+
+
+def test_outputs_lie_in_the_order_of_the_kernel():
+    assert [v.index for v in VARIABLES[: layout.INPUT_COUNT]] == list(range(layout.INPUT_COUNT))
+    assert [v.index for v in VARIABLES[FIRST_OUTPUT:STATUS]] == list(range(layout.OUTPUT_COUNT))
+    assert select(INPUT) + select(PARAMETER) + select(OUTPUT) == list(range(len(VARIABLES)))
+
+
+@pytest.mark.parametrize("name, index", [
+    ("roll", layout.OUT_ROLL),
+    ("left.contact.y_rail", layout.OUT_LEFT + layout.SIDE_Y_RAIL),
+    ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
+    ("right.patch[2].width", layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_SIZE + layout.PATCH_WIDTH),
+    ("left.half_length[31]", layout.OUT_LEFT + layout.SIDE_HALF_LENGTH + 30),
+])  # fmt: skip
+def test_names_point_to_the_right_place(name, index):
+    assert VARIABLES[REFERENCE[name]].index == index
+
+
+def test_names_are_unique_and_every_real_has_a_unit():
+    assert len(REFERENCE) == len(VARIABLES)
+    assert all(v.unit in UNITS for v in VARIABLES if v.type == "Real")
+
+
+def test_documented_rows_fold_sides_patches_and_stations():
+    names = [name for name, _ in documented()]
+    assert {"side.patch[k].area", "side.station[j]", "roll"} <= set(names)
+    assert len(names) == len(set(names)) < 70
+
+
+# --- life cycle -------------------------------------------------------------------------------------
+
+
+def test_first_instant_is_right_without_a_step(session):
+    session.set_reals([SHIFT], [2.0])
+    session.start()
+    assert roll(session) == pytest.approx(2.0 + 78500.0 + 0.1)
+
+
+def test_outputs_are_computed_once_per_change(running):
+    running.set_reals([SHIFT, FORCE], [1.0, 10.0])
+    first = roll(running)
+    running.step()
+    running.set_reals([SHIFT, FORCE], [1.0, 10.0])
+    running.step()
+    assert roll(running) == first
+    assert running.evaluations == 2
+
+
+def test_values_are_read_in_any_order_and_any_number(running):
+    references = [REFERENCE["right.pressure[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"], REFERENCE["roll"]]
+    values = running.get_reals(references)
+    assert values[0] == values[3] + 269 and values[1:3] == [1.435, 0.0] and values[3] == values[4]
+    assert running.get_reals(references[:1]) == values[:1]
+    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0, int(values[3]) + 2]
+    assert running.get_strings([REFERENCE["rail_profile"]]) == ["UIC60"]
+
+
+def test_parameters_reach_the_system_under_their_keywords(session):
+    session.set_reals([REFERENCE["gauge"]], [1.44])
+    session.set_strings([REFERENCE["wheel_profile"]], ["own"])
+    session.start()
+    assert (FakeSystem.made[-1]["gauge"], FakeSystem.made[-1]["wheel"]) == (1.44, "own")
+
+
+def test_profile_file_in_the_resources_is_found_by_its_name(session, tmp_path):
+    (tmp_path / "own.txt").write_text("")
+    session.resources = str(tmp_path)
+    session.set_strings([REFERENCE["rail_profile"]], ["own.txt"])
+    session.start()
+    assert FakeSystem.made[-1]["rail"] == str(tmp_path / "own.txt")
+    assert FakeSystem.made[-1]["wheel"] == "S1002"
+
+
+def test_system_is_built_once_unless_a_parameter_changes(session):
+    session.initialise()
+    session.start()
+    assert len(FakeSystem.made) == 1
+    session.reset()
+    session.initialise()
+    session.set_reals([REFERENCE["gauge"]], [1.5])
+    session.start()
+    assert [made["gauge"] for made in FakeSystem.made[1:]] == [1.435, 1.5]
+
+
+def test_wrong_parameter_is_refused_and_can_be_mended(session):
+    session.set_reals([REFERENCE["gauge"]], [14.35])
+    with pytest.raises(Refused, match="gauge is 14.35 m"):
+        session.initialise()
+    session.set_reals([REFERENCE["gauge"]], [1.4])
+    session.start()
+    assert session.status == 0
+
+
+def test_parameters_are_fixed_once_the_simulation_runs(running):
+    running.set_reals([REFERENCE["gauge"]], [1.435])
+    with pytest.raises(Refused, match="gauge is fixed at 1.435"):
+        running.set_reals([REFERENCE["gauge"]], [1.5])
+    assert running.get_reals([REFERENCE["gauge"]]) == [1.435]
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda s: s.set_reals([REFERENCE["roll"]], [1.0]), "roll is an output"),
+    (lambda s: s.set_integers([STATUS], [1]), "status is an output"),
+    (lambda s: s.get_reals([STATUS]), "status is of type Integer"),
+    (lambda s: s.get_reals([REFERENCE["load"]]), "load is of type String"),
+    (lambda s: s.get_integers([291]), "291 does not exist"),
+    (lambda s: s.get_reals([-1]), "-1 does not exist"),
+    (lambda s: s.set_reals([-1], [0.0]), "-1 does not exist"),
+])  # fmt: skip
+def test_misuse_is_refused(running, call, words):
+    with pytest.raises(Refused, match=words):
+        call(running)
+
+
+def test_reset_brings_back_the_start(running):
+    running.set_reals([SHIFT], [3.0])
+    running.step()
+    running.reset()
+    assert running.get_reals([SHIFT, FORCE]) == [0.0, 78500.0]
+    running.start()
+    assert roll(running) == pytest.approx(78500.1)
+
+
+# --- status -----------------------------------------------------------------------------------------
+
+
+def test_one_line_per_step_whose_status_is_not_zero(running, lines):
+    running.set_reals([FORCE], [-5.0])
+    roll(running)
+    running.step()
+    assert len(lines) == 1 and "normal_force" in lines[0] and "-5" in lines[0]
+    running.step()
+    assert len(lines) == 2
+    running.set_reals([FORCE], [5.0])
+    running.step()
+    assert running.status == 0 and len(lines) == 2
+
+
+def test_invalid_input_keeps_the_last_outputs(running):
+    before = roll(running)
+    running.set_reals([SHIFT], [math.nan])
+    running.step()
+    assert (roll(running), running.status) == (before, 4)
+    running.set_reals([SHIFT], [1.0])
+    assert running.get_reals([SHIFT]) == [1.0] and roll(running) == pytest.approx(before + 1.1)
+
+
+def test_invalid_start_is_told_at_the_first_instant(session, lines):
+    session.set_reals([FORCE], [-1.0])
+    session.start()
+    assert session.status == 4 and len(lines) == 1
+    session.step()
+    assert len(lines) == 2
+
+
+def test_step_before_initialisation_is_told(session, lines):
+    session.step()
+    assert session.status == 4 and len(lines) == 1
+
+
+# --- saved states -----------------------------------------------------------------------------------
+
+
+def advance(session, shifts):
+    """Roll after a step at each shift."""
+    seen = []
+    for shift in shifts:
+        session.set_reals([SHIFT], [shift])
+        session.step()
+        seen.append(roll(session))
+    return seen
+
+
+def test_snapshot_goes_on_bit_by_bit(running):
+    advance(running, [0.1, 0.2])
+    saved = running.snapshot()
+    straight = advance(running, [0.3, 0.7, 0.9])
+    running.restore(saved)
+    assert advance(running, [0.3, 0.7, 0.9]) == straight
+    other = Session(tell=None)
+    other.restore(saved)
+    assert advance(other, [0.3, 0.7, 0.9]) == straight
+    assert len(FakeSystem.made) == 2, "the system was built anew where it was there"
+
+
+def test_snapshot_holds_parameters_and_pending_inputs(running):
+    other = Session(tell=None)
+    other.set_reals([REFERENCE["gauge"]], [1.5])
+    other.start()
+    other.set_reals([SHIFT], [0.5])
+    running.restore(other.snapshot())
+    assert running.get_reals([REFERENCE["gauge"], SHIFT]) == [1.5, 0.5]
+    assert roll(running) == roll(other)
+
+
+def test_snapshot_before_initialisation(session):
+    session.set_reals([REFERENCE["gauge"]], [1.5])
+    saved = session.snapshot()
+    session.start()
+    session.restore(saved)
+    assert not session.locked
+    session.set_reals([REFERENCE["gauge"]], [1.6])
+    session.start()
+    assert FakeSystem.made[-1]["gauge"] == 1.6
+
+
+def test_damaged_states_are_refused_and_change_nothing(running):
+    advance(running, [0.1, 0.2])
+    saved = running.snapshot()
+    running.set_reals([SHIFT], [0.3])
+    present = running.snapshot()
+    for place in range(0, len(saved), 97):
+        damaged = bytearray(saved)
+        damaged[place] ^= 0x10
+        with pytest.raises(Refused, match="saved state"):
+            running.restore(bytes(damaged))
+    for damaged in (b"", saved[:-1], saved + b"\0", saved[:40]):
+        with pytest.raises(Refused, match="saved state"):
+            running.restore(damaged)
+    assert running.snapshot() == present
+
+
+def test_state_of_another_build_is_refused(running, monkeypatch):
+    saved = running.snapshot()
+    monkeypatch.setattr(module, "BUILD", "wrcontact_0123")
+    with pytest.raises(Refused, match="comes from wrcontact, this is wrcontact_0123"):
+        running.restore(saved)
