@@ -18,10 +18,11 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
 
     ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_...
     """
+    wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
     parts = {
-        layout.SET_WHEEL: compile_profile(wheel),
-        layout.SET_RAIL: compile_profile(placed_rail.profile),
-        layout.SET_SCAN: scan_table(wheel, placed_rail.profile),
+        layout.SET_WHEEL: wheel_table,
+        layout.SET_RAIL: rail_table,
+        layout.SET_SCAN: scan_table(wheel_table, rail_table),
         layout.SET_HERTZ: hertz_table(),
     }
     settings = np.zeros(layout.SETTING_COUNT)

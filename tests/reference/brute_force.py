@@ -274,7 +274,7 @@ def lowest_around(system, pose, y, zone, precision=1e-17):
 
 
 def local_minima(system, pose):
-    """Local minima of the vertical gap of the right wheel, all that are within REACH of the lowest: gap, phi, y_wheel.
+    """Local minima of the vertical gap of the right wheel, within REACH of the lowest: gap, phi, y_wheel, zone.
 
     Along the profile the gap is taken at its smallest around each circle.  A minimum is a place where its derivative
     turns from falling to rising inside a zone, or an end of a zone that the gap falls towards.
@@ -289,7 +289,7 @@ def local_minima(system, pose):
     edge = np.flatnonzero(near & ((start & (slope >= 0)) | (end & (slope <= 0))))
     y, zone = np.r_[refine(system, pose, y[turn], y[turn + 1], zone[turn]), y[edge]], np.r_[zone[turn], zone[edge]]
     phi = lowest_around(system, pose, y, zone)
-    return vertical_gap(system, pose, phi, y, zone)[0], phi, y
+    return vertical_gap(system, pose, phi, y, zone)[0], phi, y, zone
 
 
 def refine(system, pose, left, right, zone):
@@ -304,10 +304,10 @@ def refine(system, pose, left, right, zone):
 
 
 def smallest_gap(system, pose):
-    """The global minimum: gap, phi, y_wheel."""
-    gap, phi, y = local_minima(system, pose)
-    k = np.argmin(gap)
-    return gap[k], phi[k], y[k]
+    """The global minimum: gap, phi, y_wheel, zone."""
+    minima = local_minima(system, pose)
+    k = np.argmin(minima[0])
+    return tuple(value[k] for value in minima)
 
 
 # ------------------------------------------------------------------------------------------------------------ wheelset
@@ -365,11 +365,11 @@ def rigid_contact(system, lateral_shift, yaw=0.0):
                     right=contact(system, Pose(lateral_shift, yaw, roll, shift), *right[1:], side=+1))
 
 
-def contact(system, pose, phi, y, side):
+def contact(system, pose, phi, y, zone, side):
     """The contact at (phi, y) of a wheel posed as a right wheel, in every frame; side +1 right, -1 left."""
-    z = system.wheel(y)[0]
+    z = system.wheel(y, zone)[0]
     radius = system.nominal_radius + z
-    x_track, y_track, z_track = wheel_surface(system, pose, np.float64(phi), np.float64(y))[0]
+    x_track, y_track, z_track = wheel_surface(system, pose, phi, y, zone)[0]
     y_rail = y_track - system.rail_origin
     z_rail, slope, _ = system.rail(y_rail)
     values = (radius * sin(phi), y, radius * cos(phi) - system.nominal_radius, y_rail, z_rail,

@@ -1,7 +1,7 @@
 """Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv.
 
 Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``halfspace_reference`` at the rigid
-pose.  S1002 on UIC60 1:40, gauge 1435 mm.  SI units.  About ten minutes on one core::
+pose.  S1002 on UIC60 1:40, gauge 1435 mm.  SI units.  About a quarter of an hour on one core::
 
     python make_trajectories.py [hunting] [jumps] [load]
 """

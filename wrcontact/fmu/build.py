@@ -94,11 +94,8 @@ def package(starts):
 def documentation(starts):
     """The page about the model, and the licences."""
     entries = {"documentation/index.html": documentation_page(__version__, starts).encode()}
-    for name in ("wrcontact", "pythonfmu"):
-        text = licence(name)
-        if text:
-            entries[f"documentation/licenses/{name}.txt"] = text
-    return entries
+    texts = {"license": licence("wrcontact"), "pythonfmu": licence("pythonfmu")}
+    return entries | {f"documentation/licenses/{name}.txt": text for name, text in texts.items() if text}
 
 
 def licence(name):

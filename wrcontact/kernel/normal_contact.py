@@ -187,9 +187,10 @@ def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: i
             return start, met
         if covered(work, count) == 1:
             break
-        enlarge *= 1.4
-        start = penetration
-        keep_levels(work, count, penetration)
+        if repeat < COVER_REPEATS - 1:
+            enlarge *= 1.4
+            start = penetration
+            keep_levels(work, count, penetration)
     return penetration, met
 
 

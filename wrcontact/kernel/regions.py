@@ -60,6 +60,7 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
     block = region_block(index)
     start = station
     gap = FAR
+    found = FAR
     bend = 0.0
     curvature = 0.0
     for i in range(MINIMUM_ITERATIONS):
@@ -72,6 +73,8 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
         if station + move < start - WANDER:
             move = start - WANDER - station
         if fabs(move) < TRACE:
+            if bend > 0.0:
+                found = gap
             break
         station += move
     work[block + REGION_STATION] = station
@@ -80,7 +83,7 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
     work[block + REGION_WHEEL] = work[TRACER_WHEEL]
     work[block + REGION_BEND] = bend
     work[block + REGION_CURVATURE] = curvature
-    return gap
+    return found
 
 
 def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
@@ -188,7 +191,7 @@ def find_hump(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int,
         move = 0.0
         if bend < 0.0:
             move = -rate / bend
-        if station + move > top + step or station + move < top - step:
+        if fabs(station + move - top) > 0.9 * step:
             move = 0.0
         if gap > largest:
             largest = gap

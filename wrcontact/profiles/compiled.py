@@ -36,6 +36,21 @@ def compile_profile(profile):
     return _table(pieces, profile.zones[-1].stop)
 
 
+def evaluate_table(table, y):
+    """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at ``y`` [m], three arrays.
+
+    Between start and stop; the kernel itself continues the end pieces.
+    """
+    pieces = table[int(table[layout.PIECE_OFFSET]):].reshape(-1, layout.PIECE_SIZE)
+    y = np.asarray(y, dtype=float)
+    index = np.clip(np.searchsorted(pieces[:-1, 0], y, side="right") - 1, 0, len(pieces) - 2)
+    u = y - pieces[index, 0]
+    c0, c1, c2, c3, c4, c5 = np.moveaxis(pieces[index, 1:], -1, 0)
+    return (c0 + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5)))),
+            c1 + u * (2 * c2 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5))),
+            2 * c2 + u * (6 * c3 + u * (12 * c4 + u * 20 * c5)))
+
+
 def _zone_pieces(zone, before, after):
     """Quintic pieces (start, coefficients) [mm] of one zone."""
     start, stop, pieces, tail = zone.start, zone.stop, [], []

@@ -250,9 +250,12 @@ static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result
         {
             break;
         }
-        enlarge *= 1.4;
-        start = penetration;
-        normal_contact__keep_levels(work, count, penetration);
+        if (repeat < normal_contact__COVER_REPEATS - INT64_C(1))
+        {
+            enlarge *= 1.4;
+            start = penetration;
+            normal_contact__keep_levels(work, count, penetration);
+        }
     }
     (*result_0_0001) = penetration;
     (*result_1) = met;

@@ -19,15 +19,17 @@ static double regions__open_region(array_double_1d tables, array_double_1d work,
 {
     int64_t block;
     double start;
+    double gap;
     double bend;
     double curvature;
     int64_t i;
     double rate;
     double move;
-    double gap;
+    double found;
     block = regions__region_block(index);
     start = station;
     gap = regions__FAR;
+    found = regions__FAR;
     bend = 0.0;
     curvature = 0.0;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
@@ -48,6 +50,10 @@ static double regions__open_region(array_double_1d tables, array_double_1d work,
         }
         if (fabs(move) < regions__TRACE)
         {
+            if (bend > 0.0)
+            {
+                found = gap;
+            }
             break;
         }
         station += move;
@@ -58,7 +64,7 @@ static double regions__open_region(array_double_1d tables, array_double_1d work,
     (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
     (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
     (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-    return gap;
+    return found;
 }
 
 /* Region 0: the rigid contact point itself, station and gap zero. */
@@ -251,7 +257,7 @@ static int64_t regions__find_hump(double* top, double* largest, array_double_1d 
         {
             move = (-rate) / bend;
         }
-        if ((station + move > (*top) + step) || (station + move < (*top) - step))
+        if (fabs(station + move - (*top)) > 0.9 * step)
         {
             move = 0.0;
         }
