@@ -56,9 +56,10 @@ minimum close to the smallest one is refined, so that the contact does not depen
 contact plane), the normal force N and 1/E* = 2 (1 &minus; &nu;&sup2;) / E,</p>
 <p class="equation">c = (3 N / (4 E* (A + B)))<sup>1/3</sup>, &nbsp; a = m c, &nbsp; b = n c, &nbsp;
 &delta; = r ((3 N / (4 E*))&sup2; (A + B))<sup>1/3</sup>, &nbsp; p<sub>0</sub> = 3 N / (2 &pi; a b)</p>
-<p>where m, n, r follow from the complete elliptic integrals K and E of the ellipse with the ratio q of its semi-axes: with
-L = (2 E / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and the other q L, r = 2 K / (&pi; L), and the smaller
-curvature is to the larger as (K &minus; E) to (E / q&sup2; &minus; K).</p>
+<p>where m, n, r follow from the complete elliptic integrals K(e) and E(e) of the ellipse with the ratio q of its
+semi-axes and e&sup2; = 1 &minus; q&sup2;: with L = (2 E(e) / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and the
+other q L, r = 2 K(e) / (&pi; L), and the smaller curvature is to the larger as (K(e) &minus; E(e)) to
+(E(e) / q&sup2; &minus; K(e)).</p>
 <p>ANALYN (Sichani, Enblom and Berg) takes the undeformed distance g(s) and the local curvature B(s) across the patch:</p>
 <p class="equation">&alpha; = (r / m&sup2;)(1 + B / A) &minus; 1, &nbsp; &beta; = (r / n&sup2;)(1 + A / B) &minus; 1</p>
 <p class="equation">d(s) = &delta;<sub>0</sub> &minus; (1 + &beta;) g(s), &nbsp;
@@ -104,7 +105,7 @@ def _row(name, variable, starts):
         f"<code>{escape(name)}</code>",
         escape(variable.unit),
         unit.display if unit else "",
-        "" if start is None else escape(str(start)),
+        "" if start is None else escape(f"{start:.10g}" if isinstance(start, float) else start),
         " or ".join(variable.choices) or ", ".join(f"{sign} {limit:g}" for sign, limit in limits if limit is not None),
         escape(variable.meaning),
     ]

@@ -24,7 +24,7 @@ def compiled_kernel():
         open_library()
         return [HERE / LIBRARY_NAME]
     except LibraryUnusable as reason:
-        print(f"WARNING: the FMU gets no compiled kernel and will be about 150 times slower: {reason}", file=sys.stderr)
+        print(f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}", file=sys.stderr)
         return []
 
 

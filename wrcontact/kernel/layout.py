@@ -90,7 +90,9 @@ STATE_SCAN_COUNT: Final[int] = 3     # scans of one side
 STATE_ROLL_COUNT: Final[int] = 4     # iterations of the roll search
 STATE_NODE_COUNT: Final[int] = 5     # evaluations of the normal gap
 STATE_SOLVE_COUNT: Final[int] = 6    # iterations of the force solve
-STATE_SIZE: Final[int] = 8
+STATE_Y_LEFT: Final[int] = 7         # wheel abscissae of the last contacts [m]
+STATE_Y_RIGHT: Final[int] = 8
+STATE_SIZE: Final[int] = 10
 
 # outcome of a step ---------------------------------------------------------------------------------
 VALID: Final[int] = 0
@@ -101,23 +103,17 @@ INVALID_INPUT: Final[int] = 4
 
 # workspace -----------------------------------------------------------------------------------------
 SCAN_LIMIT: Final[int] = 400         # scan nodes over one wheel
-MINIMUM_LIMIT: Final[int] = 12       # local minima followed on one side
 WORK_OUTPUTS: Final[int] = 0         # outputs under construction
 WORK_PLACE: Final[int] = 270         # the two placed wheels
 WORK_SIDE: Final[int] = 302          # two blocks of WORK_SIDE_SIZE
 WORK_SIDE_SIZE: Final[int] = 1664
 SIDE_GAP: Final[int] = 0             # vertical gap at the scan nodes
-SIDE_MISMATCH: Final[int] = 400      # slope difference at the scan nodes
-SIDE_ABSCISSA: Final[int] = 800      # rail abscissa of the scan nodes
-SIDE_MINIMUM_Y: Final[int] = 1200    # wheel abscissa of the local minima
-SIDE_MINIMUM_GAP: Final[int] = 1212
-SIDE_MINIMUM_COUNT: Final[int] = 1224
-SIDE_FIRST: Final[int] = 1225        # first and last scan node above the rail
-SIDE_LAST: Final[int] = 1226
-SIDE_BEST: Final[int] = 1227         # smallest gap found
-SIDE_BEST_Y: Final[int] = 1228       # and its wheel abscissa
-SIDE_STACK: Final[int] = 1232        # cells still to be searched
-SIDE_STACK_SIZE: Final[int] = 432
+SIDE_ABSCISSA: Final[int] = 400      # rail abscissa of the scan nodes
+SIDE_FIRST: Final[int] = 800         # first and last scan node above the rail
+SIDE_LAST: Final[int] = 801
+SIDE_BEST: Final[int] = 802          # smallest gap found
+SIDE_BEST_Y: Final[int] = 803        # and its wheel abscissa
+SIDE_STACK: Final[int] = 808         # cells still to be searched
 WORK_CONTACT: Final[int] = 3630      # contact frame of the side at work
 WORK_REGION: Final[int] = 3662       # three region blocks
 REGION_LIMIT: Final[int] = 3

@@ -9,10 +9,9 @@ Seen along the track the locus is the wheel's outline, and wheel against rail be
 Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
 """
 
-from math import cos, sin, sqrt, tan
+from math import cos, sin, sqrt
 from typing import Final
 
-from .profile_table import height_slope, height_slope_bend
 
 # where the placed wheelset stands in the array ``place``
 PLACE_SHIFT: Final[int] = 0
@@ -31,19 +30,34 @@ PLACE_SIZE: Final[int] = 11
 
 def place_wheelset(place: 'float[:]', at: int, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
     """Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]."""
-    t = tan(yaw) * sin(roll)
+    sin_yaw = sin(yaw)
+    cos_yaw = cos(yaw)
+    sin_roll = sin(roll)
+    cos_roll = cos(roll)
+    t = sin_yaw / cos_yaw * sin_roll
     cos_t = 1.0 / sqrt(1.0 + t * t)
     place[at + PLACE_SHIFT] = lateral_shift
-    place[at + PLACE_SIN_YAW] = sin(yaw)
-    place[at + PLACE_COS_YAW] = cos(yaw)
-    place[at + PLACE_SIN_ROLL] = sin(roll)
-    place[at + PLACE_COS_ROLL] = cos(roll)
+    place[at + PLACE_SIN_YAW] = sin_yaw
+    place[at + PLACE_COS_YAW] = cos_yaw
+    place[at + PLACE_SIN_ROLL] = sin_roll
+    place[at + PLACE_COS_ROLL] = cos_roll
     place[at + PLACE_T] = t
     place[at + PLACE_COS_T] = cos_t
-    place[at + PLACE_W_PER_SLOPE] = tan(yaw) * cos(roll) * cos_t
+    place[at + PLACE_W_PER_SLOPE] = sin_yaw / cos_yaw * cos_roll * cos_t
     place[at + PLACE_RADIUS] = radius
     place[at + PLACE_ARM] = arm
     place[at + PLACE_YAWED] = 0.0 if yaw == 0.0 else 1.0
+    return 0
+
+
+def mirror_place(place: 'float[:]', at: int, to: int):
+    """The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign."""
+    for i in range(PLACE_SIZE):
+        place[to + i] = place[at + i]
+    place[to + PLACE_SHIFT] = -place[at + PLACE_SHIFT]
+    place[to + PLACE_SIN_YAW] = -place[at + PLACE_SIN_YAW]
+    place[to + PLACE_SIN_ROLL] = -place[at + PLACE_SIN_ROLL]
+    place[to + PLACE_W_PER_SLOPE] = -place[at + PLACE_W_PER_SLOPE]
     return 0
 
 

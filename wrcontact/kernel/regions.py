@@ -8,9 +8,8 @@ from math import fabs, sqrt
 from typing import Final
 
 from .contact_plane import FRAME_ABSCISSA, FRAME_COS, FRAME_Y, TRACER_RAIL, TRACER_WHEEL, normal_gap, start_tracer
-from .layout import (REGION_LIMIT, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP, SIDE_LAST,
-                     SIDE_MISMATCH, WORK_REGION)
-from .search import SCAN_START, SCAN_STEP
+from .layout import (REGION_LIMIT, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP, SIDE_LAST, WORK_REGION)
+from .search import ROW_Y, SCAN_NODES, SCAN_ROW
 
 # a region block
 REGION_SIZE: Final[int] = 32
@@ -102,21 +101,23 @@ def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]')
 
 
 def find_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, level: float):
-    """Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included."""
+    """Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included.
+
+    They are sought at the local minima of the vertical gap over the scan nodes.
+    """
     scan = int(tables[SET_SCAN])
     count = 1
-    for i in range(int(work[side + SIDE_FIRST]), int(work[side + SIDE_LAST])):
-        if work[side + SIDE_MISMATCH + i] < 0.0 and work[side + SIDE_MISMATCH + i + 1] >= 0.0:
-            lower = i
-            if work[side + SIDE_GAP + i + 1] < work[side + SIDE_GAP + i]:
-                lower = i + 1
-            apart = work[side + SIDE_GAP + lower] - work[side + SIDE_BEST]
-            y = tables[scan + SCAN_START] + tables[scan + SCAN_STEP] * float(lower)
-            own = fabs(y - work[FRAME_Y]) < tables[scan + SCAN_STEP]
-            if not own and apart * work[FRAME_COS] < 2.0 * level and count < REGION_LIMIT:
-                across = work[side + SIDE_ABSCISSA + lower] - work[FRAME_ABSCISSA]
-                station = across / work[FRAME_COS]
-                start_tracer(work, station, work[side + SIDE_ABSCISSA + lower], y)
+    reach = work[side + SIDE_BEST] + 2.0 * level / work[FRAME_COS]
+    for i in range(int(work[side + SIDE_FIRST]) + 1, int(work[side + SIDE_LAST])):
+        gap = work[side + SIDE_GAP + i]
+        if gap < reach and gap <= work[side + SIDE_GAP + i - 1] and gap < work[side + SIDE_GAP + i + 1]:
+            row = scan + SCAN_NODES + SCAN_ROW * i
+            y = tables[row + ROW_Y]
+            own = work[FRAME_Y] > tables[row - SCAN_ROW + ROW_Y] and work[FRAME_Y] < tables[row + SCAN_ROW + ROW_Y]
+            if not own and count < REGION_LIMIT:
+                abscissa = work[side + SIDE_ABSCISSA + i]
+                station = (abscissa - work[FRAME_ABSCISSA]) / work[FRAME_COS]
+                start_tracer(work, station, abscissa, y)
                 if open_region(tables, work, state, count, station) < level:
                     if is_new(work, count) == 1:
                         count += 1

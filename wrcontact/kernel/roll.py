@@ -1,8 +1,11 @@
 """The roll of the wheelset: the angle at which both wheels have the same smallest gap.
 
 D(roll) = gap_right - gap_left falls strictly while flanges are less steep than atan(2 arm / radius) (73 deg for
-750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.  D has kinks where minima exchange
-rank; there the bracket takes over.
+750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.
+
+Solve first, certify then: with the two minima at hand Newton finds the roll that makes them equal, following each one;
+at that roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
+take over, within a bracket that every search narrows.
 """
 
 from math import fabs
@@ -11,90 +14,126 @@ from typing import Final
 from .gap import gap_per_roll
 from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SIDE_BEST, SIDE_BEST_Y,
                      STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE, WORK_SIDE_SIZE)
-from .locus import PLACE_SIZE, place_wheelset
-from .search import REACH, find_minima, follow_minima, scan_side
+from .locus import PLACE_SIZE, mirror_place, place_wheelset
+from .search import follow_minimum, search_side
 
 #: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
 ROLL_LIMIT: Final[float] = 0.12
 #: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a lever of 0.2 m and more.
 ROLL_SHARP: Final[float] = 1e-14
-ROLL_ITERATIONS: Final[int] = 80
+SEARCHES: Final[int] = 60
+NEWTON_STEPS: Final[int] = 25
+#: Largest move of the roll in one Newton step with followed minima [rad]; larger ones are searched anew.
+LONGEST_TURN: Final[float] = 1e-4
+
+LEFT: Final[int] = 302               # WORK_SIDE, and the right side after it
+RIGHT: Final[int] = 1966
+LEFT_PLACE: Final[int] = 270
+RIGHT_PLACE: Final[int] = 281
 
 
 def place_both(tables: 'float[:]', work: 'float[:]', roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    shift = work[WORK_INPUTS + IN_LATERAL_SHIFT]
-    yaw = work[WORK_INPUTS + IN_YAW]
-    place_wheelset(work, WORK_PLACE, -shift, -yaw, -roll, tables[SET_RADIUS], tables[SET_ARM])
-    place_wheelset(work, WORK_PLACE + PLACE_SIZE, shift, yaw, roll, tables[SET_RADIUS], tables[SET_ARM])
+    place_wheelset(work, RIGHT_PLACE, work[WORK_INPUTS + IN_LATERAL_SHIFT], work[WORK_INPUTS + IN_YAW], roll,
+                   tables[SET_RADIUS], tables[SET_ARM])
+    mirror_place(work, RIGHT_PLACE, LEFT_PLACE)
     return 0
 
 
-def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Scan and refine both sides; 1 if both wheels are above their rails, else 0."""
-    found = 1
-    for i in range(2):
-        side = WORK_SIDE + WORK_SIDE_SIZE * i
-        at = WORK_PLACE + PLACE_SIZE * i
-        if scan_side(tables, work, side, work, at, state) == 0:
-            found = 0
-        else:
-            find_minima(tables, work, side, work, at, state)
-    return found
+def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', known: int):
+    """Search both sides; 1 if both wheels are above their rails, else 0."""
+    if search_side(tables, work, LEFT, work, LEFT_PLACE, state, known) == 0:
+        return 0
+    return search_side(tables, work, RIGHT, work, RIGHT_PLACE, state, known)
 
 
 def follow_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Refine the known minima of both sides; 1 if all were found again, else 0."""
-    found = 1
-    for i in range(2):
-        if found == 1:
-            found = follow_minima(tables, work, WORK_SIDE + WORK_SIDE_SIZE * i, work, WORK_PLACE + PLACE_SIZE * i,
-                                  state)
-    return found
+    """Refine the known minima of both sides; 1 if both were found again, else 0."""
+    if follow_minimum(tables, work, LEFT, work, LEFT_PLACE, state) == 0:
+        return 0
+    return follow_minimum(tables, work, RIGHT, work, RIGHT_PLACE, state)
 
 
-def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float):
-    """Roll [rad] and outcome; the sides' minima stay in the workspace."""
-    left = WORK_SIDE
-    right = WORK_SIDE + WORK_SIDE_SIZE
+def newton_move(tables: 'float[:]', work: 'float[:]'):
+    """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
+    difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
+    rate = (gap_per_roll(tables, work, RIGHT_PLACE, work[RIGHT + SIDE_BEST_Y])
+            + gap_per_roll(tables, work, LEFT_PLACE, work[LEFT + SIDE_BEST_Y]))
+    move = 1.0
+    if rate < 0.0:
+        move = -difference / rate
+    return difference, move
+
+
+def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, low: float, high: float):
+    """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
+
+    Starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
+    """
+    for i in range(NEWTON_STEPS):
+        state[STATE_ROLL_COUNT] += 1.0
+        place_both(tables, work, roll)
+        if follow_both(tables, work, state) == 0:
+            return roll, 0
+        difference, move = newton_move(tables, work)
+        if fabs(move) < ROLL_SHARP:
+            return roll, 1
+        if fabs(move) > LONGEST_TURN:
+            return roll, 0
+        roll += move
+        if not (roll > low and roll < high):
+            return roll, 0
+    return roll, 0
+
+
+def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+    """Roll [rad] and outcome; the sides' smallest gaps stay in the workspace.
+
+    With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+    """
     low = -ROLL_LIMIT
     high = ROLL_LIMIT
     roll = guess
     if not (roll > low and roll < high):
         roll = 0.0
-    scanned = 1.0
-    retried = 0
-    for i in range(ROLL_ITERATIONS):
-        state[STATE_ROLL_COUNT] += 1.0
-        place_both(tables, work, roll)
-        known = 0
-        if fabs(roll - scanned) < REACH:
-            known = follow_both(tables, work, state)
+    known = 0
+    if warm == 1:
+        balanced, known = balance(tables, work, state, roll, low, high)
+        if known == 1:
+            roll = balanced
+    for i in range(SEARCHES):
         if known == 0:
-            if search_both(tables, work, state) == 0:
-                if retried == 1 or roll == 0.0:
-                    return roll, OFF_PROFILE
-                retried = 1
-                roll = 0.0
-                low = -ROLL_LIMIT
-                high = ROLL_LIMIT
-                continue
-            scanned = roll
-        difference = work[right + SIDE_BEST] - work[left + SIDE_BEST]
-        rate = (gap_per_roll(tables, work, WORK_PLACE + PLACE_SIZE, work[right + SIDE_BEST_Y])
-                + gap_per_roll(tables, work, WORK_PLACE, work[left + SIDE_BEST_Y]))
-        if difference > 0.0:
-            low = roll
+            place_both(tables, work, roll)
+        before_left = work[LEFT + SIDE_BEST_Y]
+        before_right = work[RIGHT + SIDE_BEST_Y]
+        if search_both(tables, work, state, known) == 0:
+            if roll == 0.0:
+                return roll, OFF_PROFILE
+            # the guess was off the rails: start again from level
+            roll = 0.0
+            known = 0
+            low = -ROLL_LIMIT
+            high = ROLL_LIMIT
         else:
-            high = roll
-        following = 0.5 * (low + high)
-        if rate < 0.0:
-            move = -difference / rate
+            if known == 1 and before_left == work[LEFT + SIDE_BEST_Y] and before_right == work[RIGHT + SIDE_BEST_Y]:
+                return roll, VALID
+            difference, move = newton_move(tables, work)
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
-            if roll + move > low and roll + move < high:
-                following = roll + move
-        if fabs(following - roll) < ROLL_SHARP:
-            return roll, VALID
-        roll = following
+            if difference > 0.0:
+                low = roll
+            else:
+                high = roll
+            if high - low < ROLL_SHARP:
+                return roll, VALID
+            known = 0
+            if not (roll + move > low and roll + move < high):
+                roll = 0.5 * (low + high)
+            elif fabs(move) > LONGEST_TURN:
+                roll += move
+            else:
+                balanced, known = balance(tables, work, state, roll + move, low, high)
+                roll += move
+                if known == 1:
+                    roll = balanced
     return roll, NOT_CONVERGED

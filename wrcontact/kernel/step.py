@@ -13,7 +13,7 @@ from .layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROL
                      OUTPUT_COUNT, SET_LATERAL_LIMIT, SET_PENETRATION_LEFT, SET_RADIUS, SET_RAIL, SET_RAIL_Y,
                      SET_WHEEL, SET_YAW_LIMIT, SIDE_BEST, SIDE_BEST_Y, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
                      SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_SIZE, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
-                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, STATE_ROLL, STATE_WARM,
+                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, STATE_ROLL, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT,
                      UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SIDE_SIZE)
 from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_SIZE, around_wheel,
                     outline_point)
@@ -107,11 +107,15 @@ def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
 
 
 def find_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Roll [rad] and outcome; starts at the given guess, or at the last roll where none is given."""
+    """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts where none is given."""
     guess = work[WORK_INPUTS + IN_ROLL_GUESS]
+    warm = 0
     if state[STATE_WARM] == 1.0 and guess == 0.0:
         guess = state[STATE_ROLL]
-    return solve_roll(tables, work, state, guess)
+        work[WORK_SIDE + SIDE_BEST_Y] = state[STATE_Y_LEFT]
+        work[WORK_SIDE + WORK_SIDE_SIZE + SIDE_BEST_Y] = state[STATE_Y_RIGHT]
+        warm = 1
+    return solve_roll(tables, work, state, guess, warm)
 
 
 def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
@@ -134,6 +138,8 @@ def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
             status = outcome
     if status <= UNLOADED:
         state[STATE_ROLL] = roll
+        state[STATE_Y_LEFT] = work[WORK_SIDE + SIDE_BEST_Y]
+        state[STATE_Y_RIGHT] = work[WORK_SIDE + WORK_SIDE_SIZE + SIDE_BEST_Y]
         state[STATE_WARM] = 1.0
     return status
 

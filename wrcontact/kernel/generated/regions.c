@@ -88,39 +88,40 @@ static int64_t regions__open_contact_region(array_double_1d tables, array_double
     return INT64_C(0);
 }
 
-/* Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included. */
+/* Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included.
+ *
+ * They are sought at the local minima of the vertical gap over the scan nodes.
+ */
 static int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
 {
     int64_t scan;
+    double reach;
     int64_t i_end;
     int64_t i;
-    int64_t lower;
-    double apart;
+    double gap;
+    int64_t row;
     double y;
     bool own;
-    double across;
+    double abscissa;
     double station;
     int64_t count;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
+    reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST)));
-    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) + INT64_C(1); i < i_end; i += INT64_C(1))
     {
-        if (((*cspan_at(&work, side + layout__SIDE_MISMATCH + i)) < 0.0) && ((*cspan_at(&work, side + layout__SIDE_MISMATCH + i + INT64_C(1))) >= 0.0))
+        gap = (*cspan_at(&work, side + layout__SIDE_GAP + i));
+        if ((gap < reach) && (gap <= (*cspan_at(&work, side + layout__SIDE_GAP + i - INT64_C(1)))) && (gap < (*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1)))))
         {
-            lower = i;
-            if ((*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1))) < (*cspan_at(&work, side + layout__SIDE_GAP + i)))
+            row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
+            y = (*cspan_at(&tables, row + search__ROW_Y));
+            own = ((*cspan_at(&work, contact_plane__FRAME_Y)) > (*cspan_at(&tables, row - search__SCAN_ROW + search__ROW_Y))) && ((*cspan_at(&work, contact_plane__FRAME_Y)) < (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)));
+            if ((!own) && (count < layout__REGION_LIMIT))
             {
-                lower = i + INT64_C(1);
-            }
-            apart = (*cspan_at(&work, side + layout__SIDE_GAP + lower)) - (*cspan_at(&work, side + layout__SIDE_BEST));
-            y = (*cspan_at(&tables, scan + search__SCAN_START)) + (*cspan_at(&tables, scan + search__SCAN_STEP)) * (double)(lower);
-            own = fabs(y - (*cspan_at(&work, contact_plane__FRAME_Y))) < (*cspan_at(&tables, scan + search__SCAN_STEP));
-            if ((!own) && (apart * (*cspan_at(&work, contact_plane__FRAME_COS)) < 2.0 * level) && (count < layout__REGION_LIMIT))
-            {
-                across = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + lower)) - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-                station = across / (*cspan_at(&work, contact_plane__FRAME_COS));
-                contact_plane__start_tracer(work, station, (*cspan_at(&work, side + layout__SIDE_ABSCISSA + lower)), y);
+                abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
+                station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) / (*cspan_at(&work, contact_plane__FRAME_COS));
+                contact_plane__start_tracer(work, station, abscissa, y);
                 if (regions__open_region(tables, work, state, count, station) < level)
                 {
                     if (regions__is_new(work, count) == INT64_C(1))

@@ -3,8 +3,11 @@
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
  *
  * D(roll) = gap_right - gap_left falls strictly while flanges are less steep than atan(2 arm / radius) (73 deg for
- * 750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.  D has kinks where minima exchange
- * rank; there the bracket takes over.
+ * 750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.
+ *
+ * Solve first, certify then: with the two minima at hand Newton finds the roll that makes them equal, following each one;
+ * at that roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
+ * take over, within a bracket that every search narrows.
  */
 
 #include "roll.h"
@@ -12,73 +15,110 @@
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
 static int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
 {
-    double shift;
-    double yaw;
-    shift = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
-    yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW));
-    locus__place_wheelset(work, layout__WORK_PLACE, -shift, -yaw, -roll, (*cspan_at(&tables, layout__SET_RADIUS)), (*cspan_at(&tables, layout__SET_ARM)));
-    locus__place_wheelset(work, layout__WORK_PLACE + locus__PLACE_SIZE, shift, yaw, roll, (*cspan_at(&tables, layout__SET_RADIUS)), (*cspan_at(&tables, layout__SET_ARM)));
+    locus__place_wheelset(work, roll__RIGHT_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW)), roll, (*cspan_at(&tables, layout__SET_RADIUS)), (*cspan_at(&tables, layout__SET_ARM)));
+    locus__mirror_place(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
     return INT64_C(0);
 }
 
-/* Scan and refine both sides; 1 if both wheels are above their rails, else 0. */
-static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state)
+/* Search both sides; 1 if both wheels are above their rails, else 0. */
+static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
 {
-    int64_t i;
-    int64_t side;
-    int64_t at;
-    int64_t found;
-    found = INT64_C(1);
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    int64_t result;
+    if (search__search_side(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state, known) == INT64_C(0))
     {
-        side = layout__WORK_SIDE + layout__WORK_SIDE_SIZE * i;
-        at = layout__WORK_PLACE + locus__PLACE_SIZE * i;
-        if (search__scan_side(tables, work, side, work, at, state) == INT64_C(0))
-        {
-            found = INT64_C(0);
-        }
-        else
-        {
-            search__find_minima(tables, work, side, work, at, state);
-        }
+        return INT64_C(0);
     }
-    return found;
+    result = search__search_side(tables, work, roll__RIGHT, work, roll__RIGHT_PLACE, state, known);
+    return result;
 }
 
-/* Refine the known minima of both sides; 1 if all were found again, else 0. */
+/* Refine the known minima of both sides; 1 if both were found again, else 0. */
 static int64_t roll__follow_both(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
-    int64_t i;
-    int64_t found;
-    found = INT64_C(1);
-    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    int64_t result;
+    if (search__follow_minimum(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state) == INT64_C(0))
     {
-        if (found == INT64_C(1))
-        {
-            found = search__follow_minima(tables, work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE * i, work, layout__WORK_PLACE + locus__PLACE_SIZE * i, state);
-        }
+        return INT64_C(0);
     }
-    return found;
+    result = search__follow_minimum(tables, work, roll__RIGHT, work, roll__RIGHT_PLACE, state);
+    return result;
 }
 
-/* Roll [rad] and outcome; the sides' minima stay in the workspace. */
-static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess)
+/* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
+static int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
 {
-    int64_t left;
-    int64_t right;
+    double rate;
+    (*difference) = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
+    rate = gap__gap_per_roll(tables, work, roll__RIGHT_PLACE, (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y))) + gap__gap_per_roll(tables, work, roll__LEFT_PLACE, (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y)));
+    (*move) = 1.0;
+    if (rate < 0.0)
+    {
+        (*move) = (-(*difference)) / rate;
+    }
+    return 0;
+}
+
+/* Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
+ *
+ * Starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
+ */
+static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
+{
+    int64_t i;
+    double difference;
+    double move;
+    for (i = INT64_C(0); i < roll__NEWTON_STEPS; i += INT64_C(1))
+    {
+        (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
+        roll__place_both(tables, work, roll);
+        if (roll__follow_both(tables, work, state) == INT64_C(0))
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = INT64_C(0);
+            return 0;
+        }
+        roll__newton_move(&difference, &move, tables, work);
+        if (fabs(move) < roll__ROLL_SHARP)
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = INT64_C(1);
+            return 0;
+        }
+        if (fabs(move) > roll__LONGEST_TURN)
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = INT64_C(0);
+            return 0;
+        }
+        roll += move;
+        if (!((roll > low) && (roll < high)))
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = INT64_C(0);
+            return 0;
+        }
+    }
+    (*result_0_0001) = roll;
+    (*result_1_0001) = INT64_C(0);
+    return 0;
+}
+
+/* Roll [rad] and outcome; the sides' smallest gaps stay in the workspace.
+ *
+ * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+ */
+static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+{
     double low;
     double high;
     double roll;
-    double scanned;
-    int64_t retried;
-    int64_t i;
     int64_t known;
+    double balanced;
+    int64_t i;
+    double before_left;
+    double before_right;
     double difference;
-    double rate;
-    double following;
     double move;
-    left = layout__WORK_SIDE;
-    right = layout__WORK_SIDE + layout__WORK_SIDE_SIZE;
     low = -roll__ROLL_LIMIT;
     high = roll__ROLL_LIMIT;
     roll = guess;
@@ -86,67 +126,85 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     {
         roll = 0.0;
     }
-    scanned = 1.0;
-    retried = INT64_C(0);
-    for (i = INT64_C(0); i < roll__ROLL_ITERATIONS; i += INT64_C(1))
+    known = INT64_C(0);
+    if (warm == INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-        roll__place_both(tables, work, roll);
-        known = INT64_C(0);
-        if (fabs(roll - scanned) < search__REACH)
+        roll__balance(&balanced, &known, tables, work, state, roll, low, high);
+        if (known == INT64_C(1))
         {
-            known = roll__follow_both(tables, work, state);
+            roll = balanced;
         }
+    }
+    for (i = INT64_C(0); i < roll__SEARCHES; i += INT64_C(1))
+    {
         if (known == INT64_C(0))
         {
-            if (roll__search_both(tables, work, state) == INT64_C(0))
-            {
-                if ((retried == INT64_C(1)) || (roll == 0.0))
-                {
-                    (*result_0) = roll;
-                    (*result_1_0001) = layout__OFF_PROFILE;
-                    return 0;
-                }
-                retried = INT64_C(1);
-                roll = 0.0;
-                low = -roll__ROLL_LIMIT;
-                high = roll__ROLL_LIMIT;
-                continue;
-            }
-            scanned = roll;
+            roll__place_both(tables, work, roll);
         }
-        difference = (*cspan_at(&work, right + layout__SIDE_BEST)) - (*cspan_at(&work, left + layout__SIDE_BEST));
-        rate = gap__gap_per_roll(tables, work, layout__WORK_PLACE + locus__PLACE_SIZE, (*cspan_at(&work, right + layout__SIDE_BEST_Y))) + gap__gap_per_roll(tables, work, layout__WORK_PLACE, (*cspan_at(&work, left + layout__SIDE_BEST_Y)));
-        if (difference > 0.0)
+        before_left = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
+        before_right = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));
+        if (roll__search_both(tables, work, state, known) == INT64_C(0))
         {
-            low = roll;
+            if (roll == 0.0)
+            {
+                (*result_0) = roll;
+                (*result_1_0001) = layout__OFF_PROFILE;
+                return 0;
+            }
+            /* the guess was off the rails: start again from level */
+            roll = 0.0;
+            known = INT64_C(0);
+            low = -roll__ROLL_LIMIT;
+            high = roll__ROLL_LIMIT;
         }
         else
         {
-            high = roll;
-        }
-        following = 0.5 * (low + high);
-        if (rate < 0.0)
-        {
-            move = (-difference) / rate;
+            if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y))) && (before_right == (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y))))
+            {
+                (*result_0) = roll;
+                (*result_1_0001) = layout__VALID;
+                return 0;
+            }
+            roll__newton_move(&difference, &move, tables, work);
             if (fabs(move) < roll__ROLL_SHARP)
             {
                 (*result_0) = roll;
                 (*result_1_0001) = layout__VALID;
                 return 0;
             }
-            if ((roll + move > low) && (roll + move < high))
+            if (difference > 0.0)
             {
-                following = roll + move;
+                low = roll;
+            }
+            else
+            {
+                high = roll;
+            }
+            if (high - low < roll__ROLL_SHARP)
+            {
+                (*result_0) = roll;
+                (*result_1_0001) = layout__VALID;
+                return 0;
+            }
+            known = INT64_C(0);
+            if (!((roll + move > low) && (roll + move < high)))
+            {
+                roll = 0.5 * (low + high);
+            }
+            else if (fabs(move) > roll__LONGEST_TURN)
+            {
+                roll += move;
+            }
+            else
+            {
+                roll__balance(&balanced, &known, tables, work, state, roll + move, low, high);
+                roll += move;
+                if (known == INT64_C(1))
+                {
+                    roll = balanced;
+                }
             }
         }
-        if (fabs(following - roll) < roll__ROLL_SHARP)
-        {
-            (*result_0) = roll;
-            (*result_1_0001) = layout__VALID;
-            return 0;
-        }
-        roll = following;
     }
     (*result_0) = roll;
     (*result_1_0001) = layout__NOT_CONVERGED;

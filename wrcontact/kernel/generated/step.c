@@ -148,16 +148,21 @@ static int64_t step__step_side(array_double_1d tables, array_double_1d work, arr
     return status;
 }
 
-/* Roll [rad] and outcome; starts at the given guess, or at the last roll where none is given. */
+/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts where none is given. */
 static int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     double guess;
+    int64_t warm;
     guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL_GUESS));
+    warm = INT64_C(0);
     if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && (guess == 0.0))
     {
         guess = (*cspan_at(&state, layout__STATE_ROLL));
+        (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
+        (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
+        warm = INT64_C(1);
     }
-    roll__solve_roll(result_0, result_1, tables, work, state, guess);
+    roll__solve_roll(result_0, result_1, tables, work, state, guess, warm);
     return 0;
 }
 
@@ -200,6 +205,8 @@ static int64_t step__evaluate(array_double_1d tables, array_double_1d work, arra
     if (status <= layout__UNLOADED)
     {
         (*cspan_at(&state, layout__STATE_ROLL)) = roll;
+        (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
+        (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE + layout__SIDE_BEST_Y));
         (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
     }
     return status;

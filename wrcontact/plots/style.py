@@ -1,0 +1,82 @@
+"""How the pictures look: one set of fonts, lines and colours; millimetres, degrees, kilonewtons and megapascals.
+
+The colours are those of Okabe and Ito, which people tell apart whatever their colour vision.  Figures are made without
+pyplot: no window, no display, no state that a caller would have to clean up.
+"""
+
+from functools import wraps
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from ..conventions import MILLIMETRE as MM
+
+DEGREE = 0.017453292519943295  #: [rad]
+KILONEWTON = 1e3  #: [N]
+MEGAPASCAL = 1e6  #: [Pa]
+
+#: Colours of the two wheels, of the rail, and of what is said about them.
+SIDE_COLOUR = {"left": "#0072B2", "right": "#D55E00"}
+WHEEL_COLOUR, RAIL_COLOUR, CONTACT_COLOUR, INK, QUIET = "#0072B2", "#6E6E6E", "#D55E00", "#222222", "#767676"
+#: Fill of tread, flange root and flange behind the curves.
+ZONE_COLOUR = {"tread": "#FFFFFF", "flange root": "#EDEDED", "flange": "#DADADA"}
+#: Pressure: light is low, dark is high, also in print.
+PRESSURE_COLOURS = "magma_r"
+
+LOOK = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.titlesize": 9.5,
+    "axes.titlelocation": "left",
+    "axes.titleweight": "bold",
+    "axes.labelsize": 9,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": QUIET,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.color": QUIET,
+    "ytick.color": QUIET,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "text.color": INK,
+    "lines.linewidth": 1.6,
+    "lines.solid_capstyle": "round",
+    "legend.frameon": False,
+    "legend.fontsize": 8.5,
+    "figure.titlesize": 10.5,
+    "figure.titleweight": "bold",
+    "figure.constrained_layout.h_pad": 0.05,
+    "figure.constrained_layout.w_pad": 0.05,
+}
+RESOLUTION = 160  #: dots per inch of a saved picture
+
+
+def styled(draw):
+    """The function ``draw`` with this look, whatever the caller's matplotlib settings are."""
+
+    @wraps(draw)
+    def drawing(*arguments, **options):
+        with matplotlib.rc_context():
+            matplotlib.rcdefaults()
+            matplotlib.rcParams.update(LOOK)
+            return draw(*arguments, **options)
+
+    return drawing
+
+
+def new_figure(width, height):
+    """An empty figure of this size in inches that arranges its panels by itself."""
+    return Figure(figsize=(width, height), dpi=RESOLUTION, layout="constrained", facecolor="white")
+
+
+@styled
+def save(figure, path):
+    """Write ``figure`` to ``path``; the ending says the format (png, svg, pdf)."""
+    figure.savefig(path, dpi=RESOLUTION)
+    return path
+
+
+__all__ = ["DEGREE", "KILONEWTON", "MEGAPASCAL", "MM", "new_figure", "save", "styled"]
