@@ -143,9 +143,9 @@ def load_regions(tables: 'float[:]', work: 'float[:]', count: int):
 
 
 def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
-                 prescribed: int):
+                 prescribed: int, sharp: float):
     """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
-    all levels together; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+    all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
     """
     for i in range(count):
         work[region_block(i) + REGION_LEVEL] = penetration - work[region_block(i) + REGION_GAP]
@@ -171,7 +171,7 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
                 if newton > low and newton < high:
                     following = newton
             move = following - penetration
-        if missed <= FORCE_SHARP * force and residual <= FORCE_SHARP * penetration:
+        if missed <= sharp * force and residual <= sharp * penetration:
             return penetration, 1
         penetration += move
         apply_moves(work, count, move)

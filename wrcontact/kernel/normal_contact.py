@@ -9,7 +9,7 @@
 from math import atan, fabs, isfinite, pi, sqrt
 from typing import Final
 
-from .analyn import solve_levels
+from .analyn import FORCE_SHARP, solve_levels
 from .contact_plane import longitudinal_curvature
 from .hertz import hertz_coefficients, hertz_stiffness
 from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
@@ -20,19 +20,21 @@ from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGL
 from .nodes import FLOOR, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .patches import gather_islands, write_outline, write_patches
 from .regions import (FAR, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
-                      REGION_LOW, REGION_MIDDLE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, bound_regions,
+                      REGION_LOW, REGION_MIDDLE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL, REGION_WIDTH_LOW, bound_regions,
                       find_regions, open_contact_region, region_block, zone_width)
 
-COARSE_NODES: Final[int] = 8         # nodes per mean half-width
-COARSE_WINDOW: Final[int] = 2
-FINE_NODES: Final[int] = 20
-FINE_WINDOW: Final[int] = 4          # a fifth of the half-width: see docs/method.md for the measurement
+COARSE_NODES: Final[int] = 5         # nodes per mean half-width
+COARSE_WINDOW: Final[int] = 1
+FINE_NODES: Final[int] = 15
+FINE_WINDOW: Final[int] = 3          # a fifth of the half-width: see docs/method.md for the measurement
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
 #: The coarse solve is repeated while the guess was off by more than this factor.
 GUESS_FACTOR: Final[float] = 1.5
 #: Minima are joined more hesitantly while the penetration is only guessed; the fine solve joins the rest.
 COARSE_MERGE: Final[float] = 0.6
+#: The force is met to this by the coarse solve, relative.
+COARSE_SHARP: Final[float] = 1e-6
 COARSE_REPEATS: Final[int] = 8
 COVER_REPEATS: Final[int] = 6
 #: Smallest mean half-width, as a share of the half-length sqrt(level R_x), of a region that an end nearly closes.
@@ -49,16 +51,19 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
 def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, level: float):
     """Half-widths of the region's interpenetration at ``level`` [m], and the station its load is thought to act at."""
     block = region_block(region)
-    guess = sqrt(level / (4.0 * work[block + REGION_CURVATURE]))
-    if work[block + REGION_WIDTH_HIGH] > 0.0:
-        guess = work[block + REGION_WIDTH_HIGH]
-    high = zone_width(tables, work, state, block, 1.0, level, guess)
-    guess = high
-    if work[block + REGION_WIDTH_LOW] > 0.0:
-        guess = work[block + REGION_WIDTH_LOW]
-    low = zone_width(tables, work, state, block, -1.0, level, guess)
+    low = sqrt(level / (4.0 * work[block + REGION_CURVATURE]))
+    high = low
+    if work[block + REGION_WIDTH_LEVEL] > 0.0:
+        grown = sqrt(level / work[block + REGION_WIDTH_LEVEL])
+        low = work[block + REGION_WIDTH_LOW] * grown
+        high = work[block + REGION_WIDTH_HIGH] * grown
+    high = zone_width(tables, work, state, block, 1.0, level, high)
+    if not work[block + REGION_WIDTH_LEVEL] > 0.0:
+        low = high
+    low = zone_width(tables, work, state, block, -1.0, level, low)
     work[block + REGION_WIDTH_HIGH] = high
     work[block + REGION_WIDTH_LOW] = low
+    work[block + REGION_WIDTH_LEVEL] = level
     work[block + REGION_MIDDLE] = work[block + REGION_STATION] + 0.5 * (high - low)
     return 0
 
@@ -125,14 +130,13 @@ def solve_coarse(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     penetration = guess
     for repeat in range(COARSE_REPEATS):
         for i in range(REGION_LIMIT):
-            work[region_block(i) + REGION_WIDTH_LOW] = 0.0
-            work[region_block(i) + REGION_WIDTH_HIGH] = 0.0
+            work[region_block(i) + REGION_WIDTH_LEVEL] = 0.0
         open_contact_region(tables, work, state)
         count = find_regions(tables, work, state, side, 1.2 * guess)
         count = bound_regions(tables, work, state, count, COARSE_MERGE * guess)
         start_levels(work, count, guess)
         prepare_regions(tables, work, state, count, COARSE_NODES, COARSE_WINDOW, GUESS_FACTOR)
-        penetration, met = solve_levels(tables, work, state, count, force, guess, 0)
+        penetration, met = solve_levels(tables, work, state, count, force, guess, 0, COARSE_SHARP)
         if met == 0:
             penetration = guess
         if penetration < GUESS_FACTOR * guess and GUESS_FACTOR * penetration > guess:
@@ -151,8 +155,7 @@ def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     if isfinite(prescribed):
         by_penetration = 1
         for i in range(REGION_LIMIT):
-            work[region_block(i) + REGION_WIDTH_LOW] = 0.0
-            work[region_block(i) + REGION_WIDTH_HIGH] = 0.0
+            work[region_block(i) + REGION_WIDTH_LEVEL] = 0.0
         count = find_regions(tables, work, state, side, penetration)
         count = bound_regions(tables, work, state, count, penetration)
         start_levels(work, count, penetration)
@@ -182,7 +185,7 @@ def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: i
     met = 0
     for repeat in range(COVER_REPEATS):
         prepare_regions(tables, work, state, count, FINE_NODES, FINE_WINDOW, enlarge)
-        penetration, met = solve_levels(tables, work, state, count, force, start, by_penetration)
+        penetration, met = solve_levels(tables, work, state, count, force, start, by_penetration, FORCE_SHARP)
         if met == 0:
             return start, met
         if covered(work, count) == 1:

@@ -30,6 +30,7 @@ REGION_STIFFNESS: Final[int] = 13    # load per level [N/m]
 REGION_BEND: Final[int] = 14         # second derivative of the gap at the minimum [1/m]
 REGION_CURVATURE: Final[int] = 15    # the wheel's 1/R_x at the minimum [1/m]
 REGION_MIDDLE: Final[int] = 16       # station that stands for its load in the interaction [m]
+REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]
 REGION_RESIDUAL: Final[int] = 17     # of its level during the force solve [m]
 REGION_SLOPE: Final[int] = 18        # change of its level per change of the penetration [-]
 REGION_MOVE: Final[int] = 19         # change of its level that closes the residual [m]
@@ -43,8 +44,9 @@ APART: Final[float] = 2e-4
 WANDER: Final[float] = 2e-3
 FAR: Final[float] = 1.0
 TRACE: Final[float] = 1e-8           # tolerance of the abscissae while regions are sought [m]
+WIDTH_TRACE: Final[float] = 2e-7     # and while half-widths are measured [m]
 WIDTH_ITERATIONS: Final[int] = 60
-WIDTH_SHARP: Final[float] = 1e-7     # relative; the width only sets spacing and window of the nodes
+WIDTH_SHARP: Final[float] = 1e-3     # last Newton step, relative (its error is the square); the width only sets the nodes
 HUMP_SAMPLES: Final[int] = 8
 MINIMUM_ITERATIONS: Final[int] = 12
 
@@ -214,8 +216,8 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
         limit = work[block + REGION_STATION] - work[block + REGION_LOW]
     start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
     tolerance = 1e-3 * guess
-    if tolerance > TRACE:
-        tolerance = TRACE
+    if tolerance > WIDTH_TRACE:
+        tolerance = WIDTH_TRACE
     root = sqrt(level)
     low = 0.0
     high = -1.0

@@ -35,13 +35,23 @@ def wheel_outline(system, state, side):
 
 
 def rail_outline(system, side):
-    """The inclined rail head on the track: track coordinates y, z (down) [m], two arrays (n,)."""
+    """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays (n,)."""
     chosen = system.parameters
     placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
                         gauge_depth=chosen["gauge_depth"])
-    head = placed.profile
-    y = np.linspace(head.start, head.stop, POINTS)[1:-1]
-    return (1.0 if side == "right" else MIRROR[0]) * (y + placed.y_track), head.height(y)
+    angle = -np.arctan(chosen["rail_inclination"])
+    coarse = np.linspace(system.rail.start, system.rail.stop, POINTS)
+    top = np.argmin(_turned(system.rail, coarse, angle)[1])
+    fine = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, POINTS - 1)], POINTS)
+    highest = min(_turned(system.rail, fine, angle).T, key=lambda point: point[1])
+    y, z = _turned(system.rail, coarse, angle) - highest[:, None]
+    return (1.0 if side == "right" else MIRROR[0]) * (y + placed.y_track), z
+
+
+def _turned(profile, y, angle):
+    """Points (2, n) of a profile turned by ``angle`` [rad] from y to z."""
+    z = profile.height(y)
+    return np.array([np.cos(angle) * y - np.sin(angle) * z, np.sin(angle) * y + np.cos(angle) * z])
 
 
 def wheel_zone(y_wheel):

@@ -2,42 +2,43 @@
 
 import numpy as np
 from matplotlib.colors import Normalize
+from scipy.interpolate import Akima1DInterpolator
 
-from .style import CONTACT_COLOUR, INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, new_figure, styled
+from .style import INK, MEGAPASCAL, MM, PRESSURE_COLOURS, QUIET, SIDE_COLOUR, new_figure, styled
 
 FINER = 12  # drawn points per stored station
-LAYERS = 41  # drawn points from the front edge of the patch to the rear edge
+LAYERS = 61  # drawn points from the front edge of the patch to the rear edge
+MARGIN = 1.2e-3  # [m] around a patch
 
 
 def fine_outline(outline):
     """Station [m], half-length [m] and pressure [Pa] of one pose at many stations, three arrays (n,).
 
-    Between the stored stations the squares run straight: near an edge they do so in truth, and an ellipse stays round.
+    Between the stored stations the squares are interpolated: near an edge they run straight, and an ellipse stays round.
     """
-    count = len(outline.station)
-    place = np.linspace(0, count - 1, FINER * (count - 1) + 1)
-    stored = np.arange(count)
-    half_length, pressure = (np.sqrt(np.interp(place, stored, values**2)) for values in (outline.half_length, outline.pressure))
+    stored = np.arange(len(outline.station))
+    place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
+    half_length, pressure = (np.sqrt(np.maximum(Akima1DInterpolator(stored, values**2, method="makima")(place), 0.0))
+                             for values in (outline.half_length, outline.pressure))
     return np.interp(place, stored, outline.station), half_length, pressure
 
 
-def draw_patch(panel, outline, pressures):
+def draw_patch(panel, outline, scale):
     """Fill the patch of one pose by pressure: lateral position to the right, rolling direction up, both in mm.
 
-    ``pressures`` is a matplotlib norm in MPa, so that several patches share one colour scale.
+    ``scale`` is a matplotlib norm in MPa, so that several patches share one colour scale.
     """
     station, half_length, middle = fine_outline(outline)
-    across = np.linspace(-1, 1, LAYERS)
-    pressure = middle * np.sqrt(1 - across[:, None] ** 2)
-    y, x = np.broadcast_arrays(station / MM, across[:, None] * half_length / MM)
-    mesh = panel.pcolormesh(y, x, pressure / MEGAPASCAL, shading="gouraud", cmap=PRESSURE_COLOURS, norm=pressures, rasterized=True)
+    across = np.sin(np.linspace(-np.pi / 2, np.pi / 2, LAYERS))[:, None]
+    y, x = np.broadcast_arrays(station / MM, across * half_length / MM)
+    pressure = middle * np.sqrt(np.maximum(1 - across**2, 0.0)) / MEGAPASCAL
+    mesh = panel.pcolormesh(y, x, pressure, shading="gouraud", cmap=PRESSURE_COLOURS, norm=scale, rasterized=True)
     for edge in (half_length, -half_length):
         panel.plot(station / MM, edge / MM, color=INK, linewidth=0.9)
-    panel.set_aspect("equal")
     return mesh
 
 
-def draw_pressure(panel, outline, colour=CONTACT_COLOUR):
+def draw_pressure(panel, outline, colour):
     """Pressure along the middle of the patch [MPa] over the lateral position [mm]."""
     station, _, pressure = fine_outline(outline)
     panel.fill_between(station / MM, pressure / MEGAPASCAL, color=colour, alpha=0.25, linewidth=0)
@@ -45,24 +46,31 @@ def draw_pressure(panel, outline, colour=CONTACT_COLOUR):
 
 
 def pressure_scale(outlines):
-    """One colour scale for several patches, from zero to the largest pressure [MPa] in round hundreds."""
+    """One colour scale for several patches, from zero to the largest pressure, rounded up [MPa]."""
     largest = max(float(np.max(outline.pressure)) for outline in outlines) / MEGAPASCAL
     return Normalize(0, 100 * np.ceil(max(largest, 1.0) / 100))
 
 
-def common_limits(outlines, margin=1.5e-3):
-    """Largest lateral position and half-length of several patches with a margin [mm]: low y, high y, x."""
-    low, high = (pick(pick(outline.station) for outline in outlines) for pick in (min, max))
-    half = max(float(np.max(outline.half_length)) for outline in outlines)
-    return (low - margin) / MM, (high + margin) / MM, (half + margin) / MM
+def window_size(outlines):
+    """Half width and half length [m] of the window that holds each of several patches, so that all are drawn to one scale."""
+    across = max(float(np.ptp(outline.station)) for outline in outlines) / 2
+    along = max(float(np.max(outline.half_length)) for outline in outlines)
+    return across + MARGIN, along + MARGIN
+
+
+def frame_patch(panel, outline, across, along):
+    """Let ``panel`` show ``across`` [m] to both sides of the patch's middle and ``along`` [m] ahead and behind."""
+    middle = 0.5 * (outline.station[0] + outline.station[-1])
+    panel.set_xlim((middle - across) / MM, (middle + across) / MM)
+    panel.set_ylim(-along / MM, along / MM)
+    panel.set_aspect("equal")
 
 
 @styled
 def outline_figure(state):
     """The patches of both wheels at one pose, above their pressure."""
-    figure = new_figure(8, 6.4)
-    panels = figure.subplots(2, 2, height_ratios=(3, 2))
-    draw_outlines(figure, panels, state)
+    figure = new_figure(8.5, 6.6)
+    draw_outlines(figure, figure.subplots(2, 2, height_ratios=(2.3, 1)), state)
     return figure
 
 
@@ -73,29 +81,39 @@ def draw_outlines(figure, panels, state):
     for (name, side), upper, lower in zip(sides.items(), *panels):
         upper.set_label(f"{name} patch")
         lower.set_label(f"{name} pressure")
-        if not side.patch_count:
-            _empty(upper, lower, name)
-            continue
-        low, high, half = common_limits(loaded)
-        mesh = draw_patch(upper, side.outline, pressure_scale(loaded))
-        draw_pressure(lower, side.outline)
-        upper.set(xlim=(low, high), ylim=(-half, half), title=_headline(name, side), ylabel="rolling direction [mm]")
-        lower.set(xlim=(low, high), ylim=(0, None), ylabel="pressure [MPa]", xlabel="lateral in the contact plane, field side + [mm]")
+        upper.set_title(_headline(name, side))
+        if side.patch_count:
+            mesh = _draw_side(upper, lower, name, side.outline, loaded)
+        else:
+            _leave_empty(upper, lower)
     if loaded:
         figure.colorbar(mesh, ax=panels[0], label="pressure [MPa]", shrink=0.9)
-        lower.sharey(panels[1][0])
+
+
+def _draw_side(upper, lower, name, outline, loaded):
+    """Patch and pressure of one wheel, at the scale of all that are loaded."""
+    scale = pressure_scale(loaded)
+    mesh = draw_patch(upper, outline, scale)
+    half = max(window_size(loaded))
+    frame_patch(upper, outline, half, half)
+    upper.set(ylabel="rolling direction [mm]")
+    draw_pressure(lower, outline, SIDE_COLOUR[name])
+    lower.set(xlim=upper.get_xlim(), ylim=(0, 1.05 * scale.vmax), ylabel="pressure [MPa]",
+              xlabel="lateral in the contact plane, field side + [mm]")
+    return mesh
 
 
 def _headline(name, side):
     """What one sees of one wheel's contact, in two lines."""
+    if not side.patch_count:
+        return f"{name.capitalize()} wheel: no load,\nno patch"
     regions = {1: "one patch"}.get(side.patch_count, f"{side.patch_count} patches")
     return (f"{name.capitalize()} wheel: {regions}, {side.area / MM**2:.0f} mm²,\n"
-            f"up to {side.max_pressure / MEGAPASCAL:.0f} MPa, angle {np.degrees(side.contact_angle):.1f}°")
+            f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa")
 
 
-def _empty(upper, lower, name):
-    """A wheel without load."""
-    upper.set_title(f"{name.capitalize()} wheel: no load, no patch")
-    for panel in (upper, lower):
+def _leave_empty(*panels):
+    """Panels of a wheel without load."""
+    for panel in panels:
         panel.set(xticks=[], yticks=[])
         panel.text(0.5, 0.5, "unloaded", transform=panel.transAxes, ha="center", va="center", color=QUIET)

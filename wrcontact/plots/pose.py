@@ -2,23 +2,23 @@
 
 import numpy as np
 
+from ..conventions import SIDES
 from .geometry import rail_outline, wheel_outline
 from .patch import draw_outlines
-from .style import CONTACT_COLOUR, INK, KILONEWTON, MM, QUIET, RAIL_COLOUR, WHEEL_COLOUR, new_figure, styled
+from .style import CONTACT_COLOUR, DEGREE, KILONEWTON, MM, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR, new_figure, number, styled
 
-AROUND = 48e-3  # [m] shown to both sides of the rail's highest point
-ABOVE, BELOW = 22e-3, 34e-3  # [m] shown above and below top of rail
-PLANE = 30e-3  # [m] drawn length of the contact plane
+INSIDE, OUTSIDE = 78e-3, 54e-3  # [m] shown from the rail's highest point to the track centre and to the field side
+ABOVE, BELOW = 18e-3, 38e-3  # [m] shown above and below top of rail
+PLANE = 32e-3  # [m] drawn length of the contact plane
+HIGH = 0.1  # [m] where a drawn wheel ends upwards, out of sight
 
 
 @styled
 def pose_figure(system, state):
     """Both wheels on their rails at one pose, seen in the direction of travel, above patches and pressures."""
-    figure = new_figure(9, 10)
-    panels = figure.subplots(3, 2, height_ratios=(4, 3.6, 2.2))
-    figure.suptitle(_headline(state), x=0.01, ha="left")
-    for panel, side in zip(panels[0], ("left", "right")):
-        draw_contact(panel, system, state, side)
+    figure = new_figure(9, 9.6)
+    panels = figure.subplots(3, 2, height_ratios=(2, 3.9, 1.6))
+    draw_contacts(figure, panels[0], system, state)
     draw_outlines(figure, panels[1:], state)
     return figure
 
@@ -26,50 +26,63 @@ def pose_figure(system, state):
 @styled
 def contact_figure(system, state):
     """Both wheels on their rails at one pose, seen in the direction of travel."""
-    figure = new_figure(9, 4.2)
-    figure.suptitle(_headline(state), x=0.01, ha="left")
-    for panel, side in zip(figure.subplots(1, 2), ("left", "right")):
-        draw_contact(panel, system, state, side)
+    figure = new_figure(9, 3.3)
+    draw_contacts(figure, figure.subplots(1, 2), system, state)
     return figure
+
+
+def draw_contacts(figure, panels, system, state):
+    """Left and right contact into ``panels`` (2,), the pose above them."""
+    figure.suptitle(_headline(state), x=0.01, ha="left")
+    for panel, side in zip(panels, SIDES):
+        draw_contact(panel, system, state, side)
+    middle_of_rail = OUTSIDE / (INSIDE + OUTSIDE)
+    panels[0].legend(loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8, labelspacing=0.3)
 
 
 def draw_contact(panel, system, state, side):
     """Wheel and rail of one side in track coordinates [mm], height up, with contact point and contact plane."""
     panel.set_label(f"{side} contact")
     y_rail, z_rail = rail_outline(system, side)
+    panel.fill(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR, alpha=0.3, linewidth=0)
+    panel.plot(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR)
     y_wheel, z_wheel = wheel_outline(system, state, side)
-    panel.fill_between(y_rail / MM, -z_rail / MM, -60, color=RAIL_COLOUR, alpha=0.25, linewidth=0)
-    panel.fill_between(y_wheel / MM, -z_wheel / MM, 60, color=WHEEL_COLOUR, alpha=0.15, linewidth=0)
-    panel.plot(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR, label="rail")
-    panel.plot(y_wheel / MM, -z_wheel / MM, color=WHEEL_COLOUR, label="wheel")
+    y_wheel, z_wheel = y_wheel[[0, *range(len(y_wheel)), -1]], np.concatenate([[-HIGH], z_wheel, [-HIGH]])
+    panel.fill(y_wheel / MM, -z_wheel / MM, color=WHEEL_COLOUR, alpha=0.15, linewidth=0)
+    panel.plot(y_wheel / MM, -z_wheel / MM, color=WHEEL_COLOUR)
     draw_plane(panel, getattr(state, side), side)
-    centre = y_rail[np.argmin(z_rail)]
-    panel.set(xlim=((centre - AROUND) / MM, (centre + AROUND) / MM), ylim=(-BELOW / MM, ABOVE / MM), aspect="equal",
-              xlabel="across the track, to the right + [mm]", ylabel="above top of rail [mm]")
-    panel.set_title(_describe(state, side))
+    top = y_rail[np.argmin(z_rail)]
+    _frame(panel, top, side)
+    panel.text(top / MM, -7, "rail", color=RAIL_LABEL, ha="center", va="center")
+    panel.text(top / MM, ABOVE / MM - 2, "wheel", color=WHEEL_COLOUR, ha="center", va="top")
+    panel.set_title(_describe(getattr(state, side), side))
 
 
 def draw_plane(panel, contact, side):
-    """The contact point, and the contact plane through it."""
+    """The contact plane, and the contact point in it."""
     y, z = contact.contact.y_track, contact.contact.z_track
     rise = np.tan(contact.contact_angle) * (1 if side == "right" else -1)
-    reach = 0.5 * PLANE * np.cos(contact.contact_angle)
-    ends = np.array([-reach, reach])
-    panel.plot((y + ends) / MM, (-z + rise * ends) / MM, color=CONTACT_COLOUR, linewidth=1.2, linestyle=(0, (4, 2)), label="contact plane")
+    ends = np.array([-0.5, 0.5]) * PLANE * np.cos(contact.contact_angle)
+    panel.plot((y + ends) / MM, (-z + rise * ends) / MM, color=CONTACT_COLOUR, linewidth=1.2, linestyle=(0, (4, 2)),
+               label="contact plane")
     panel.plot([y / MM], [-z / MM], "o", color=CONTACT_COLOUR, markersize=5, label="contact point")
 
 
-def _describe(state, side):
-    contact = getattr(state, side)
-    return (f"{side.capitalize()} wheel touches at y = {contact.contact.y_wheel / MM:.1f} mm\n"
-            f"of its profile, contact angle {np.degrees(contact.contact_angle):.1f}°")
+def _frame(panel, top, side):
+    """Show the flange on the inner side and the tread on the outer one; ``top`` is the rail's highest point [m]."""
+    low, high = (-INSIDE, OUTSIDE) if side == "right" else (-OUTSIDE, INSIDE)
+    panel.set(xlim=((top + low) / MM, (top + high) / MM), ylim=(-BELOW / MM, ABOVE / MM), aspect="equal",
+              xlabel="across the track, right + [mm]", ylabel="above top of rail [mm]", yticks=(-30, -20, -10, 0, 10))
+
+
+def _describe(contact, side):
+    return (f"{side.capitalize()} wheel touches at y = {number(contact.contact.y_wheel / MM, 1)} mm\n"
+            f"of its profile, contact angle {number(contact.contact_angle / DEGREE, 1)}°")
 
 
 def _headline(state):
+    """Pose, load and roll in one line."""
     shift, yaw, _, force, transfer = state.inputs
-    load = f"{force / KILONEWTON:g} kN per wheel" + (f", load transfer {transfer:g}" if transfer else "")
-    return (f"Wheelset {shift / MM:g} mm to the right, yaw {np.degrees(yaw):g}°, {load}: "
-            f"roll {np.degrees(state.roll):.3f}°")
-
-
-__all__ = ["INK", "QUIET", "contact_figure", "draw_contact", "pose_figure"]
+    load = f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}" if transfer else "")
+    return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, {load}: "
+            f"roll {number(state.roll / DEGREE, 3)}°")

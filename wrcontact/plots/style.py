@@ -17,7 +17,8 @@ MEGAPASCAL = 1e6  #: [Pa]
 
 #: Colours of the two wheels, of the rail, and of what is said about them.
 SIDE_COLOUR = {"left": "#0072B2", "right": "#D55E00"}
-WHEEL_COLOUR, RAIL_COLOUR, CONTACT_COLOUR, INK, QUIET = "#0072B2", "#6E6E6E", "#D55E00", "#222222", "#767676"
+WHEEL_COLOUR, RAIL_COLOUR, RAIL_LABEL, CONTACT_COLOUR = "#0072B2", "#6E6E6E", "#4A4A4A", "#D55E00"
+INK, QUIET = "#222222", "#767676"
 #: Fill of tread, flange root and flange behind the curves.
 ZONE_COLOUR = {"tread": "#FFFFFF", "flange root": "#EDEDED", "flange": "#DADADA"}
 #: Pressure: light is low, dark is high, also in print.
@@ -67,6 +68,11 @@ def styled(draw):
     return drawing
 
 
+def number(value, digits):
+    """``value`` as text with this many digits after the point and a typographic minus; no "-0.0"."""
+    return f"{round(value, digits) + 0.0:.{digits}f}".replace("-", "\N{MINUS SIGN}")
+
+
 def new_figure(width, height):
     """An empty figure of this size in inches that arranges its panels by itself."""
     return Figure(figsize=(width, height), dpi=RESOLUTION, layout="constrained", facecolor="white")
@@ -79,4 +85,4 @@ def save(figure, path):
     return path
 
 
-__all__ = ["DEGREE", "KILONEWTON", "MEGAPASCAL", "MM", "new_figure", "save", "styled"]
+__all__ = ["DEGREE", "KILONEWTON", "MEGAPASCAL", "MM", "new_figure", "number", "save", "styled"]

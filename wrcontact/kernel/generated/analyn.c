@@ -211,9 +211,9 @@ static double analyn__load_regions(array_double_1d tables, array_double_1d work,
 }
 
 /* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
- * all levels together; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+ * all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
  */
-static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed)
+static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp)
 {
     int64_t i;
     double low;
@@ -266,7 +266,7 @@ static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_000
             }
             move = following - penetration;
         }
-        if ((missed <= analyn__FORCE_SHARP * force) && (residual <= analyn__FORCE_SHARP * penetration))
+        if ((missed <= sharp * force) && (residual <= sharp * penetration))
         {
             (*result_0_0001) = penetration;
             (*result_1_0001) = INT64_C(1);

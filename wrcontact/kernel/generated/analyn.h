@@ -35,6 +35,6 @@ static double analyn__influence(array_double_1d tables, array_double_1d work, in
 static double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
 static int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);
 static int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
-static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed);
+static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp);
 
 #endif

@@ -22,24 +22,27 @@ static double normal_contact__guess_penetration(double force, double A, double c
 static int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level)
 {
     int64_t block;
-    double guess;
-    double high;
     double low;
+    double high;
+    double grown;
     block = regions__region_block(region);
-    guess = sqrt(level / (4.0 * (*cspan_at(&work, block + regions__REGION_CURVATURE))));
-    if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > 0.0)
+    low = sqrt(level / (4.0 * (*cspan_at(&work, block + regions__REGION_CURVATURE))));
+    high = low;
+    if ((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0)
     {
-        guess = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+        grown = sqrt(level / (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)));
+        low = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) * grown;
+        high = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown;
     }
-    high = regions__zone_width(tables, work, state, block, 1.0, level, guess);
-    guess = high;
-    if ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) > 0.0)
+    high = regions__zone_width(tables, work, state, block, 1.0, level, high);
+    if (!((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0))
     {
-        guess = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
+        low = high;
     }
-    low = regions__zone_width(tables, work, state, block, -1.0, level, guess);
+    low = regions__zone_width(tables, work, state, block, -1.0, level, low);
     (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) = high;
     (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) = low;
+    (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) = level;
     (*cspan_at(&work, block + regions__REGION_MIDDLE)) = (*cspan_at(&work, block + regions__REGION_STATION)) + 0.5 * (high - low);
     return INT64_C(0);
 }
@@ -154,15 +157,14 @@ static int64_t normal_contact__solve_coarse(double* penetration, int64_t* count,
     {
         for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
         {
-            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LOW)) = 0.0;
-            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_HIGH)) = 0.0;
+            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
         }
         regions__open_contact_region(tables, work, state);
         (*count) = regions__find_regions(tables, work, state, side, 1.2 * guess);
         (*count) = regions__bound_regions(tables, work, state, (*count), normal_contact__COARSE_MERGE * guess);
         normal_contact__start_levels(work, (*count), guess);
         normal_contact__prepare_regions(tables, work, state, (*count), normal_contact__COARSE_NODES, normal_contact__COARSE_WINDOW, normal_contact__GUESS_FACTOR);
-        analyn__solve_levels(penetration, &met, tables, work, state, (*count), force, guess, INT64_C(0));
+        analyn__solve_levels(penetration, &met, tables, work, state, (*count), force, guess, INT64_C(0), normal_contact__COARSE_SHARP);
         if (met == INT64_C(0))
         {
             (*penetration) = guess;
@@ -194,8 +196,7 @@ static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count,
         by_penetration = INT64_C(1);
         for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
         {
-            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LOW)) = 0.0;
-            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_HIGH)) = 0.0;
+            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
         }
         (*count) = regions__find_regions(tables, work, state, side, (*penetration));
         (*count) = regions__bound_regions(tables, work, state, (*count), (*penetration));
@@ -239,7 +240,7 @@ static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result
     for (repeat = INT64_C(0); repeat < normal_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
         normal_contact__prepare_regions(tables, work, state, count, normal_contact__FINE_NODES, normal_contact__FINE_WINDOW, enlarge);
-        analyn__solve_levels(&penetration, &met, tables, work, state, count, force, start, by_penetration);
+        analyn__solve_levels(&penetration, &met, tables, work, state, count, force, start, by_penetration, analyn__FORCE_SHARP);
         if (met == INT64_C(0))
         {
             (*result_0_0001) = start;

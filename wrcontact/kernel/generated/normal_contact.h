@@ -20,13 +20,14 @@
 #include "patches.h"
 #include "regions.h"
 
-static const int64_t normal_contact__COARSE_NODES = INT64_C(8);
-static const int64_t normal_contact__COARSE_WINDOW = INT64_C(2);
-static const int64_t normal_contact__FINE_NODES = INT64_C(20);
-static const int64_t normal_contact__FINE_WINDOW = INT64_C(4);
+static const int64_t normal_contact__COARSE_NODES = INT64_C(5);
+static const int64_t normal_contact__COARSE_WINDOW = INT64_C(1);
+static const int64_t normal_contact__FINE_NODES = INT64_C(15);
+static const int64_t normal_contact__FINE_WINDOW = INT64_C(3);
 static const double normal_contact__TYPICAL_RATIO = 2.0;
 static const double normal_contact__GUESS_FACTOR = 1.5;
 static const double normal_contact__COARSE_MERGE = 0.6;
+static const double normal_contact__COARSE_SHARP = 1e-06;
 static const int64_t normal_contact__COARSE_REPEATS = INT64_C(8);
 static const int64_t normal_contact__COVER_REPEATS = INT64_C(6);
 static const double normal_contact__NARROWEST = 0.01;

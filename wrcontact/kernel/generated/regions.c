@@ -304,9 +304,9 @@ static double regions__zone_width(array_double_1d tables, array_double_1d work, 
     }
     contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
     tolerance = 0.001 * guess;
-    if (tolerance > regions__TRACE)
+    if (tolerance > regions__WIDTH_TRACE)
     {
-        tolerance = regions__TRACE;
+        tolerance = regions__WIDTH_TRACE;
     }
     root = sqrt(level);
     low = 0.0;
