@@ -1,9 +1,9 @@
 """Which wrcontact the tests see, as pytest reads this before any test: the installed one.
 
-``python -m pytest`` puts this folder in front of ``sys.path``, where ``wrcontact/`` is source without its compiled library.
-So this folder goes to the end: ``import wrcontact`` finds what pip installed (with ``pip install -e .`` that is the source
-here, compiled in place), and the source here only where nothing is installed.  The rest of the repository (build_fmu,
-benchmarks, tools, ...) is still found.
+``python -m pytest`` puts this folder in front of ``sys.path``, so that ``wrcontact/`` here would hide the installed package,
+and a file missing from that would not be noticed.  So this folder goes to the end: ``import wrcontact`` finds what pip
+installed (with ``pip install -e .`` that is the source here), and the source here only where nothing is installed.  The
+rest of the repository (build_fmu, benchmarks, tools, ...) is still found.
 
 An installed copy that is not of this source any more would be tested by mistake: that ends the run at once.
 """

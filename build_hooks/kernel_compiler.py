@@ -32,21 +32,28 @@ class CompilerProblem(Exception):
 def compile_library(target_folder, *, compiler=None, extra_flags=()):
     """Compile the kernel into ``target_folder`` and return the library's path.
 
-    ``compiler`` is a command as a list of words, by default the first that works.  The library is made under another name
-    and then moved: there is either a whole one or the one from before.
+    ``compiler`` is a command as a list of words, by default the first that works.
     """
     compiler = compiler or find_compiler()
     if compiler is None:
         raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were tried")
-    target = Path(target_folder) / LIBRARY_NAME
     with tempfile.TemporaryDirectory() as scratch:
         built = Path(scratch, LIBRARY_NAME)
         run = run_compiler(compiler, KERNEL / "native" / "wrcontact_kernel.c", built, extra_flags)
         if run.returncode:
             raise CompilerProblem(f"{' '.join(compiler)} failed on the kernel:\n{run.stdout}")
-        part = target.with_name(f"{target.name}.{os.getpid()}.part")
-        shutil.copyfile(built, part)
-    os.replace(part, target)
+        return place(built, target_folder)
+
+
+def place(library, folder):
+    """Copy a library into ``folder`` under another name and move it: there is a whole one, or the one from before."""
+    target = Path(folder) / LIBRARY_NAME
+    part = target.with_name(f"{target.name}.{os.getpid()}.part")
+    try:
+        shutil.copyfile(library, part)
+        os.replace(part, target)
+    finally:
+        part.unlink(missing_ok=True)
     return target
 
 

@@ -1,7 +1,9 @@
 """PEP 517 backend: setuptools, and the compiled kernel in the wheel.
 
 * Where no C compiler works, ``ziglang`` (a C compiler as a wheel) is asked for as a build requirement.
-* The library goes into the wheel, whose tag is then ``py3-none-<platform>``; an editable installation gets it in place.
+* The library goes into the wheel, whose tag is then ``py3-none-<platform>``, and beside its sources too: an editable
+  installation runs it there, and so does Python started in the checkout (``python -m benchmarks``), which finds the
+  package there before the installed one.  Git ignores it, and the loader refuses it once its sources are edited.
 * The FMU's sources, ``fmu_src`` at the top of the checkout, go into the wheel as ``wrcontact/fmu_src``.
 * Where compiling fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the package then runs
   its Python source, slowly, and says so.  pip shows the warning with ``-v`` only.
@@ -10,12 +12,13 @@
 """
 
 import atexit
+import contextlib
 import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-from kernel_compiler import KERNEL, LIBRARY_NAME, CompilerProblem, compile_library, requirements, wanted
+from kernel_compiler import KERNEL, LIBRARY_NAME, CompilerProblem, compile_library, place, requirements, wanted
 from setuptools import build_meta
 from setuptools.build_meta import *  # noqa: F401,F403  the hooks that stay as they are
 from setuptools.command.bdist_wheel import bdist_wheel
@@ -67,11 +70,14 @@ class PlatformWheel(bdist_wheel):
 
 
 def compiled_into(folder):
-    """Compile the library into ``folder``; False, after a warning, where that is not possible."""
+    """Compile the library into ``folder``, and into the checkout; False, after a warning, where that is not possible."""
     try:
-        compile_library(folder)
+        library = compile_library(folder)
     except (CompilerProblem, OSError) as problem:
         print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 times slower): {problem}",
               file=sys.stderr)
         return False
+    if folder != KERNEL:
+        with contextlib.suppress(OSError):          # a checkout that cannot be written to
+            place(library, KERNEL)
     return True

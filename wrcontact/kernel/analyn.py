@@ -107,12 +107,18 @@ def region_load(work: 'float[:]', region: int, level: float):
                 at = outward * (k + 1)
                 d_high = level - work[rises + at]
                 c_high = work[lines + at]
-                if d_low > 0.0 or d_high > 0.0:
+                f_low = c_low * d_low
+                f_high = c_high * d_high
+                if d_low > 0.0 and d_high > 0.0 and k < last - 1:
+                    # a fully loaded cell: quadratic_integral from 0 to 1
+                    load += 0.5 * (f_low + f_high) - bend_of(c_before * d_before, f_low, f_high) / 6.0
+                    stiffness += 0.5 * (c_low + c_high) - bend_of(c_before, c_low, c_high) / 6.0
+                elif d_low > 0.0 or d_high > 0.0:
                     start, stop = cell_part(d_before, d_low, d_high)
                     if k == last - 1:
                         stop = clip_to_bound(work, block, outward * k, outward, stop)
                     if stop > start:
-                        load += quadratic_integral(c_before * d_before, c_low * d_low, c_high * d_high, start, stop)
+                        load += quadratic_integral(c_before * d_before, f_low, f_high, start, stop)
                         stiffness += quadratic_integral(c_before, c_low, c_high, start, stop)
                 d_before = d_low
                 c_before = c_low

@@ -11,8 +11,8 @@ from typing import Final
 
 from .layout import (LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT,
                      WORK_CONTACT)
-from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel,
-                    outline_point, outline_rates)
+from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
+                    around_wheel, outline_jet, outline_point)
 from .profile_table import START, STOP, height_slope_bend
 
 # the contact frame, at WORK_CONTACT
@@ -81,7 +81,11 @@ def longitudinal_curvature(tables: 'float[:]', place: 'float[:]', at: int, z: fl
     """
     r = place[at + PLACE_RADIUS] + z
     curvature = 1.0 / r
-    if int(tables[SET_LONGITUDINAL]) != LONGITUDINAL_BASIC:
+    if int(tables[SET_LONGITUDINAL]) == LONGITUDINAL_BASIC:
+        return curvature
+    if place[at + PLACE_YAWED] == 0.0:
+        curvature = 1.0 / (r * sqrt(1.0 + slope * slope))
+    else:
         sin_phi, cos_phi = around_wheel(place, at, slope)
         e1 = place[at + PLACE_COS_YAW]
         e2 = place[at + PLACE_SIN_YAW] * place[at + PLACE_COS_ROLL]
@@ -158,8 +162,7 @@ def trace_wheel(tables: 'float[:]', work: 'float[:]', station: float, tolerance:
         if y > tables[wheel + STOP]:
             y = tables[wheel + STOP]
         z, slope, bend = height_slope_bend(tables, wheel, y)
-        y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-        stretch, outline_rate = outline_rates(work, at, z, slope, bend)
+        y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
         across = y_track - tables[SET_RAIL_Y] - work[FRAME_ABSCISSA]
         up = z_track + work[FRAME_SHIFT] - work[FRAME_HEIGHT]
         forward = stretch * (cosine + outline_slope * sine)

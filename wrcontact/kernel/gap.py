@@ -5,8 +5,8 @@ wheelset stands at vertical shift zero, so contact lies at the smallest gap and 
 """
 
 from .layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL
-from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, around_wheel, outline_point,
-                    outline_rates)
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, around_wheel,
+                    outline_jet, outline_point)
 from .profile_table import START, STOP, height_slope, height_slope_bend
 
 
@@ -22,8 +22,7 @@ def above_rail(tables: 'float[:]', abscissa: float):
 def vertical_gap(tables: 'float[:]', place: 'float[:]', at: int, y: float):
     """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m]."""
     z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-    y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
-    stretch, outline_rate = outline_rates(place, at, z, slope, bend)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, at, y, z, slope, bend)
     z_rail, rail_slope, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), y_track - tables[SET_RAIL_Y])
     return z_rail - z_track, rail_slope - outline_slope, rail_bend * stretch - outline_rate
 

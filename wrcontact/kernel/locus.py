@@ -103,13 +103,17 @@ def outline_point(place: 'float[:]', at: int, y: float, z: float, slope: float):
     return y_track, z_track, outline_slope
 
 
-def outline_rates(place: 'float[:]', at: int, z: float, slope: float, bend: float):
-    """Derivatives along the wheel's profile of the outline's lateral coordinate [-] and slope [1/m]."""
+def outline_jet(place: 'float[:]', at: int, y: float, z: float, slope: float, bend: float):
+    """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]."""
     sin_roll = place[at + PLACE_SIN_ROLL]
     cos_roll = place[at + PLACE_COS_ROLL]
+    arm = place[at + PLACE_ARM] + y
     r = place[at + PLACE_RADIUS] + z
     if place[at + PLACE_YAWED] == 0.0:
+        y_track = place[at + PLACE_SHIFT] + arm * cos_roll - r * sin_roll
+        z_track = arm * sin_roll + r * cos_roll - place[at + PLACE_RADIUS]
         stretch = cos_roll - slope * sin_roll
+        outline_slope = (slope * cos_roll + sin_roll) / stretch
         slope_rate = bend / (stretch * stretch)
     else:
         sin_yaw = place[at + PLACE_SIN_YAW]
@@ -119,11 +123,15 @@ def outline_rates(place: 'float[:]', at: int, z: float, slope: float, bend: floa
         phi_rate = 0.0
         if w * w < 1.0:
             phi_rate = -place[at + PLACE_W_PER_SLOPE] * bend / sqrt(1.0 - w * w)
+        y_track = (place[at + PLACE_SHIFT] + sin_yaw * r * sin_phi
+                   + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - place[at + PLACE_RADIUS]
         stretch = (sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate)
                    + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)))
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
         normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll)
         normal_z_rate = -sin_phi * phi_rate * cos_roll - bend * sin_roll
+        outline_slope = -normal_y / normal_z
         slope_rate = -(normal_y_rate * normal_z - normal_y * normal_z_rate) / (normal_z * normal_z)
-    return stretch, slope_rate
+    return y_track, z_track, outline_slope, stretch, slope_rate

@@ -4,7 +4,7 @@ A patch is a connected run of loaded strips.  Between nodes the line load and th
 are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
 """
 
-from math import asin, atan, pi, sqrt
+from math import asin, atan, fabs, pi, sqrt
 from typing import Final
 
 from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
@@ -12,7 +12,7 @@ from .layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENG
                      PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SET_RAIL, SIDE_AREA, SIDE_HALF_LENGTH,
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS)
-from .nodes import NODE_LENGTH, NODE_LINE, NODE_RISE, node_field
+from .nodes import (NODE_LENGTH, NODE_LINE, NODE_LOAD, NODE_PRESSURE, NODE_RISE, NODE_SQUARE, node_field)
 from .profile_table import height_slope
 from .regions import (REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_RAIL, REGION_SPACING,
                       REGION_STATION, region_block)
@@ -23,7 +23,7 @@ ISLAND_LIMIT: Final[int] = 8
 ISLAND_LOAD: Final[int] = 0
 ISLAND_AREA: Final[int] = 1
 ISLAND_MOMENT: Final[int] = 2        # integral of the line load times station [N m]
-ISLAND_PRESSURE: Final[int] = 3
+ISLAND_PRESSURE: Final[int] = 3      # squares of the largest pressure and half-length
 ISLAND_HALF_LENGTH: Final[int] = 4
 ISLAND_START: Final[int] = 5
 ISLAND_STOP: Final[int] = 6
@@ -81,29 +81,40 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
     return result
 
 
-def square_length(work: 'float[:]', region: int, level: float, k: int):
-    """Square of the half-length at node ``k`` [m^2]; negative where unloaded."""
-    return (level - work[node_field(region, NODE_RISE) + k]) / work[node_field(region, NODE_LENGTH) + k]
+def load_nodes(work: 'float[:]', region: int, level: float):
+    """Line load, square of half-length and of pressure at the region's nodes for its ``level`` [m]."""
+    block = region_block(region)
+    rises = node_field(region, NODE_RISE)
+    lines = node_field(region, NODE_LINE)
+    lengths = node_field(region, NODE_LENGTH)
+    loads = node_field(region, NODE_LOAD)
+    squares = node_field(region, NODE_SQUARE)
+    pressures = node_field(region, NODE_PRESSURE)
+    for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
+        d = level - work[rises + k]
+        load = work[lines + k] * d
+        work[loads + k] = load
+        work[squares + k] = d / work[lengths + k]
+        # p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A)
+        work[pressures + k] = 4.0 / (pi * pi) * work[lines + k] * load * work[lengths + k]
+    return 0
 
 
-def square_pressure(work: 'float[:]', region: int, level: float, k: int):
-    """Square of the pressure on x = 0 at node ``k`` [Pa^2]: p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A)."""
-    line = 2.0 / pi * work[node_field(region, NODE_LINE) + k]
-    return (line * line * (level - work[node_field(region, NODE_RISE) + k])
-            * work[node_field(region, NODE_LENGTH) + k])
-
-
-def peak_root(before: float, middle: float, after: float):
-    """Largest value of the parabola through the roots of three values, the middle one largest; its own root where a
-    neighbour is not positive."""
-    top = sqrt(middle)
-    if before > 0.0 and after > 0.0:
+def peak_square(work: 'float[:]', field: int, k: int):
+    """Square of the largest value of the parabola through the roots at nodes ``k`` - 1, ``k``, ``k`` + 1 of a field of
+    squares, where node ``k`` is a peak and both neighbours are loaded; else the node's own."""
+    square = work[field + k]
+    before = work[field + k - 1]
+    after = work[field + k + 1]
+    if before > 0.0 and after > 0.0 and square >= before and square >= after:
+        top = sqrt(square)
         left = sqrt(before)
         right = sqrt(after)
         bend = left - 2.0 * top + right
         if bend < 0.0:
             top -= (right - left) * (right - left) / (8.0 * bend)
-    return top
+            square = top * top
+    return square
 
 
 def open_island(work: 'float[:]', count: int, start: float, angle: float):
@@ -126,6 +137,7 @@ def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
         if level > 0.0:
             height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
             fresh = 1
+            load_nodes(work, region, level)
             for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
                 islands, fresh = gather_cell(work, region, level, k, islands, fresh, -atan(slope))
     return islands
@@ -164,43 +176,27 @@ def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: in
             islands += 1
         at = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
         work[at + ISLAND_STOP] = end
-        add_cell(work, region, level, before, low, high, start, stop, at, inner, spacing * float(outward))
+        add_cell(work, region, before, low, high, start, stop, at, inner, spacing * float(outward))
     return islands, fresh
 
 
-def add_cell(work: 'float[:]', region: int, level: float, before: int, low: int, high: int, start: float, stop: float,
-             at: int, inner: float, step: float):
-    """Add load, moment and area of a cell's loaded part to the island at ``at``, and its nodes' extremes."""
-    rises = node_field(region, NODE_RISE)
-    lines = node_field(region, NODE_LINE)
-    f_before = work[lines + before] * (level - work[rises + before])
-    f_low = work[lines + low] * (level - work[rises + low])
-    f_high = work[lines + high] * (level - work[rises + high])
-    width = step
-    if step < 0.0:
-        width = -step
-    load = width * quadratic_integral(f_before, f_low, f_high, start, stop)
+def add_cell(work: 'float[:]', region: int, before: int, low: int, high: int, start: float, stop: float, at: int,
+             inner: float, step: float):
+    """Add load, moment and area of a cell's loaded part to the island at ``at``, and its inner node's extremes."""
+    loads = node_field(region, NODE_LOAD)
+    squares = node_field(region, NODE_SQUARE)
+    pressures = node_field(region, NODE_PRESSURE)
+    width = fabs(step)
+    load = width * quadratic_integral(work[loads + before], work[loads + low], work[loads + high], start, stop)
+    moment = quadratic_moment(work[loads + before], work[loads + low], work[loads + high], start, stop)
+    area = root_integral(work[squares + before], work[squares + low], work[squares + high], start, stop)
     work[at + ISLAND_LOAD] += load
-    work[at + ISLAND_MOMENT] += inner * load + width * step * quadratic_moment(f_before, f_low, f_high, start, stop)
-    q_low = square_length(work, region, level, low)
-    q_before = square_length(work, region, level, before)
-    q_high = square_length(work, region, level, high)
-    work[at + ISLAND_AREA] += 2.0 * width * root_integral(q_before, q_low, q_high, start, stop)
-    if q_low > 0.0 and q_low >= q_before and q_low >= q_high:
-        half = peak_root(q_before, q_low, q_high)
-        if half > work[at + ISLAND_HALF_LENGTH]:
-            work[at + ISLAND_HALF_LENGTH] = half
-    elif q_low > 0.0 and sqrt(q_low) > work[at + ISLAND_HALF_LENGTH]:
-        work[at + ISLAND_HALF_LENGTH] = sqrt(q_low)
-    s_low = square_pressure(work, region, level, low)
-    s_before = square_pressure(work, region, level, before)
-    s_high = square_pressure(work, region, level, high)
-    if s_low > 0.0 and s_low >= s_before and s_low >= s_high:
-        pressure = peak_root(s_before, s_low, s_high)
-        if pressure > work[at + ISLAND_PRESSURE]:
-            work[at + ISLAND_PRESSURE] = pressure
-    elif s_low > 0.0 and sqrt(s_low) > work[at + ISLAND_PRESSURE]:
-        work[at + ISLAND_PRESSURE] = sqrt(s_low)
+    work[at + ISLAND_MOMENT] += inner * load + width * step * moment
+    work[at + ISLAND_AREA] += 2.0 * width * area
+    if work[squares + low] > work[at + ISLAND_HALF_LENGTH]:
+        work[at + ISLAND_HALF_LENGTH] = peak_square(work, squares, low)
+    if work[pressures + low] > work[at + ISLAND_PRESSURE]:
+        work[at + ISLAND_PRESSURE] = peak_square(work, pressures, low)
     return 0
 
 
@@ -223,8 +219,8 @@ def write_patches(work: 'float[:]', side: int, islands: int):
     work[side + SIDE_PATCH_COUNT] = float(islands)
     work[side + SIDE_NORMAL_FORCE] = load
     work[side + SIDE_AREA] = area
-    work[side + SIDE_MAX_PRESSURE] = pressure
-    work[side + SIDE_PATCH_LENGTH] = 2.0 * half
+    work[side + SIDE_MAX_PRESSURE] = sqrt(pressure)
+    work[side + SIDE_PATCH_LENGTH] = 2.0 * sqrt(half)
     if islands > 0:
         last = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
         work[side + SIDE_PATCH_WIDTH] = work[last + ISLAND_STOP] - work[WORK_ISLANDS + ISLAND_START]
@@ -248,8 +244,8 @@ def write_patch(work: 'float[:]', to: int, at: int):
     """One patch from the island at ``at`` to the outputs at ``to``."""
     work[to + PATCH_NORMAL_FORCE] = work[at + ISLAND_LOAD]
     work[to + PATCH_AREA] = work[at + ISLAND_AREA]
-    work[to + PATCH_MAX_PRESSURE] = work[at + ISLAND_PRESSURE]
-    work[to + PATCH_LENGTH] = 2.0 * work[at + ISLAND_HALF_LENGTH]
+    work[to + PATCH_MAX_PRESSURE] = sqrt(work[at + ISLAND_PRESSURE])
+    work[to + PATCH_LENGTH] = 2.0 * sqrt(work[at + ISLAND_HALF_LENGTH])
     work[to + PATCH_WIDTH] = work[at + ISLAND_STOP] - work[at + ISLAND_START]
     work[to + PATCH_CENTROID] = work[at + ISLAND_MOMENT] / work[at + ISLAND_LOAD]
     work[to + PATCH_CONTACT_ANGLE] = work[at + ISLAND_ANGLE]
@@ -292,12 +288,10 @@ def strip_at(work: 'float[:]', region: int, station: float):
         low = int(u)
         x = u - float(low)
         low = outward * low
-        length = quadratic_value(square_length(work, region, level, low - outward),
-                                 square_length(work, region, level, low),
-                                 square_length(work, region, level, low + outward), x)
-        square = quadratic_value(square_pressure(work, region, level, low - outward),
-                                 square_pressure(work, region, level, low),
-                                 square_pressure(work, region, level, low + outward), x)
+        squares = node_field(region, NODE_SQUARE) + low
+        pressures = node_field(region, NODE_PRESSURE) + low
+        length = quadratic_value(work[squares - outward], work[squares], work[squares + outward], x)
+        square = quadratic_value(work[pressures - outward], work[pressures], work[pressures + outward], x)
         if length > 0.0 and square > 0.0:
             half = sqrt(length)
             pressure = sqrt(square)

@@ -24,7 +24,7 @@ ROLL_SHARP: Final[float] = 1e-14
 SEARCHES: Final[int] = 60
 NEWTON_STEPS: Final[int] = 25
 #: Largest move of the roll in one Newton step with followed minima [rad]; larger ones are searched anew.
-LONGEST_TURN: Final[float] = 1e-4
+LONGEST_TURN: Final[float] = 5e-4
 
 LEFT: Final[int] = 302               # WORK_SIDE, and the right side after it
 RIGHT: Final[int] = 1966

@@ -40,7 +40,7 @@ NARROW: Final[float] = 3.2e-5
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
 #: A known minimum that moves by more than this in a Newton step is looked for anew [m].
-LONGEST_MOVE: Final[float] = 1e-4
+LONGEST_MOVE: Final[float] = 5e-4
 FOLLOW_ITERATIONS: Final[int] = 12
 #: The end of the rail is located to this [m].
 END_SHARP: Final[float] = 1e-9

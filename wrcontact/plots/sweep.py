@@ -98,7 +98,7 @@ def draw_jump(panel, jump, colour):
     shift, before, after = (length / MM for length in jump)
     panel.plot([shift, shift], [before, after], color=colour, linewidth=1, linestyle=":", gid="jump")
     inward = -1 if shift > 0 else 1
-    panel.annotate(f"{number(shift, 2)} mm", (shift, (before + after) / 2), (6 * inward, 0), textcoords="offset points",
+    panel.annotate(f"jump at {number(shift, 2)} mm", (shift, (before + after) / 2), (6 * inward, 0), textcoords="offset points",
                    ha="right" if inward < 0 else "left", va="center", fontsize=8, color=INK, bbox=BAND)
 
 

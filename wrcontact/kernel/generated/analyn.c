@@ -125,6 +125,8 @@ static int64_t analyn__region_load(double* result_0, double* result_1, array_dou
     int64_t at;
     double d_high;
     double c_high;
+    double f_low;
+    double f_high;
     double start;
     double stop;
     block = regions__region_block(region);
@@ -151,7 +153,15 @@ static int64_t analyn__region_load(double* result_0, double* result_1, array_dou
                 at = outward * (k + INT64_C(1));
                 d_high = level - (*cspan_at(&work, rises + at));
                 c_high = (*cspan_at(&work, lines + at));
-                if ((d_low > 0.0) || (d_high > 0.0))
+                f_low = c_low * d_low;
+                f_high = c_high * d_high;
+                if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
+                {
+                    /* a fully loaded cell: quadratic_integral from 0 to 1 */
+                    load += 0.5 * (f_low + f_high) - analyn__bend_of(c_before * d_before, f_low, f_high) / 6.0;
+                    stiffness += 0.5 * (c_low + c_high) - analyn__bend_of(c_before, c_low, c_high) / 6.0;
+                }
+                else if ((d_low > 0.0) || (d_high > 0.0))
                 {
                     analyn__cell_part(&start, &stop, d_before, d_low, d_high);
                     if (k == last - INT64_C(1))
@@ -160,7 +170,7 @@ static int64_t analyn__region_load(double* result_0, double* result_1, array_dou
                     }
                     if (stop > start)
                     {
-                        load += analyn__quadratic_integral(c_before * d_before, c_low * d_low, c_high * d_high, start, stop);
+                        load += analyn__quadratic_integral(c_before * d_before, f_low, f_high, start, stop);
                         stiffness += analyn__quadratic_integral(c_before, c_low, c_high, start, stop);
                     }
                 }

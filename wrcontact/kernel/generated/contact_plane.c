@@ -73,7 +73,15 @@ static double contact_plane__longitudinal_curvature(array_double_1d tables, arra
     double curvature;
     r = (*cspan_at(&place, at + locus__PLACE_RADIUS)) + z;
     curvature = 1.0 / r;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
+    if ((int64_t)((*cspan_at(&tables, layout__SET_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    {
+        return curvature;
+    }
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) == 0.0)
+    {
+        curvature = 1.0 / (r * sqrt(1.0 + slope * slope));
+    }
+    else
     {
         locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
         e1 = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
@@ -209,8 +217,7 @@ static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double
             y = (*cspan_at(&tables, wheel + profile_table__STOP));
         }
         profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
-        locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-        locus__outline_rates(&stretch, &outline_rate, work, at, z, slope, bend);
+        locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, z, slope, bend);
         across = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
         up = z_track + (*cspan_at(&work, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
         forward = stretch * (cosine + outline_slope * sine);

@@ -37,8 +37,7 @@ static int64_t gap__vertical_gap(double* result_0, double* result_1, double* res
     double rail_slope;
     double rail_bend;
     profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, place, at, y, z, slope);
-    locus__outline_rates(&stretch, &outline_rate, place, at, z, slope, bend);
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, place, at, y, z, slope, bend);
     profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)));
     (*result_0) = z_rail - z_track;
     (*result_1) = rail_slope - outline_slope;

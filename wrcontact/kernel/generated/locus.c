@@ -124,11 +124,12 @@ static int64_t locus__outline_point(double* y_track, double* z_track, double* ou
     return 0;
 }
 
-/* Derivatives along the wheel's profile of the outline's lateral coordinate [-] and slope [1/m]. */
-static int64_t locus__outline_rates(double* stretch, double* slope_rate, array_double_1d place, int64_t at, double z, double slope, double bend)
+/* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]. */
+static int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend)
 {
     double sin_roll;
     double cos_roll;
+    double arm;
     double r;
     double sin_yaw;
     double cos_yaw;
@@ -142,10 +143,14 @@ static int64_t locus__outline_rates(double* stretch, double* slope_rate, array_d
     double normal_z_rate;
     sin_roll = (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
     cos_roll = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
+    arm = (*cspan_at(&place, at + locus__PLACE_ARM)) + y;
     r = (*cspan_at(&place, at + locus__PLACE_RADIUS)) + z;
     if ((*cspan_at(&place, at + locus__PLACE_YAWED)) == 0.0)
     {
+        (*y_track) = (*cspan_at(&place, at + locus__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&place, at + locus__PLACE_RADIUS));
         (*stretch) = cos_roll - slope * sin_roll;
+        (*outline_slope) = (slope * cos_roll + sin_roll) / (*stretch);
         (*slope_rate) = bend / ((*stretch) * (*stretch));
     }
     else
@@ -159,11 +164,14 @@ static int64_t locus__outline_rates(double* stretch, double* slope_rate, array_d
         {
             phi_rate = (-(*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE))) * bend / sqrt(1.0 - w * w);
         }
+        (*y_track) = (*cspan_at(&place, at + locus__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
+        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&place, at + locus__PLACE_RADIUS));
         (*stretch) = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate));
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll);
         normal_z_rate = (-sin_phi) * phi_rate * cos_roll - bend * sin_roll;
+        (*outline_slope) = (-normal_y) / normal_z;
         (*slope_rate) = (-(normal_y_rate * normal_z - normal_y * normal_z_rate)) / (normal_z * normal_z);
     }
     return 0;

@@ -33,6 +33,6 @@ static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double l
 static int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to);
 static int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope);
 static int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope);
-static int64_t locus__outline_rates(double* stretch, double* slope_rate, array_double_1d place, int64_t at, double z, double slope, double bend);
+static int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend);
 
 #endif

@@ -87,45 +87,68 @@ static double patches__root_integral(double before, double low, double high, dou
     return result;
 }
 
-/* Square of the half-length at node ``k`` [m^2]; negative where unloaded. */
-static double patches__square_length(array_double_1d work, int64_t region, double level, int64_t k)
+/* Line load, square of half-length and of pressure at the region's nodes for its ``level`` [m]. */
+static int64_t patches__load_nodes(array_double_1d work, int64_t region, double level)
 {
-    double result;
-    result = (level - (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k))) / (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LENGTH) + k));
-    return result;
+    int64_t block;
+    int64_t rises;
+    int64_t lines;
+    int64_t lengths;
+    int64_t loads;
+    int64_t squares;
+    int64_t pressures;
+    int64_t k_end;
+    int64_t k;
+    double d;
+    double load;
+    block = regions__region_block(region);
+    rises = nodes__node_field(region, nodes__NODE_RISE);
+    lines = nodes__node_field(region, nodes__NODE_LINE);
+    lengths = nodes__node_field(region, nodes__NODE_LENGTH);
+    loads = nodes__node_field(region, nodes__NODE_LOAD);
+    squares = nodes__node_field(region, nodes__NODE_SQUARE);
+    pressures = nodes__node_field(region, nodes__NODE_PRESSURE);
+    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        d = level - (*cspan_at(&work, rises + k));
+        load = (*cspan_at(&work, lines + k)) * d;
+        (*cspan_at(&work, loads + k)) = load;
+        (*cspan_at(&work, squares + k)) = d / (*cspan_at(&work, lengths + k));
+        /* p0 = (2/pi) (E* /(n r)) sqrt(d (1 + alpha) A) */
+        (*cspan_at(&work, pressures + k)) = 4.0 / (M_PI * M_PI) * (*cspan_at(&work, lines + k)) * load * (*cspan_at(&work, lengths + k));
+    }
+    return INT64_C(0);
 }
 
-/* Square of the pressure on x = 0 at node ``k`` [Pa^2]: p0 = (2/pi) (E* /(n r)) sqrt(d (1 + alpha) A). */
-static double patches__square_pressure(array_double_1d work, int64_t region, double level, int64_t k)
-{
-    double line;
-    double result;
-    line = 2.0 / M_PI * (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LINE) + k));
-    result = line * line * (level - (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k))) * (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LENGTH) + k));
-    return result;
-}
-
-/* Largest value of the parabola through the roots of three values, the middle one largest; its own root where a
- * neighbour is not positive.
+/* Square of the largest value of the parabola through the roots at nodes ``k`` - 1, ``k``, ``k`` + 1 of a field of
+ * squares, where node ``k`` is a peak and both neighbours are loaded; else the node's own.
  */
-static double patches__peak_root(double before, double middle, double after)
+static double patches__peak_square(array_double_1d work, int64_t field, int64_t k)
 {
+    double before;
+    double after;
+    double top;
     double left;
     double right;
     double bend;
-    double top;
-    top = sqrt(middle);
-    if ((before > 0.0) && (after > 0.0))
+    double square;
+    square = (*cspan_at(&work, field + k));
+    before = (*cspan_at(&work, field + k - INT64_C(1)));
+    after = (*cspan_at(&work, field + k + INT64_C(1)));
+    if ((before > 0.0) && (after > 0.0) && (square >= before) && (square >= after))
     {
+        top = sqrt(square);
         left = sqrt(before);
         right = sqrt(after);
         bend = left - 2.0 * top + right;
         if (bend < 0.0)
         {
             top -= (right - left) * (right - left) / (8.0 * bend);
+            square = top * top;
         }
     }
-    return top;
+    return square;
 }
 
 /* Begin island ``count`` at station ``start``. */
@@ -165,6 +188,7 @@ static int64_t patches__gather_islands(array_double_1d tables, array_double_1d w
         {
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
             fresh = INT64_C(1);
+            patches__load_nodes(work, region, level);
             k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
@@ -237,74 +261,40 @@ static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_
         }
         at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1));
         (*cspan_at(&work, at + patches__ISLAND_STOP)) = end;
-        patches__add_cell(work, region, level, before, low, high, start, stop, at, inner, spacing * (double)(outward));
+        patches__add_cell(work, region, before, low, high, start, stop, at, inner, spacing * (double)(outward));
     }
     (*result_0) = islands;
     (*result_1) = fresh;
     return 0;
 }
 
-/* Add load, moment and area of a cell's loaded part to the island at ``at``, and its nodes' extremes. */
-static int64_t patches__add_cell(array_double_1d work, int64_t region, double level, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step)
+/* Add load, moment and area of a cell's loaded part to the island at ``at``, and its inner node's extremes. */
+static int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step)
 {
-    int64_t rises;
-    int64_t lines;
-    double f_before;
-    double f_low;
-    double f_high;
+    int64_t loads;
+    int64_t squares;
+    int64_t pressures;
     double width;
     double load;
-    double q_low;
-    double q_before;
-    double q_high;
-    double half;
-    double s_low;
-    double s_before;
-    double s_high;
-    double pressure;
-    rises = nodes__node_field(region, nodes__NODE_RISE);
-    lines = nodes__node_field(region, nodes__NODE_LINE);
-    f_before = (*cspan_at(&work, lines + before)) * (level - (*cspan_at(&work, rises + before)));
-    f_low = (*cspan_at(&work, lines + low)) * (level - (*cspan_at(&work, rises + low)));
-    f_high = (*cspan_at(&work, lines + high)) * (level - (*cspan_at(&work, rises + high)));
-    width = step;
-    if (step < 0.0)
-    {
-        width = -step;
-    }
-    load = width * analyn__quadratic_integral(f_before, f_low, f_high, start, stop);
+    double moment;
+    double area;
+    loads = nodes__node_field(region, nodes__NODE_LOAD);
+    squares = nodes__node_field(region, nodes__NODE_SQUARE);
+    pressures = nodes__node_field(region, nodes__NODE_PRESSURE);
+    width = fabs(step);
+    load = width * analyn__quadratic_integral((*cspan_at(&work, loads + before)), (*cspan_at(&work, loads + low)), (*cspan_at(&work, loads + high)), start, stop);
+    moment = patches__quadratic_moment((*cspan_at(&work, loads + before)), (*cspan_at(&work, loads + low)), (*cspan_at(&work, loads + high)), start, stop);
+    area = patches__root_integral((*cspan_at(&work, squares + before)), (*cspan_at(&work, squares + low)), (*cspan_at(&work, squares + high)), start, stop);
     (*cspan_at(&work, at + patches__ISLAND_LOAD)) += load;
-    (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += inner * load + width * step * patches__quadratic_moment(f_before, f_low, f_high, start, stop);
-    q_low = patches__square_length(work, region, level, low);
-    q_before = patches__square_length(work, region, level, before);
-    q_high = patches__square_length(work, region, level, high);
-    (*cspan_at(&work, at + patches__ISLAND_AREA)) += 2.0 * width * patches__root_integral(q_before, q_low, q_high, start, stop);
-    if ((q_low > 0.0) && (q_low >= q_before) && (q_low >= q_high))
+    (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += inner * load + width * step * moment;
+    (*cspan_at(&work, at + patches__ISLAND_AREA)) += 2.0 * width * area;
+    if ((*cspan_at(&work, squares + low)) > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)))
     {
-        half = patches__peak_root(q_before, q_low, q_high);
-        if (half > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)))
-        {
-            (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = half;
-        }
+        (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = patches__peak_square(work, squares, low);
     }
-    else if ((q_low > 0.0) && (sqrt(q_low) > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH))))
+    if ((*cspan_at(&work, pressures + low)) > (*cspan_at(&work, at + patches__ISLAND_PRESSURE)))
     {
-        (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = sqrt(q_low);
-    }
-    s_low = patches__square_pressure(work, region, level, low);
-    s_before = patches__square_pressure(work, region, level, before);
-    s_high = patches__square_pressure(work, region, level, high);
-    if ((s_low > 0.0) && (s_low >= s_before) && (s_low >= s_high))
-    {
-        pressure = patches__peak_root(s_before, s_low, s_high);
-        if (pressure > (*cspan_at(&work, at + patches__ISLAND_PRESSURE)))
-        {
-            (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = pressure;
-        }
-    }
-    else if ((s_low > 0.0) && (sqrt(s_low) > (*cspan_at(&work, at + patches__ISLAND_PRESSURE))))
-    {
-        (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = sqrt(s_low);
+        (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = patches__peak_square(work, pressures, low);
     }
     return INT64_C(0);
 }
@@ -345,8 +335,8 @@ static int64_t patches__write_patches(array_double_1d work, int64_t side, int64_
     (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = (double)(islands);
     (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
     (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * half;
+    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = sqrt(pressure);
+    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * sqrt(half);
     if (islands > INT64_C(0))
     {
         last = layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1));
@@ -385,8 +375,8 @@ static int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at
 {
     (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, at + patches__ISLAND_LOAD));
     (*cspan_at(&work, to + layout__PATCH_AREA)) = (*cspan_at(&work, at + patches__ISLAND_AREA));
-    (*cspan_at(&work, to + layout__PATCH_MAX_PRESSURE)) = (*cspan_at(&work, at + patches__ISLAND_PRESSURE));
-    (*cspan_at(&work, to + layout__PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH));
+    (*cspan_at(&work, to + layout__PATCH_MAX_PRESSURE)) = sqrt((*cspan_at(&work, at + patches__ISLAND_PRESSURE)));
+    (*cspan_at(&work, to + layout__PATCH_LENGTH)) = 2.0 * sqrt((*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)));
     (*cspan_at(&work, to + layout__PATCH_WIDTH)) = (*cspan_at(&work, at + patches__ISLAND_STOP)) - (*cspan_at(&work, at + patches__ISLAND_START));
     (*cspan_at(&work, to + layout__PATCH_CENTROID)) = (*cspan_at(&work, at + patches__ISLAND_MOMENT)) / (*cspan_at(&work, at + patches__ISLAND_LOAD));
     (*cspan_at(&work, to + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, at + patches__ISLAND_ANGLE));
@@ -442,6 +432,8 @@ static int64_t patches__strip_at(double* half, double* pressure, array_double_1d
     int64_t outward;
     int64_t low;
     double x;
+    int64_t squares;
+    int64_t pressures;
     double length;
     double square;
     block = regions__region_block(region);
@@ -461,8 +453,10 @@ static int64_t patches__strip_at(double* half, double* pressure, array_double_1d
         low = (int64_t)(u);
         x = u - (double)(low);
         low = outward * low;
-        length = patches__quadratic_value(patches__square_length(work, region, level, low - outward), patches__square_length(work, region, level, low), patches__square_length(work, region, level, low + outward), x);
-        square = patches__quadratic_value(patches__square_pressure(work, region, level, low - outward), patches__square_pressure(work, region, level, low), patches__square_pressure(work, region, level, low + outward), x);
+        squares = nodes__node_field(region, nodes__NODE_SQUARE) + low;
+        pressures = nodes__node_field(region, nodes__NODE_PRESSURE) + low;
+        length = patches__quadratic_value((*cspan_at(&work, squares - outward)), (*cspan_at(&work, squares)), (*cspan_at(&work, squares + outward)), x);
+        square = patches__quadratic_value((*cspan_at(&work, pressures - outward)), (*cspan_at(&work, pressures)), (*cspan_at(&work, pressures + outward)), x);
         if ((length > 0.0) && (square > 0.0))
         {
             (*half) = sqrt(length);

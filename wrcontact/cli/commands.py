@@ -1,0 +1,130 @@
+"""The commands ``demo``, ``solve``, ``sweep`` and ``plot``."""
+
+import sys
+from pathlib import Path
+from typing import Annotated, Optional
+
+import numpy as np
+import typer
+
+from .. import ContactSystem
+from ..status import Status
+from .door import Door, Refused, sentences
+from .options import LOAD, POSE, SYSTEM, number, takes
+from .report import columns_of, print_state, print_sweep, sentence, state_text, sweep_remark, write_table
+
+main = typer.Typer(
+    name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="rich",
+    help="Where the wheels of a wheelset touch their rails, how the wheelset rolls, and how large and how loaded the contact "
+         "patches are. Lengths in mm, angles in deg, forces in kN, pressures in MPa.")
+MOST_ROWS = 1_000_000
+PICTURES = (".png", ".svg", ".pdf")
+
+
+def millimetres(option, words):
+    """An option for a length."""
+    return typer.Option(option, help=words, parser=number, metavar="NUMBER")
+
+
+@main.callback(invoke_without_command=True)
+def welcome(context: typer.Context):
+    if context.invoked_subcommand is None:
+        print(context.get_help())
+
+
+@main.command()
+def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the FMU, the table and the picture")]
+         = Path("wrcontact-demo")):
+    """Build the FMU, run it over tread, flange root and flange, and check it.
+
+    The FMU steps through a stored run of a hunting wheelset. Its answers are compared with the stored ones: roll and contact
+    positions from an independent search, penetration, area and pressure from an elastic half-space. A table of all outputs and
+    a picture are left in the folder. The exit code is 1 if a check fails.
+    """
+    from .demo import run_demo
+
+    with sentences():
+        passed = run_demo(output)
+    raise typer.Exit(0 if passed else 1)
+
+
+@main.command()
+@takes(pose=POSE, system=SYSTEM)
+def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON in SI units")] = False):
+    """Solve one pose and print the contact of both wheels side by side.
+
+    Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
+    """
+    system, state = _evaluated(system, pose)
+    words = sentence(state.status, state.inputs)
+    if as_json:
+        print(state_text(state))
+    elif state.status <= Status.UNLOADED:
+        print_state(system, state)
+    if state.status > Status.UNLOADED:
+        raise Refused(words)
+    if words and not as_json:
+        print(words)
+
+
+@main.command()
+@takes(load=LOAD, system=SYSTEM)
+def sweep(load, system,
+          start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
+          stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
+          step: Annotated[float, millimetres("--step-mm", "From one lateral shift to the next, in mm")] = 0.5,
+          file: Annotated[Optional[Path], typer.Option("--csv", metavar="FILE", help="Write all outputs to this file, in SI "
+                          "under the names of the FMU, instead of printing a few")] = None):
+    """Move the wheelset across the track and tabulate its contacts.
+
+    Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --csv sweep.csv
+    """
+    shifts = _shifts(start, stop, step)
+    with sentences():
+        table = ContactSystem(**system).evaluate_many(lateral_shift=shifts, **load)
+        if file:
+            write_table(file, columns_of(table))
+            print(f"{len(table)} rows written to {file}")
+        else:
+            print_sweep(table)
+    remark = sweep_remark(table)
+    if remark:
+        print(f"wrcontact: {remark}", file=sys.stderr)
+
+
+@main.command()
+@takes(pose=POSE, system=SYSTEM)
+def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help="Picture to write: .png, .svg or .pdf")]
+         = Path("pose.png")):
+    """Draw one pose: both wheels on their rails, and the contact patches with their pressure.
+
+    Example: wrcontact plot --lateral-shift-mm 5 --output pose.png
+    """
+    from ..plots import pose_figure, save
+
+    if output.suffix.lower() not in PICTURES:
+        raise Refused(f"--output is {str(output)!r}; permitted are files that end in {', '.join(PICTURES)}")
+    system, state = _evaluated(system, pose)
+    if state.status > Status.UNLOADED:
+        raise Refused(sentence(state.status, state.inputs))
+    with sentences():
+        save(pose_figure(system, state), output)
+    print(f"picture written to {output}")
+
+
+def _evaluated(parameters, pose):
+    """The contact system of these parameters, and its state at this pose."""
+    with sentences():
+        system = ContactSystem(**parameters)
+    return system, system.evaluate(**pose)
+
+
+def _shifts(start, stop, step):
+    """Lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm] fits."""
+    if not all(map(np.isfinite, (start, stop, step))) or not step > 0 or stop < start:
+        raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} is no sweep; permitted are finite numbers "
+                      f"with --step-mm > 0 and --to-mm >= --from-mm")
+    count = int((stop - start) / step + 1e-9) + 1
+    if count > MOST_ROWS:
+        raise Refused(f"--step-mm {step:g} makes {count} rows; permitted are {MOST_ROWS}")
+    return np.round(start + step * np.arange(count), 9) / 1e3

@@ -1,0 +1,177 @@
+"""``wrcontact demo``: build the FMU, step it through the stored run, compare, tabulate, draw."""
+
+import csv
+import time
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from rich import box
+from rich.table import Table
+
+from ..conventions import MILLIMETRE, SIDES
+from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, VARIABLES, select
+from .report import console, write_table
+
+RUN = "hunting.csv"
+CSV_NAME, PICTURE_NAME = "demo.csv", "demo.png"
+
+POSITIONS = tuple(f"contact.{name}" for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track"))
+#: What is compared: quantity, its variables (of each wheel where the name says no wheel has them), tolerance, unit of both.
+#: A tolerance in % is a share of the stored value.
+WHEELSET, WHEELS = ("",), tuple(f"{side}." for side in SIDES)
+TOLERANCES = (
+    ("roll", WHEELSET, ("roll",), 1e-9, "rad"),
+    ("vertical shift", WHEELSET, ("vertical_shift",), 1e-3, "mm"),
+    ("contact positions", WHEELS, POSITIONS, 1e-3, "mm"),
+    ("rolling radius", WHEELS, ("rolling_radius",), 1e-3, "mm"),
+    ("penetration", WHEELS, ("penetration",), 5.0, "%"),
+    ("area", WHEELS, ("area",), 12.0, "%"),
+    ("largest pressure", WHEELS, ("max_pressure",), 15.0, "%"),
+)
+
+
+@dataclass(frozen=True)
+class Check:
+    """One quantity of a run against its stored values: the largest deviation, and where it is."""
+
+    quantity: str
+    deviation: float
+    tolerance: float
+    unit: str
+    within: int  # values within the tolerance
+    count: int  # values compared
+    place: str
+
+    @property
+    def passed(self):
+        return self.within == self.count
+
+
+def run_demo(folder):
+    """The whole demo into ``folder``; True if every check passes."""
+    from ..fmu import build_fmu
+
+    stored = stored_run()
+    fmu = build_fmu(folder)
+    answers, seconds = step_through(fmu, stored)
+    checks = compare(answers, stored)
+    inputs = {v.name: stored[v.name] for v in VARIABLES if v.causality == INPUT}
+    write_table(Path(folder, CSV_NAME), {"time": stored["time"], **inputs, **answers})
+    draw(Path(folder, PICTURE_NAME), answers, stored)
+    return tell(folder, fmu, checks, seconds)
+
+
+def stored_run():
+    """The stored run: inputs and expected outputs, arrays (n,) by FMU name in SI."""
+    with files(__package__).joinpath("data", RUN).open(encoding="utf-8", newline="") as file:
+        names, *rows = csv.reader(file)
+    return dict(zip(names, np.array(rows, dtype=float).T))
+
+
+def step_through(fmu, stored):
+    """All outputs of the FMU after each row of the run, by name, and the time of each step [s].
+
+    A step is what a simulation does: set the inputs, step, read every output.
+    """
+    import fmpy
+
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        slave = _started(fmpy.extract(str(fmu), unzipdir=folder))
+        inputs, reals, integers = select(INPUT), select(OUTPUT, REAL), select(OUTPUT, INTEGER)
+        rows = np.column_stack([stored[VARIABLES[reference].name] for reference in inputs]).tolist()
+        instants, seen, seconds = stored["time"], [], []
+        for now, step_size, row in zip(instants, np.diff(instants, append=2 * instants[-1] - instants[-2]), rows):
+            start = time.perf_counter()
+            slave.setReal(inputs, row)
+            slave.doStep(now, step_size)
+            seen.append(slave.getReal(reals) + slave.getInteger(integers))
+            seconds.append(time.perf_counter() - start)
+        slave.terminate()
+        slave.freeInstance()
+    by_reference = dict(zip(reals + integers, np.array(seen, dtype=float).T))
+    return {VARIABLES[r].name: by_reference[r] for r in sorted(by_reference)}, np.array(seconds)
+
+
+def _started(folder):
+    """An initialised instance of the unpacked FMU."""
+    from fmpy import read_model_description
+    from fmpy.fmi2 import FMU2Slave
+
+    description = read_model_description(folder)
+    slave = FMU2Slave(guid=description.guid, unzipDirectory=folder, instanceName="demo",
+                      modelIdentifier=description.coSimulation.modelIdentifier)
+    slave.instantiate()
+    slave.setupExperiment(startTime=0.0)
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+    return slave
+
+
+# --- checks --------------------------------------------------------------------------------------
+
+
+def compare(answers, stored):
+    """Checks of the run against its stored values, one for each quantity, and one of the status."""
+    wrong = np.flatnonzero(answers["status"])
+    count, place = len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f} mm" if len(wrong) else ""
+    status = Check("steps with a status", float(len(wrong)), 0.0, "", count - len(wrong), count, place)
+    return [status, *(check_quantity(answers, stored, *row) for row in TOLERANCES)]
+
+
+def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
+    """The largest deviation of the variables ``names`` of ``owners``, in ``unit``."""
+    variables = [owner + name for owner in owners for name in names]
+    deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
+    which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)), deviations.shape)
+    wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
+    place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f} mm{wheel}"
+    return Check(quantity, float(deviations[which, row]), tolerance, unit, int(np.sum(deviations <= tolerance)), deviations.size, place)
+
+
+def deviation(found, wanted, unit):
+    """How far ``found`` (n,) is from ``wanted``, both in SI, in ``unit``: mm, rad, or % of the wanted value."""
+    difference = np.abs(found - wanted)
+    if unit == "%":
+        return 100 * difference / np.abs(wanted)
+    return difference / MILLIMETRE if unit == "mm" else difference
+
+
+# --- what is shown -------------------------------------------------------------------------------
+
+
+def draw(path, answers, stored):
+    """The picture of the run."""
+    from .. import ContactSystem
+    from ..plots import demo_figure, save
+
+    save(demo_figure(ContactSystem(), answers, stored), path)
+
+
+def tell(folder, fmu, checks, seconds):
+    """Print the summary; True if every check passed."""
+    failed = [check.quantity for check in checks if not check.passed]
+    cost = f"{len(seconds)} steps, {1e3 * np.median(seconds):.3f} ms each (median: inputs set, stepped, all outputs read)"
+    lines = [cost, f"{fmu}: the FMU", f"{Path(folder, CSV_NAME)}: all outputs of the run, in SI",
+             f"{Path(folder, PICTURE_NAME)}: the picture",
+             f"FAILED: {', '.join(failed)}" if failed else "PASSED: every output is within its tolerance"]
+    out = console()
+    out.print("The FMU against the stored run: a hunting wheelset over tread, flange root and flange", soft_wrap=True)
+    out.print(check_table(checks))
+    for line in lines:
+        out.print(line, soft_wrap=True)
+    return not failed
+
+
+def check_table(checks):
+    """Quantity, largest deviation and the lateral shift and wheel where it is, tolerance, values within it, verdict."""
+    table = Table("quantity", "unit", box=box.SIMPLE_HEAD)
+    for heading in ("largest\ndeviation", "at", "tolerance", "within"):
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("verdict")
+    for check in checks:
+        table.add_row(check.quantity, check.unit, f"{check.deviation:.2g}", check.place, f"{check.tolerance:g}",
+                      f"{check.within}/{check.count}", "ok" if check.passed else "FAILED", style=None if check.passed else "bold red")
+    return table

@@ -1,0 +1,46 @@
+"""How the command line refuses: one sentence on the error stream and exit code 2, whoever noticed."""
+
+import sys
+from contextlib import contextmanager
+
+import typer
+from typer.core import TyperGroup
+
+#: What typer raises for a wrong option, under whatever name its version keeps it.
+UsageError = typer.BadParameter.__base__
+
+
+class Refused(Exception):
+    """What was asked for cannot be done; the sentence says why."""
+
+
+class Door(TyperGroup):
+    """The commands; a refusal is a sentence, never a picture of the usage or a traceback."""
+
+    def main(self, *arguments, standalone_mode=True, **options):
+        try:
+            code = super().main(*arguments, standalone_mode=False, **options)
+        except Refused as refusal:
+            code = _say(str(refusal))
+        except UsageError as wrong:
+            code = _say(wrong.format_message())
+        if standalone_mode:
+            sys.exit(code)
+        return code
+
+
+def _say(sentence):
+    """Print the sentence in one line; the exit code that goes with it."""
+    print(f"wrcontact: {' '.join(sentence.split())}", file=sys.stderr)
+    return 2
+
+
+@contextmanager
+def sentences():
+    """Inside, a ValueError (the package's sentences) and a file that cannot be read or written are refusals."""
+    try:
+        yield
+    except ValueError as wrong:
+        raise Refused(str(wrong)) from None
+    except OSError as wrong:
+        raise Refused(f"{wrong.filename or 'a file'}: {wrong.strerror or wrong}") from None

@@ -1,0 +1,156 @@
+"""What the command line prints and writes: one state, a sweep, and tables under the names of the FMU."""
+
+import csv
+import json
+import math
+from operator import attrgetter
+
+import numpy as np
+from rich import box
+from rich.console import Console
+from rich.table import Table
+
+from ..conventions import SIDES
+from ..interface.variables import INPUT, INTEGER, OUTLINE_TABLE, OUTPUT, PATCH_TABLE, SIDE_TABLE, UNITS, VARIABLES
+from ..status import INPUT_NAMES, Status, explain
+
+#: Digits after the point by display unit.
+DIGITS = {"mm": 4, "deg": 4, "kN": 3, "MPa": 1, "mm2": 2}
+#: What :func:`~wrcontact.status.explain` says of outputs that go on in time; here there is nothing to keep.
+KEPT = "; the outputs keep their last valid values"
+
+SIDE_ROWS = [(name, unit) for name, _, unit, *_ in SIDE_TABLE]
+PATCH_ROWS = [(name, unit) for name, _, unit, *_ in PATCH_TABLE]
+OUTLINE_NAMES = [name for name, *_ in OUTLINE_TABLE]
+#: Of each wheel in a printed sweep: heading, name, digits after the point.
+SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
+
+
+def sentence(status, inputs):
+    """What a status means for these five inputs, in one sentence; "" for a valid one."""
+    return explain(status, inputs).removesuffix(KEPT)
+
+
+def shown(value, unit, digits=None):
+    """A value in SI as text in its display unit."""
+    value = float(value) * UNITS[unit].display_factor
+    digits = DIGITS.get(UNITS[unit].display, 4) if digits is None else digits
+    return "-" if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
+
+
+def unit_name(unit):
+    """The display unit's name; "" for plain numbers."""
+    return UNITS[unit].display or ("" if unit == "1" else unit)
+
+
+def console():
+    """Where tables go; brackets are brackets."""
+    return Console(markup=False, highlight=False)
+
+
+# --- one state -----------------------------------------------------------------------------------
+
+
+def print_state(system, state):
+    """One state in display units, left and right side by side."""
+    shift, yaw, _, force, transfer = state.inputs
+    out = console()
+    out.print(f"{system.wheel.name} on {system.rail.name}: lateral shift {shown(shift, 'm')} mm, yaw {shown(yaw, 'rad')} deg, "
+              f"normal force {shown(force, 'N')} kN per wheel, load transfer {transfer:g}", soft_wrap=True)
+    out.print(f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
+              f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)
+    out.print(state_table(state))
+
+
+def state_table(state):
+    """Quantity, unit, left, right."""
+    table = Table("quantity", "unit", box=box.SIMPLE_HEAD)
+    for side in SIDES:
+        table.add_column(side, justify="right")
+    sides = [getattr(state, side) for side in SIDES]
+    table.add_row("patch_count", "", *(str(side.patch_count) for side in sides))
+    for name, unit in SIDE_ROWS:
+        table.add_row(name, unit_name(unit), *(shown(attrgetter(name)(side), unit) for side in sides))
+    most = max(side.patch_count for side in sides)
+    for k in range(most if most > 1 else 0):
+        table.add_section()
+        for name, unit in PATCH_ROWS:
+            table.add_row(f"patch[{k + 1}].{name}", unit_name(unit), *(_of_patch(side, k, name, unit) for side in sides))
+    return table
+
+
+def _of_patch(side, k, name, unit):
+    return shown(getattr(side.patches[k], name), unit) if k < len(side.patches) else ""
+
+
+def state_text(state):
+    """One state as JSON in SI, under the names that Python has for it; null where there is no value."""
+    words = sentence(state.status, state.inputs)
+    content = {"status": int(state.status), "explanation": words, "inputs": dict(zip(INPUT_NAMES, map(_plain, state.inputs))),
+               "roll": _plain(state.roll), "vertical_shift": _plain(state.vertical_shift)}
+    return json.dumps({**content, **{side: _side_content(getattr(state, side)) for side in SIDES}}, indent=2)
+
+
+def _side_content(side):
+    content = {"patch_count": side.patch_count, "contact": {}}
+    for name, _ in SIDE_ROWS:
+        part = content["contact"] if name.startswith("contact.") else content
+        part[name.removeprefix("contact.")] = _plain(attrgetter(name)(side))
+    content["patches"] = [{name: _plain(getattr(patch, name)) for name, _ in PATCH_ROWS} for patch in side.patches]
+    content["outline"] = {name: [_plain(value) for value in getattr(side.outline, name)] for name in OUTLINE_NAMES}
+    return content
+
+
+def _plain(value):
+    """A number that JSON has; None for NaN and infinity."""
+    return float(value) if math.isfinite(value) else None
+
+
+# --- tables --------------------------------------------------------------------------------------
+
+
+def columns_of(table):
+    """The columns (n,) of a table of states by FMU name: inputs, outputs, status; SI."""
+    columns = {v.name: table.inputs[:, v.index] for v in VARIABLES if v.causality == INPUT}
+    columns |= {v.name: table.values[:, v.index] for v in VARIABLES if v.causality == OUTPUT and v.index is not None}
+    return {**columns, "status": np.asarray(table.status)}
+
+
+INTEGERS = {v.name for v in VARIABLES if v.type == INTEGER}
+
+
+def write_table(path, columns):
+    """A CSV file of ``columns`` (n,) by name, every number in full; an empty cell where there is no value."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(zip(*([_cell(name, value) for value in column] for name, column in columns.items())))
+
+
+def _cell(name, value):
+    if not math.isfinite(value):
+        return ""
+    return int(value) if name in INTEGERS else repr(float(value))
+
+
+def print_sweep(table):
+    """Contact position, area and largest pressure of both wheels over the lateral shift, in display units."""
+    units = dict(SIDE_ROWS)
+    quantities = [("shift", table.inputs[:, 0], "m", 3), ("roll", table.roll, "rad", 4)]
+    quantities += [(f"{side}\n{heading}", attrgetter(f"{side}.{name}")(table), units[name], digits)
+                   for side in SIDES for heading, name, digits in SWEEP_COLUMNS]
+    printed = Table(box=box.SIMPLE_HEAD)
+    for heading, _, unit, _ in quantities:
+        printed.add_column(f"{heading}\n{unit_name(unit)}", justify="right", vertical="bottom", no_wrap=True)
+    for row in range(len(table)):
+        printed.add_row(*(shown(values[row], unit, digits) for _, values, unit, digits in quantities))
+    console().print(printed)
+
+
+def sweep_remark(table):
+    """One sentence on the rows that are not valid; "" where all are."""
+    wrong = np.flatnonzero(np.asarray(table.status) != Status.VALID)
+    if not len(wrong):
+        return ""
+    rows = f"{len(wrong)} of {len(table)} rows have" if len(wrong) > 1 else f"1 of {len(table)} rows has"
+    return f"{rows} a status other than 0; the first: {sentence(table.status[wrong[0]], table.inputs[wrong[0]])}"

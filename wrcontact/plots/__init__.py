@@ -1,0 +1,16 @@
+"""Pictures: contacts over the lateral shift, one pose with its patches, and the run of the demo.
+
+>>> import wrcontact, wrcontact.plots
+>>> system = wrcontact.ContactSystem()
+>>> figure = wrcontact.plots.pose_figure(system, system.evaluate(lateral_shift=5e-3))
+>>> wrcontact.plots.save(figure, "pose.png")                                                # doctest: +SKIP
+"""
+
+from .demo import demo_figure
+from .geometry import find_jumps
+from .patch import outline_figure
+from .pose import contact_figure, pose_figure
+from .style import save
+from .sweep import sweep, sweep_figure
+
+__all__ = ["contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure", "save", "sweep", "sweep_figure"]
