@@ -213,5 +213,5 @@ def test_python_that_means_something_else_in_c_is_refused(tmp_path, body, why):
 
 def test_end_of_a_range_is_read_once(tmp_path):
     path = tmp_path / "turns.py"
-    path.write_text("# \u03c8\ndef turns(n: int) -> int:\n    for i in range(1, n + 1):\n        n = 2\n    return n\n", encoding="utf-8")
+    path.write_text("def turns(n: int) -> int:\n    for i in range(1, n + 1):\n        n = 2\n    return n\n")
     assert "    i_end = n + 1\n    for i in range(1, i_end):\n" in Module(path).source().decode()

@@ -43,7 +43,7 @@ class Check:
     unit: str
     within: int  # values within the tolerance
     count: int  # values compared
-    place: str
+    place: str  # lateral shift [mm] and wheel
 
     @property
     def passed(self):
@@ -116,8 +116,8 @@ def _started(folder):
 def compare(answers, stored):
     """Checks of the run against its stored values, one for each quantity, and one of the status."""
     wrong = np.flatnonzero(answers["status"])
-    count, place = len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f} mm" if len(wrong) else ""
-    status = Check("steps with a status", float(len(wrong)), 0.0, "", count - len(wrong), count, place)
+    count, place = len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f}" if len(wrong) else ""
+    status = Check("steps not valid", float(len(wrong)), 0.0, "", count - len(wrong), count, place)
     return [status, *(check_quantity(answers, stored, *row) for row in TOLERANCES)]
 
 
@@ -127,7 +127,7 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
     deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
     which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)), deviations.shape)
     wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
-    place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f} mm{wheel}"
+    place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f}{wheel}"
     return Check(quantity, float(deviations[which, row]), tolerance, unit, int(np.sum(deviations <= tolerance)), deviations.size, place)
 
 
@@ -167,10 +167,12 @@ def tell(folder, fmu, checks, seconds):
 
 def check_table(checks):
     """Quantity, largest deviation and the lateral shift and wheel where it is, tolerance, values within it, verdict."""
-    table = Table("quantity", "unit", box=box.SIMPLE_HEAD)
-    for heading in ("largest\ndeviation", "at", "tolerance", "within"):
-        table.add_column(heading, justify="right", no_wrap=True)
+    table = Table("quantity", "unit", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 0, 0, 1))
+    for heading in ("largest\ndeviation", "at shift\nmm, wheel", "tolerance", "values\nwithin"):
+        table.add_column(heading, justify="right")
     table.add_column("verdict")
+    for column in table.columns:
+        column.no_wrap, column.vertical = True, "bottom"
     for check in checks:
         table.add_row(check.quantity, check.unit, f"{check.deviation:.2g}", check.place, f"{check.tolerance:g}",
                       f"{check.within}/{check.count}", "ok" if check.passed else "FAILED", style=None if check.passed else "bold red")

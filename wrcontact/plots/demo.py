@@ -83,9 +83,9 @@ def draw_run(panels, run, stored):
 
 
 def _compare(panel, run, stored, name, unit):
-    """The FMU's answer for both wheels as lines, and the stored value at every second instant as circles."""
+    """The FMU's answer for both wheels as lines, the stored values as circles."""
     time = stored["time"]
     for side in SIDES:
-        look = {"color": SIDE_COLOUR[side], "linewidth": 1.2}
+        look = {"color": SIDE_COLOUR[side], "linewidth": 1}
         panel.plot(time, run[f"{side}.{name}"] / unit, label=side, **look)
-        panel.plot(time[::2], stored[f"{side}.{name}"][::2] / unit, "o", markersize=3, fillstyle="none", markeredgewidth=0.7, **look)
+        panel.plot(time, stored[f"{side}.{name}"] / unit, "o", markersize=2.4, fillstyle="none", markeredgewidth=0.5, **look)

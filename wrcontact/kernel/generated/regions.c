@@ -103,6 +103,8 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
     double y;
     bool own;
     double abscissa;
+    double height;
+    double slope;
     double station;
     int64_t count;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
@@ -120,7 +122,8 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
             if ((!own) && (count < layout__REGION_LIMIT))
             {
                 abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
-                station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) / (*cspan_at(&work, contact_plane__FRAME_COS));
+                profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+                station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
                 contact_plane__start_tracer(work, station, abscissa, y);
                 if (regions__open_region(tables, work, state, count, station) < level)
                 {

@@ -12,6 +12,7 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
+#include "profile_table.h"
 #include "search.h"
 
 static const int64_t regions__REGION_SIZE = INT64_C(32);
@@ -36,7 +37,7 @@ static const int64_t regions__REGION_WIDTH_LEVEL = INT64_C(20);
 static const int64_t regions__REGION_RESIDUAL = INT64_C(17);
 static const int64_t regions__REGION_SLOPE = INT64_C(18);
 static const int64_t regions__REGION_MOVE = INT64_C(19);
-static const double regions__MERGE = 0.5;
+static const double regions__MERGE = 0.35;
 static const double regions__APART = 0.0002;
 static const double regions__WANDER = 0.002;
 static const double regions__FAR = 1.0;
