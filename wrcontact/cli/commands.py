@@ -43,9 +43,7 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
     """
     from .demo import run_demo
 
-    with sentences():
-        passed = run_demo(output)
-    raise typer.Exit(0 if passed else 1)
+    raise typer.Exit(0 if run_demo(output) else 1)
 
 
 @main.command()
@@ -55,16 +53,13 @@ def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Pr
 
     Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
     """
-    system, state = _evaluated(system, pose)
-    words = sentence(state.status, state.inputs)
+    system = _system(system)
+    state = system.evaluate(**pose)
     if as_json:
         print(state_text(state))
-    elif state.status <= Status.UNLOADED:
+    _refuse_without_contact(state)
+    if not as_json:
         print_state(system, state)
-    if state.status > Status.UNLOADED:
-        raise Refused(words)
-    if words and not as_json:
-        print(words)
 
 
 @main.command()
@@ -80,13 +75,15 @@ def sweep(load, system,
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --csv sweep.csv
     """
     shifts = _shifts(start, stop, step)
-    with sentences():
-        table = ContactSystem(**system).evaluate_many(lateral_shift=shifts, **load)
-        if file:
+    table = _system(system).evaluate_many(lateral_shift=shifts, **load)
+    if min(table.status) > Status.UNLOADED:
+        raise Refused(sweep_remark(table))
+    if file:
+        with sentences():
             write_table(file, columns_of(table))
-            print(f"{len(table)} rows written to {file}")
-        else:
-            print_sweep(table)
+        print(f"{len(table)} rows written to {file}")
+    else:
+        print_sweep(table)
     remark = sweep_remark(table)
     if remark:
         print(f"wrcontact: {remark}", file=sys.stderr)
@@ -104,19 +101,25 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 
     if output.suffix.lower() not in PICTURES:
         raise Refused(f"--output is {str(output)!r}; permitted are files that end in {', '.join(PICTURES)}")
-    system, state = _evaluated(system, pose)
-    if state.status > Status.UNLOADED:
-        raise Refused(sentence(state.status, state.inputs))
+    system = _system(system)
+    state = system.evaluate(**pose)
+    _refuse_without_contact(state)
+    figure = pose_figure(system, state)
     with sentences():
-        save(pose_figure(system, state), output)
+        save(figure, output)
     print(f"picture written to {output}")
 
 
-def _evaluated(parameters, pose):
-    """The contact system of these parameters, and its state at this pose."""
+def _system(parameters):
+    """The contact system of these parameters."""
     with sentences():
-        system = ContactSystem(**parameters)
-    return system, system.evaluate(**pose)
+        return ContactSystem(**parameters)
+
+
+def _refuse_without_contact(state):
+    """A state without contact is a refusal: of the input, or because the search found nothing."""
+    if state.status > Status.UNLOADED:
+        raise Refused(sentence(state.status, state.inputs), code=1 if state.status == Status.NOT_CONVERGED else 2)
 
 
 def _shifts(start, stop, step):

@@ -13,6 +13,7 @@ from rich.table import Table
 
 from ..conventions import MILLIMETRE, SIDES
 from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, VARIABLES, select
+from .door import sentences
 from .report import console, write_table
 
 RUN = "hunting.csv"
@@ -55,7 +56,8 @@ def run_demo(folder):
     from ..fmu import build_fmu
 
     stored = stored_run()
-    fmu = build_fmu(folder)
+    with sentences():
+        fmu = build_fmu(folder)
     answers, seconds = step_through(fmu, stored)
     checks = compare(answers, stored)
     inputs = {v.name: stored[v.name] for v in VARIABLES if v.causality == INPUT}

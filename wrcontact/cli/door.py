@@ -1,4 +1,4 @@
-"""How the command line refuses: one sentence on the error stream and exit code 2, whoever noticed."""
+"""How the command line refuses: one sentence on the error stream and exit code 2, whoever noticed what is wrong."""
 
 import sys
 from contextlib import contextmanager
@@ -11,7 +11,11 @@ UsageError = typer.BadParameter.__base__
 
 
 class Refused(Exception):
-    """What was asked for cannot be done; the sentence says why."""
+    """What was asked for cannot be done; the sentence says why, ``code`` is the exit code."""
+
+    def __init__(self, sentence, code=2):
+        super().__init__(sentence)
+        self.code = code
 
 
 class Door(TyperGroup):
@@ -21,18 +25,18 @@ class Door(TyperGroup):
         try:
             code = super().main(*arguments, standalone_mode=False, **options)
         except Refused as refusal:
-            code = _say(str(refusal))
+            code = _say(str(refusal), refusal.code)
         except UsageError as wrong:
-            code = _say(wrong.format_message())
+            code = _say(wrong.format_message(), 2)
         if standalone_mode:
             sys.exit(code)
         return code
 
 
-def _say(sentence):
+def _say(sentence, code):
     """Print the sentence in one line; the exit code that goes with it."""
     print(f"wrcontact: {' '.join(sentence.split())}", file=sys.stderr)
-    return 2
+    return code
 
 
 @contextmanager

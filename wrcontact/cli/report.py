@@ -60,6 +60,8 @@ def print_state(system, state):
     out.print(f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
               f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)
     out.print(state_table(state))
+    if state.status:
+        out.print(sentence(state.status, state.inputs), soft_wrap=True)
 
 
 def state_table(state):

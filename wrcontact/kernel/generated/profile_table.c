@@ -3,8 +3,8 @@
  * A profile as the kernel reads it: quintic pieces found through uniform bins.
  *
  * Table at ``base``: start, stop, bins per metre, bin count, offset of the pieces, then for each bin the first piece that
- * reaches into it, then per piece its start and six coefficients; a last piece starts at infinity.
- * An abscissa that is not a number, or far outside, reads an end piece: nothing here leaves the table.
+ * reaches into it, then per piece its start and six coefficients; the piece after the last starts at not-a-number, which no
+ * abscissa reaches.  An abscissa that is not a number, infinite or far outside reads an end piece: nothing leaves the table.
  */
 
 #include "profile_table.h"

@@ -1,0 +1,210 @@
+"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo]`` writes docs/img/*.png.
+
+    frames      frames and signs (docs/conventions.md)
+    demo        the picture of ``wrcontact demo`` (README)
+
+Wheel and rail are the real S1002 and UIC60 at their real places; roll and yaw of the sketches are exaggerated.
+"""
+
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from matplotlib.patches import Arc
+
+from wrcontact import ContactSystem
+from wrcontact.plots import style
+from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline
+from wrcontact.plots.style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR
+
+IMAGES = Path(__file__).resolve().parent / "img"
+TURNED = np.radians(7)  # yaw of the sketch from above
+ARROW = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
+
+
+def main(names):
+    IMAGES.mkdir(exist_ok=True)
+    for name in names:
+        print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
+
+
+def demo():
+    """The picture of ``wrcontact demo``, from a run of the FMU."""
+    from wrcontact.cli.demo import step_through, stored_run
+    from wrcontact.fmu import build_fmu
+    from wrcontact.plots import demo_figure
+
+    stored = stored_run()
+    with TemporaryDirectory() as folder:
+        answers, _ = step_through(build_fmu(folder), stored)
+    return demo_figure(ContactSystem(), answers, stored)
+
+
+@style.styled
+def frames():
+    """Five sketches: the track frame from behind and from above, the profile frames, and the contact plane."""
+    figure = style.new_figure(10.5, 6.9)
+    upper, lower = figure.subfigures(2, 1, height_ratios=(1.25, 1))
+    behind, above = upper.subplots(1, 2, width_ratios=(1.75, 1))
+    wheel, rail, plane = lower.subplots(1, 3)
+    system = ContactSystem()
+    centred, leaning = system.evaluate(), system.evaluate(lateral_shift=6e-3)
+    draw_from_behind(behind, system, centred)
+    draw_from_above(above)
+    draw_wheel_frame(wheel, system)
+    draw_rail_frame(rail, system)
+    draw_contact_plane(plane, system, leaning)
+    for panel in (behind, above, wheel, rail, plane):
+        panel.set_axis_off()
+        panel.set_aspect("equal")
+    return figure
+
+
+PICTURES = {"frames": frames, "demo": demo}
+
+
+# --- sketches --------------------------------------------------------------------------------------
+
+
+def draw_from_behind(panel, system, state):
+    """Wheelset and rails seen in the direction of travel, with the track frame."""
+    panel.set_title("Track frame, seen from behind in the direction of travel")
+    radius = system.parameters["nominal_radius"]
+    for side in ("left", "right"):
+        y, z = wheel_outline(system, state, side)
+        panel.fill(np.append(y, y[::-1]) / MM, np.append(-z, 2 * radius + z[::-1]) / MM, color=WHEEL_COLOUR, alpha=0.25, linewidth=0)
+        y, z = rail_outline(system, side)
+        panel.fill(y / MM, -z / MM, color=RAIL_COLOUR, alpha=0.7, linewidth=0)
+    panel.plot([-900, 900], [radius / MM] * 2, color=WHEEL_COLOUR, linewidth=1, linestyle=(0, (8, 3, 2, 3)))
+    panel.plot([-900, 900], [0, 0], color=QUIET, linewidth=0.6)
+    axis(panel, (0, 0), (230, 0), "y")
+    axis(panel, (0, 0), (0, -230), "z")
+    into_page(panel, (0, 0), 16, "x", (-24, -30))
+    turn(panel, (0, radius / MM), 170, (150, 30), "roll", (0, 200))
+    axis(panel, (0, 840), (260, 0), "lateral_shift", above=True)
+    dimension(panel, -717.5, 717.5, -115, "gauge 1435 mm, at 14 mm depth")
+    dimension(panel, -750, 750, 1010, "running circles 1500 mm")
+    panel.text(-752, radius / MM + 190, "left wheel", ha="center", rotation=90, va="center", color=WHEEL_COLOUR)
+    panel.text(752, radius / MM + 190, "right wheel", ha="center", rotation=90, va="center", color=WHEEL_COLOUR)
+    panel.text(430, 8, "top of rail", color=QUIET, fontsize=8, ha="center", va="bottom")
+    panel.set(xlim=(-930, 930), ylim=(-270, 1080))
+
+
+def draw_from_above(panel):
+    """A yawed wheelset seen from above, x up the page."""
+    panel.set_title("Track frame, seen from above")
+    for y in (-760, 760):
+        panel.fill_between([y - 36, y + 36], -700, 700, color=RAIL_COLOUR, alpha=0.5, linewidth=0)
+    turned = np.array([[np.cos(TURNED), np.sin(TURNED)], [-np.sin(TURNED), np.cos(TURNED)]])  # x up, y right: clockwise
+    for y in (-750, 750):
+        corners = np.array([[y - 65, -420], [y + 65, -420], [y + 65, 420], [y - 65, 420]]) @ turned.T
+        panel.fill(*corners.T, color=WHEEL_COLOUR, alpha=0.35, linewidth=0)
+    panel.plot(*(np.array([[-900, 0], [900, 0]]) @ turned.T).T, color=WHEEL_COLOUR, linewidth=1, linestyle=(0, (8, 3, 2, 3)))
+    axis(panel, (0, 0), (0, 480), "x", shift=(30, -10))
+    axis(panel, (0, 0), (420, 0), "y", above=True)
+    into_page(panel, (0, 0), 26, "z", (-55, -85))
+    turn(panel, (0, 0), 310, (150, 55), "yaw", (-270, 285))
+    panel.set(xlim=(-980, 980), ylim=(-720, 720))
+
+
+def draw_wheel_frame(panel, system):
+    """The right wheel's profile frame with the zones of the S1002."""
+    panel.set_title("Wheel profile frame, right wheel")
+    y = np.linspace(-69.9, 60, 900)
+    z = system.wheel.height(y * MM) / MM
+    panel.fill_between(y, -z, 42, color=WHEEL_COLOUR, alpha=0.2, linewidth=0)
+    panel.plot(y, -z, color=WHEEL_COLOUR)
+    for name, (low, high) in WHEEL_ZONES.items():
+        panel.plot([low / MM] * 2, [-34, 42], color=QUIET, linewidth=0.5, linestyle=":")
+        panel.text(max(low / MM, -70) / 2 + high / MM / 2, 38, name.replace(" ", "\n"), color=QUIET, style="italic", ha="center", va="top")
+    panel.text(-72, -46, "track side", color=QUIET, fontsize=8, ha="left")
+    panel.text(60, -46, "field side", color=QUIET, fontsize=8, ha="right")
+    axis(panel, (0, 0), (34, 0), "y", above=True)
+    axis(panel, (0, 0), (0, -28), "z", shift=(3, 0))
+    panel.text(-6, -33, "radius = nominal radius + z", fontsize=8, va="top")
+    panel.set(xlim=(-76, 66), ylim=(-50, 46))
+
+
+def draw_rail_frame(panel, system):
+    """The right rail's profile frame; the head leans to the track centre."""
+    panel.set_title("Rail profile frame, right rail")
+    y, z = rail_outline(system, "right")
+    top = y[np.argmin(z)]
+    y, z = (y - top) / MM, z / MM
+    panel.fill(y, -z, color=RAIL_COLOUR, alpha=0.3, linewidth=0)
+    panel.plot(y, -z, color=RAIL_COLOUR)
+    inner = np.interp(14, z[: np.argmin(z)][::-1], y[: np.argmin(z)][::-1])
+    panel.plot([inner - 26, inner], [-14, -14], color=QUIET, linewidth=0.8)
+    panel.plot([inner], [-14], "o", color=INK, markersize=4)
+    panel.text(inner - 2, -17, "gauge\n14 mm below\nthe highest\npoint", fontsize=8, ha="right", va="top", color=RAIL_LABEL)
+    panel.text(0, -36, "leans 1:40 to the\ntrack centre", fontsize=8, ha="center", color=RAIL_LABEL)
+    axis(panel, (0, 0), (34, 0), "y", above=True)
+    axis(panel, (0, 0), (0, -22), "z", shift=(3, 0))
+    panel.text(0, 14, "origin: highest point of the inclined head", fontsize=8, ha="center")
+    panel.set(xlim=(-76, 66), ylim=(-50, 46))
+
+
+def draw_contact_plane(panel, system, state):
+    """Contact plane and contact angle of a right wheel at the flange root."""
+    panel.set_title("Contact plane, right wheel")
+    for outline, colour, end in ((rail_outline(system, "right"), RAIL_COLOUR, -60e-3), (wheel_outline(system, state, "right"), WHEEL_COLOUR, 60e-3)):
+        y, z = outline
+        panel.fill_between(y / MM, -z / MM, end / MM, color=colour, alpha=0.2, linewidth=0)
+        panel.plot(y / MM, -z / MM, color=colour)
+    contact, angle = state.right.contact, state.right.contact_angle
+    point = np.array([contact.y_track, -contact.z_track]) / MM
+    along, normal = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    panel.plot(*np.array([point - 24 * along, point + 30 * along]).T, color=CONTACT_COLOUR, linewidth=1, linestyle=(0, (4, 2)))
+    panel.plot([point[0], point[0] + 30], [point[1]] * 2, color=QUIET, linewidth=0.8)
+    panel.add_patch(Arc(point, 44, 44, theta1=0, theta2=np.degrees(angle), color=INK, linewidth=1.2))
+    panel.annotate("contact_angle,\nhere positive", point + 22 * np.array([np.cos(angle / 4), np.sin(angle / 4)]), point + np.array([14, -11]),
+                   fontsize=8, va="top", arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.7})
+    axis(panel, point, 20 * along, "station s", shift=(-7, 6))
+    axis(panel, point, 16 * normal, "normal", shift=(-12, 2))
+    panel.plot(*point, "o", color=CONTACT_COLOUR, markersize=5)
+    panel.set(xlim=(688, 782), ylim=(-36, 28))
+
+
+# --- strokes ---------------------------------------------------------------------------------------
+
+
+def axis(panel, start, stroke, name, *, above=False, shift=None):
+    """An arrow with its name at the tip, or above it."""
+    tip = np.add(start, stroke)
+    panel.annotate("", tip, start, arrowprops=ARROW)
+    if shift is not None:
+        panel.text(*np.add(tip, shift), name)
+    elif above:
+        panel.annotate(name, np.add(start, np.multiply(stroke, 0.95)), (0, 4), textcoords="offset points", ha="right", va="bottom")
+    else:
+        panel.annotate(name, tip, (4, 0), textcoords="offset points", va="center")
+
+
+def into_page(panel, centre, size, name, shift):
+    """A circle with a cross: an axis that points away from the reader."""
+    angle = np.linspace(0, 2 * np.pi, 60)
+    panel.fill(centre[0] + size * np.cos(angle), centre[1] + size * np.sin(angle), facecolor="white", edgecolor=INK, zorder=4)
+    for sign in (1, -1):
+        reach = 0.7 * size
+        panel.plot([centre[0] - reach, centre[0] + reach], [centre[1] - sign * reach, centre[1] + sign * reach], color=INK, linewidth=1, zorder=5)
+    panel.text(*np.add(centre, shift), name, ha="right")
+
+
+def turn(panel, centre, radius, span, name, shift):
+    """A clockwise arrow around ``centre`` over ``span`` (from, to) in degrees."""
+    angle = np.radians(np.linspace(*span, 40))
+    y, z = centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)
+    panel.plot(y, z, color=CONTACT_COLOUR, linewidth=1.4)
+    panel.annotate("", (y[-1], z[-1]), (y[-3], z[-3]), arrowprops={**ARROW, "color": CONTACT_COLOUR})
+    panel.text(*np.add(centre, shift), name, color=CONTACT_COLOUR, ha="center", va="center")
+
+
+def dimension(panel, low, high, height, words):
+    """A measured distance."""
+    panel.annotate("", (low, height), (high, height), arrowprops={**ARROW, "arrowstyle": "<|-|>", "color": QUIET, "linewidth": 0.8})
+    panel.text(0.56 * low, height + 12, words, color=QUIET, fontsize=8, ha="center", va="bottom")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:] or list(PICTURES))

@@ -1,0 +1,187 @@
+"""Profiles: definitions, joints, placement on the track, and the kernel's tables of them."""
+
+import numpy as np
+import pytest
+
+from wrcontact.kernel import profile_table
+from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
+from wrcontact.profiles.compiled import REPAIR_WIDTH, compile_profile, evaluate_table
+from wrcontact.profiles.files import find_profile, prepared_text, profile_from_points, read_profile
+from wrcontact.profiles.placement import place_rail, readable_wheel
+from wrcontact.profiles.zones import Polynomial
+
+MM = 1e-3
+
+
+def placed(name, inclination=1 / 40, gauge=1.435):
+    return place_rail(standard_profile(name), inclination=inclination, gauge=gauge, gauge_depth=0.014)
+
+
+def test_s1002_joints_are_as_the_standard_prints_them():
+    # EN 13715's rounding leaves 1.2e-4 mm at C/D and 3.7e-5 mm at B/C; everywhere else the zones meet
+    steps = {round(joint.y / MM): abs(joint.height_step) / MM for joint in standard_profile("S1002").joints}
+    assert steps.pop(-35) == pytest.approx(1.183e-4, rel=1e-3)
+    assert steps.pop(-26) == pytest.approx(3.655e-5, rel=1e-3)
+    assert max(steps.values()) < 1e-7
+
+
+def test_s1002_known_points():
+    wheel = standard_profile("S1002")
+    assert wheel.height(0.0) == pytest.approx(0.0, abs=1e-12)
+    assert wheel.height(-0.055) == pytest.approx(0.028, abs=1e-9)           # flange tip: 16 + 12 mm
+    assert wheel.slope(-0.039) == pytest.approx(-np.tan(np.radians(70)), rel=1e-6)
+    assert wheel.slope(0.05) == pytest.approx(-1 / 15, rel=1e-6)            # the field side's 1:15 cone
+    assert abs(wheel.curvature(-0.037)) == pytest.approx(1 / 0.013, rel=1e-9)
+
+
+@pytest.mark.parametrize("name, corner, depth", [("UIC60", 0.036, 0.014259738), ("60E1", 0.0359998, 0.0142999)])
+def test_rail_chain_ends_where_published(name, corner, depth):
+    assert standard_profile(name).height(corner) == pytest.approx(depth, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", RAILS)
+def test_rail_arcs_are_tangent_and_symmetric(name):
+    rail = standard_profile(name)
+    assert max(abs(joint.slope_step) for joint in rail.joints) < 1e-9
+    y = np.linspace(0, rail.stop, 200)
+    np.testing.assert_allclose(rail.height(y), rail.height(-y), atol=1e-15)
+    assert rail.curvature(0.0) == pytest.approx(1 / 0.3)
+    assert rail.curvature(0.02) == pytest.approx(1 / 0.08)
+
+
+def test_broken_profiles_are_refused():
+    straight = Polynomial(0.0, 50.0, (0.0, 0.1))
+    with pytest.raises(ValueError, match="hole between y = 50.0 mm and 51.0 mm"):
+        Profile("holed", "rail", (straight, Polynomial(51.0, 60.0, (5.0, 0.1))))
+    with pytest.raises(ValueError, match="height step of 1 mm at y = 50.0 mm"):
+        Profile("stepped", "rail", (straight, Polynomial(50.0, 60.0, (1.0, 0.1))))
+    with pytest.raises(ValueError, match="slope step of 0.1 at y = 50.0 mm"):
+        Profile("kinked", "rail", (straight, Polynomial(50.0, 60.0, (-5.0, 0.2))))
+
+
+def test_arrays_in_arrays_out_and_nan_outside():
+    wheel = standard_profile("S1002")
+    heights = wheel.height(np.array([[-0.08, 0.0], [0.03, 0.061]]))
+    assert heights.shape == (2, 2)
+    np.testing.assert_array_equal(np.isnan(heights), [[True, False], [False, True]])
+
+
+def test_highest_point_of_the_inclined_uic60():
+    # UIC60, 1:40, gauge 1435 mm: 760.5385 mm from the track centre (tests/reference/brute_force.py finds the same)
+    assert placed("UIC60").y_track == pytest.approx(0.7605385, abs=5e-8)
+
+
+@pytest.mark.parametrize("name", RAILS)
+@pytest.mark.parametrize("inclination", [0.0, 1 / 40, 1 / 20])
+def test_inclined_rail_is_the_turned_one(name, inclination):
+    rail, head = standard_profile(name), placed(name, inclination).profile
+    assert head.height(0.0) == pytest.approx(0.0, abs=1e-12)
+    assert head.slope(0.0) == pytest.approx(0.0, abs=1e-9)
+    # points turned by hand; the crown's top is 300 mm from its centre, which turns with the head
+    angle = -np.arctan(inclination)
+    y = np.linspace(-0.024, 0.024, 81)
+    turned_y = np.cos(angle) * y - np.sin(angle) * rail.height(y)
+    turned_z = np.sin(angle) * y + np.cos(angle) * rail.height(y)
+    centre = -0.3 * np.sin(angle), 0.3 * np.cos(angle)
+    top = (centre[0], centre[1] - 0.3) if abs(centre[0]) < 0.01 else None  # at 1:20 the top lies on the R80 shoulder
+    if top is None:
+        finest = np.linspace(0.0, 0.02, 2000001)
+        k = np.argmin(np.sin(angle) * finest + np.cos(angle) * rail.height(finest))
+        top = (np.cos(angle) * finest[k] - np.sin(angle) * rail.height(finest[k]),
+               np.sin(angle) * finest[k] + np.cos(angle) * rail.height(finest[k]))
+    np.testing.assert_allclose(head.height(turned_y - top[0]), turned_z - top[1], atol=1e-8)
+
+
+@pytest.mark.parametrize("gauge", [1.425, 1.435, 1.45])
+def test_gauge_is_measured_14_mm_below_the_top(gauge):
+    # on the inclined head, whose inner face is the last point as deep as that
+    rail, inclination = standard_profile("60E1"), 1 / 40
+    angle = -np.arctan(inclination)
+    y = np.linspace(rail.start, -0.03, 400001)
+    turned_y = np.cos(angle) * y - np.sin(angle) * rail.height(y)
+    turned_z = np.sin(angle) * y + np.cos(angle) * rail.height(y)
+    top = np.array([-0.3 * np.sin(angle), 0.3 * np.cos(angle) - 0.3])      # the highest point lies on the R300 crown
+    inner = np.interp(-top[1] - 0.014, -turned_z, turned_y) - top[0]
+    assert placed("60E1", inclination, gauge).y_track + inner == pytest.approx(gauge / 2, abs=1e-8)
+
+
+def test_shallow_rail_is_refused():
+    head = Profile("shallow", "rail", standard_profile("UIC60").zones[2:5])
+    with pytest.raises(ValueError, match="inner side of the rail profile shallow ends"):
+        place_rail(head, inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+
+
+@pytest.mark.parametrize("profile", [readable_wheel(standard_profile("S1002")), placed("UIC60").profile,
+                                     placed("60E1", 1 / 20).profile, placed("54E1").profile], ids=lambda p: p.name)
+def test_kernel_table_follows_the_definition(profile):
+    table = compile_profile(profile)
+    y = np.random.default_rng(1).uniform(profile.start, profile.stop, 20000)
+    stepped = [joint.y for joint in profile.joints if abs(joint.height_step) > 1e-9]
+    smooth = np.all([np.abs(y - place) > REPAIR_WIDTH * MM for place in stepped], axis=0)
+    exact, kernel = np.array(profile.evaluate(y)), np.array(evaluate_table(table, y))
+    error = np.abs(kernel - exact)
+    assert error[0][smooth].max() < 5e-10                                  # 5e-7 mm
+    assert error[1][smooth].max() < 1e-6
+    assert (error[2] / (100 + np.abs(exact[2])))[smooth].max() < 1e-5      # curvature jumps included: joints are knots
+    assert error[0].max() < 7e-8                                           # half the standard's own step where it is closed
+
+
+def test_the_kernel_reads_its_table_as_numpy_does():
+    table = compile_profile(readable_wheel(standard_profile("S1002")))
+    for y in np.random.default_rng(2).uniform(-0.069, 0.06, 500):
+        np.testing.assert_array_equal(profile_table.height_slope_bend(table, 0, y), evaluate_table(table, y))
+        assert profile_table.height_slope(table, 0, y) == profile_table.height_slope_bend(table, 0, y)[:2]
+
+
+@pytest.mark.parametrize("y", [np.nan, np.inf, -np.inf, 1e300, -1e300])
+def test_an_abscissa_out_of_this_world_stays_inside_the_table(y):
+    table = compile_profile(readable_wheel(standard_profile("S1002")))
+    piece = profile_table.find_piece(table, 0, y)
+    first = int(table[profile_table.PIECE_OFFSET])
+    assert first <= piece < len(table) - profile_table.PIECE_SIZE
+
+
+def test_points_file_gives_the_profile_back(tmp_path):
+    wheel = standard_profile("S1002")
+    y = np.concatenate([np.arange(-0.069, -0.0305, 5e-5), np.arange(-0.03, 0.06, 5e-4)])
+    path = tmp_path / "worn wheel.csv"
+    path.write_text("y;z\n" + "\n".join(f"{a / MM!r}; {b / MM!r}" for a, b in zip(y.tolist(), wheel.height(y).tolist())))
+    read = read_profile(path, "wheel")
+    assert read.name == "worn wheel"
+    smooth = np.random.default_rng(3).uniform(-0.06, 0.059, 2000)
+    assert np.max(np.abs(read.height(smooth) - wheel.height(smooth))) < 2e-7   # a spline rings where S1002 steps (1.2e-7 m)
+
+
+def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
+    y = np.linspace(-36, 36, 145)
+    rail = profile_from_points(y + 3.0, 7.0 + y**2 / 160, name="measured", kind="rail")
+    path = tmp_path / "measured.json"
+    path.write_text(prepared_text(rail))
+    assert read_profile(path, "rail") == rail
+    assert rail.height(0.0) == pytest.approx(0.0, abs=1e-15) and rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("source, kind, sentence", [
+    ("S1003", "wheel", "wheel is 'S1003'; permitted are S1002"),
+    ("UIC60", "wheel", "that is the name of the other kind"),
+    (3.0, "rail", "rail is '3.0'; permitted are UIC60, 60E1, 54E1"),
+    (standard_profile("UIC60"), "wheel", "wheel is a rail profile"),
+])
+def test_what_is_no_profile_is_refused(source, kind, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        find_profile(source, kind)
+
+
+@pytest.mark.parametrize("text, sentence", [
+    ("nothing here", "no lines of two numbers"),
+    ("\n".join(f"{k} 0" for k in range(5)), "5 points; permitted are 10 or more"),
+    ("\n".join(f"{k % 7} 0" for k in range(30)), "y does not rise from point 7 to 8"),
+    ("\n".join(f"{k * 1e-3} 0" for k in range(60)), "0.059 mm wide; permitted are 20 ... 200 mm"),
+    ("\n".join(f"{k} nan" for k in range(60)), "not finite"),
+])
+def test_unusable_points_are_refused(tmp_path, text, sentence):
+    path = tmp_path / "broken.txt"
+    path.write_text(text)
+    with pytest.raises(ValueError, match=sentence):
+        read_profile(path, "wheel")
+    assert WHEELS == ("S1002",)

@@ -1,0 +1,201 @@
+"""Rigid contact: published positions, an independent brute-force search, and the conditions of contact themselves."""
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import wrcontact
+from wrcontact.profiles import standard_profile
+from wrcontact.profiles.placement import place_rail
+
+REFERENCE = Path(__file__).parent / "reference"
+sys.path.insert(0, str(REFERENCE))
+import brute_force  # noqa: E402
+
+ROLL = 1e-9      # [rad]
+POSITION = 1e-6  # [m]
+
+
+@pytest.fixture(scope="module")
+def system():
+    return wrcontact.ContactSystem()
+
+
+def rows(name):
+    with open(REFERENCE / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("row", rows("rigid_positions.csv"), ids=lambda r: f"{r['lateral_shift_mm']}mm_{r['yaw_deg']}deg")
+def test_reference_positions(system, row):
+    value = {name: float(text) for name, text in row.items()}
+    state = system.evaluate(lateral_shift=value["lateral_shift_mm"] * 1e-3, yaw=np.radians(value["yaw_deg"]))
+    assert state.status == 0
+    assert state.roll == pytest.approx(value["roll_rad"], abs=ROLL)
+    assert state.vertical_shift == pytest.approx(value["wheelset_z_mm"] * 1e-3, abs=1e-9)
+    for letter, side in (("R", state.right), ("L", state.left)):
+        assert side.contact.y_wheel == pytest.approx(value[f"{letter}_y_wheel_mm"] * 1e-3, abs=POSITION)
+        assert side.contact.x_wheel == pytest.approx(value[f"{letter}_x_wheel_mm"] * 1e-3, abs=POSITION)
+        assert side.contact.y_track == pytest.approx(value[f"{letter}_y_track_mm"] * 1e-3, abs=POSITION)
+        assert side.rolling_radius == pytest.approx(value[f"{letter}_rolling_radius_mm"] * 1e-3, abs=POSITION)
+        # the angle follows the position with the wheel's curvature, 77 1/m at most
+        assert side.contact_angle == pytest.approx(value[f"{letter}_contact_angle_rad"], abs=1e-4)
+
+
+def poses(count, seed):
+    """Random pairs, inclinations and poses; every second one without yaw."""
+    rng = np.random.default_rng(seed)
+    for k in range(count):
+        yaw = rng.uniform(-0.0873, 0.0873) if k % 2 else 0.0
+        yield ("UIC60", "60E1", "54E1")[k % 3], (1 / 40, 1 / 20)[k // 3 % 2], rng.uniform(-0.01, 0.01), yaw
+
+
+#: Within 50 um of the right contact's jumps on UIC60 1:40 (tests/reference/find_jumps.py), but for the 1 um in which the
+#: raw step of S1002's printed coefficients at y = -35 mm would hold the contact.
+NEAR_JUMPS = [("UIC60", 1 / 40, shift, yaw) for shift, yaw in
+              ((4.8475e-3, 0.0), (4.8485e-3, 0.0), (4.80e-3, 0.0), (4.89e-3, 0.0), (6.2507e-3, 0.0), (6.2519e-3, 0.0),
+               (6.21e-3, 0.0), (6.30e-3, 0.0), (4.9265e-3, np.radians(1)), (4.9272e-3, np.radians(1)),
+               (6.1572e-3, np.radians(1)), (6.1578e-3, np.radians(1)), (-5.1632e-3, np.radians(-2)),
+               (-5.8775e-3, np.radians(-2)), (-5.8780e-3, np.radians(-2)))]
+
+
+def compare_with_brute_force(rail, inclination, shift, yaw):
+    system = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination)
+    state = system.evaluate(lateral_shift=shift, yaw=yaw)
+    truth = brute_force.rigid_contact(brute_force.track(rail, inclination), shift, yaw)
+    pose = f"{rail} 1:{1 / inclination:.0f}, lateral_shift {shift!r}, yaw {yaw!r}"
+    assert state.status == 0, pose
+    assert abs(state.roll - truth.roll) < ROLL, pose
+    assert abs(state.vertical_shift - truth.vertical_shift) < 1e-9, pose
+    for side in ("left", "right"):
+        mine, other = getattr(state, side), getattr(truth, side)
+        for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track"):
+            assert abs(getattr(mine.contact, name) - getattr(other, name)) < POSITION, f"{pose}: {side} {name}"
+        assert abs(mine.contact_angle - other.contact_angle) < 1e-4, pose
+        assert abs(mine.rolling_radius - other.rolling_radius) < POSITION, pose
+
+
+@pytest.mark.parametrize("pose", list(poses(6, seed=11)) + NEAR_JUMPS[::4])
+def test_brute_force_agrees(pose):
+    compare_with_brute_force(*pose)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pose", list(poses(60, seed=12)) + NEAR_JUMPS)
+def test_brute_force_agrees_on_many(pose):
+    compare_with_brute_force(*pose)
+
+
+def smallest_distance(state, sign, wheel, rail):
+    """Smallest vertical gap [m] of one side at the state's pose over a dense cloud of wheel points, straight from the
+    profiles: no locus, no kernel."""
+    shift, yaw = state.inputs[0], state.inputs[1]
+    y = np.linspace(-0.0695, 0.0599, 2600)
+    radius = 0.46 + wheel.height(y)
+    centre = getattr(state, "right" if sign > 0 else "left").contact.x_wheel
+    x = np.concatenate([np.linspace(-0.06, 0.06, 241), centre + np.linspace(-2e-3, 2e-3, 81)])[:, None]
+    point = np.array([x + 0 * y, sign * (0.75 + y) + 0 * x, np.sqrt(radius**2 - x**2)])
+    c, s = np.cos(state.roll), np.sin(state.roll)
+    rolled = np.array([point[0], c * point[1] - s * point[2], s * point[1] + c * point[2]])
+    lateral = np.sin(yaw) * rolled[0] + np.cos(yaw) * rolled[1] + shift
+    vertical = rolled[2] - 0.46 + state.vertical_shift
+    with np.errstate(invalid="ignore"):
+        return np.nanmin(rail.profile.height(sign * lateral - rail.y_track) - vertical)
+
+
+@pytest.mark.parametrize("shift, yaw", [(0.0, 0.0), (3e-3, 0.01), (5e-3, 0.0), (-6e-3, -0.02), (6.26e-3, 0.0),
+                                        (8e-3, 0.035), (-0.01, 0.05)])
+def test_nothing_penetrates(system, shift, yaw):
+    state = system.evaluate(lateral_shift=shift, yaw=yaw)
+    wheel = standard_profile("S1002")
+    rail = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+    for sign in (-1, 1):
+        # touching, within the cloud's resolution (50 um at curvature 100 1/m) and the closed steps of S1002
+        assert -1.3e-7 < smallest_distance(state, sign, wheel, rail) < 1e-6
+
+
+def test_roll_guess_changes_nothing(system):
+    rng = np.random.default_rng(3)
+    shift, yaw, guess = rng.uniform(-0.01, 0.01, 300), rng.uniform(-0.05, 0.05, 300), rng.uniform(-0.1, 0.1, 300)
+    plain, guessed = system.evaluate_many(shift, yaw), system.evaluate_many(shift, yaw, roll_guess=guess)
+    worst = np.argmax(np.abs(plain.roll - guessed.roll))
+    assert np.abs(plain.roll - guessed.roll)[worst] < 1e-12, (shift[worst], yaw[worst], guess[worst])
+    np.testing.assert_allclose(guessed.right.contact.y_wheel, plain.right.contact.y_wheel, atol=1e-9)
+
+
+def test_history_changes_nothing(system):
+    rng = np.random.default_rng(4)
+    shift, yaw = rng.uniform(-0.0066, 0.0066, 400), rng.uniform(-0.03, 0.03, 400)
+    order = rng.permutation(400)
+    first, second = system.evaluate_many(shift, yaw), system.evaluate_many(shift[order], yaw[order])
+    for name in ("roll", "vertical_shift"):
+        np.testing.assert_allclose(getattr(second, name), getattr(first, name)[order], rtol=1e-9, atol=1e-14)
+    for side in ("left", "right"):
+        one, two = getattr(first, side), getattr(second, side)
+        for name in ("contact_angle", "rolling_radius", "penetration", "normal_force", "area", "max_pressure",
+                     "patch_length", "patch_width", "patch_count"):
+            np.testing.assert_allclose(getattr(two, name), getattr(one, name)[order], rtol=1e-9, err_msg=name)
+        for name in ("station", "half_length", "pressure"):    # ends fall like a root: against the largest value
+            mine, theirs = getattr(two.outline, name), getattr(one.outline, name)[order]
+            assert np.max(np.abs(mine - theirs).max(axis=1) / np.abs(theirs).max(axis=1)) < 1e-8, name
+
+
+def test_left_is_the_mirror_image_of_right(system):
+    rng = np.random.default_rng(5)
+    shift, yaw = rng.uniform(-0.01, 0.01, 200), rng.uniform(-0.05, 0.05, 200)
+    one, other = system.evaluate_many(shift, yaw), system.evaluate_many(-shift, -yaw)
+    np.testing.assert_allclose(one.roll, -other.roll, atol=1e-12)
+    for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "z_track"):
+        np.testing.assert_allclose(getattr(one.left.contact, name), getattr(other.right.contact, name), atol=1e-9)
+    np.testing.assert_allclose(one.left.contact.y_track, -other.right.contact.y_track, atol=1e-9)
+    np.testing.assert_allclose(one.left.area, other.right.area, rtol=1e-7)
+
+
+def test_contact_point_is_one_point_in_all_frames(system):
+    """Wheel frame to track frame by the attitude matrix, rail frame to track frame by the rail's place."""
+    shift, yaw = 5.5e-3, 0.02
+    state = system.evaluate(lateral_shift=shift, yaw=yaw)
+    rail = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+    turn = np.array([[np.cos(yaw), -np.sin(yaw), 0], [np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
+    lean = np.array([[1, 0, 0], [0, np.cos(state.roll), -np.sin(state.roll)], [0, np.sin(state.roll), np.cos(state.roll)]])
+    for sign, side in ((-1, state.left), (1, state.right)):
+        point = side.contact
+        wheel = np.array([point.x_wheel, sign * (0.75 + point.y_wheel), 0.46 + point.z_wheel])
+        track = turn @ lean @ wheel + [0, shift, state.vertical_shift - 0.46]
+        np.testing.assert_allclose(track, [point.x_track, point.y_track, point.z_track], atol=1e-12)
+        assert sign * point.y_track == pytest.approx(rail.y_track + point.y_rail, abs=1e-12)
+        assert point.z_rail == pytest.approx(rail.profile.height(point.y_rail), abs=1e-11)
+        assert np.tan(side.contact_angle) == pytest.approx(-rail.profile.slope(point.y_rail), abs=1e-7)
+        assert np.hypot(point.x_wheel, 0.46 + point.z_wheel) == pytest.approx(side.rolling_radius, abs=1e-12)
+
+
+def test_contact_jumps_where_a_railway_engineer_expects(system):
+    """Tread to flange root at 4.848 mm, to the flange at 6.25 mm; the second one earlier with yaw."""
+    shift = np.arange(4.5e-3, 6.6e-3, 2e-6)
+    for yaw, jumps in ((0.0, (4.8479e-3, 6.2518e-3)), (np.radians(1), (4.9268e-3, 6.1575e-3))):
+        y = system.evaluate_many(shift, yaw).right.contact.y_wheel
+        found = shift[np.flatnonzero(np.abs(np.diff(y)) > 2e-3)]
+        np.testing.assert_allclose(found, jumps, atol=4e-6)
+
+
+@pytest.mark.parametrize("arguments", [dict(lateral_shift=0.05), dict(lateral_shift=-1.0), dict(lateral_shift=1e30),
+                                       dict(yaw=0.2), dict(yaw=-3.0)])
+def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, arguments):
+    before = system.evaluate(lateral_shift=1e-3)
+    state = system.evaluate(**arguments)
+    assert state.status == wrcontact.Status.OFF_PROFILE
+    np.testing.assert_array_equal(state.values, before.values)
+    assert system.evaluate(lateral_shift=1e-3).values == pytest.approx(before.values, rel=1e-9, abs=1e-12)
+
+
+def test_every_pair_over_the_whole_range():
+    for rail in ("UIC60", "60E1", "54E1"):
+        for inclination in (0.0, 1 / 40, 1 / 20):
+            rng = np.random.default_rng(6)
+            shift, yaw = rng.uniform(-0.01, 0.01, 1500), rng.uniform(-0.0873, 0.0873, 1500)
+            table = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination).evaluate_many(shift, yaw)
+            bad = np.flatnonzero(table.status)
+            assert len(bad) == 0, [(rail, inclination, shift[k], yaw[k], table.status[k]) for k in bad[:5]]
