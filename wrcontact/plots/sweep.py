@@ -83,14 +83,15 @@ def broken_curve(swept, side):
 
 
 def told_jumps(swept, side):
-    """(lateral shift, before, after) [m] of the jumps of one contact; close neighbours are one."""
-    told = []
+    """(lateral shift, before, after) [m] of the jumps of one contact; close neighbours are one, at the largest of them."""
+    clusters = []
     for jump in (jump for jump in swept.jumps if jump.side == side):
-        if told and jump.lateral_shift - told[-1][0] < NEIGHBOURS:
-            told[-1] = (jump.lateral_shift, told[-1][1], jump.after)
+        if clusters and jump.lateral_shift - clusters[-1][-1].lateral_shift < NEIGHBOURS:
+            clusters[-1].append(jump)
         else:
-            told.append((jump.lateral_shift, jump.before, jump.after))
-    return told
+            clusters.append([jump])
+    return [(max(cluster, key=lambda jump: abs(jump.after - jump.before)).lateral_shift, cluster[0].before, cluster[-1].after)
+            for cluster in clusters]
 
 
 def draw_jump(panel, jump, colour):

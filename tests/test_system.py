@@ -1,0 +1,181 @@
+"""ContactSystem, its states and steppers: names, shapes, wrong input, threads, memory."""
+
+import math
+import pickle
+import threading
+
+import numpy as np
+import pytest
+
+import wrcontact
+from wrcontact import Status
+from wrcontact.status import explain
+
+
+@pytest.fixture(scope="module")
+def system():
+    return wrcontact.ContactSystem()
+
+
+def test_the_interface_of_the_readme(system):
+    state = system.evaluate(lateral_shift=1e-3, yaw=0.0, normal_force=78.5e3)
+    assert state.status == 0 and state.status is Status.VALID
+    assert state.roll == pytest.approx(-5.4104e-5, abs=1e-9)
+    right = state.right
+    assert right.contact.y_wheel == pytest.approx(-9.3567e-3, abs=1e-6)
+    assert right.penetration == pytest.approx(7.96e-5, rel=0.05)         # complete theory
+    assert right.patches[0].area == pytest.approx(right.area)
+    assert right.patches[0].normal_force == pytest.approx(78.5e3)
+    assert right.outline.station.shape == right.outline.half_length.shape == right.outline.pressure.shape == (31,)
+    assert right.outline.half_length[0] == right.outline.half_length[-1] == 0.0
+    assert isinstance(right.penetration, float) and isinstance(right.patch_count, int)
+    assert "VALID" in repr(state) and "y_wheel" in repr(right.contact)
+
+
+def test_a_table_holds_what_single_evaluations_hold(system):
+    shift = np.linspace(-6e-3, 6e-3, 25)
+    table = system.evaluate_many(lateral_shift=shift, yaw=0.01, normal_force=np.linspace(1e3, 1e5, 25), load_transfer=0.1)
+    assert len(table) == 25 and table.right.outline.pressure.shape == (25, 31) and table.right.patches[2].area.shape == (25,)
+    for k in (0, 7, 24):
+        one = system.evaluate(shift[k], 0.01, np.linspace(1e3, 1e5, 25)[k], 0.1)
+        assert one.roll == pytest.approx(table.roll[k], abs=1e-13)
+        assert one.left.penetration == pytest.approx(table.left.penetration[k], rel=1e-9)
+        assert one.right.contact.x_track == pytest.approx(table.right.contact.x_track[k], abs=1e-11)
+
+
+def test_rows_that_cannot_be_are_nan_and_say_why(system):
+    table = system.evaluate_many(lateral_shift=[0.0, np.nan, 0.5, 1e-3, 2e-3], normal_force=[1e4, 1e4, 1e4, -5.0, 0.0])
+    np.testing.assert_array_equal(table.status, [0, 4, 2, 4, 1])
+    np.testing.assert_array_equal(np.isnan(table.roll), [False, True, True, True, False])
+    assert table.right.area[0] == pytest.approx(system.evaluate(normal_force=1e4).right.area, rel=1e-9)
+    with pytest.raises(ValueError, match="permitted are one-dimensional"):
+        system.evaluate_many(lateral_shift=np.zeros((2, 2)))
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (dict(lateral_shift=math.nan), ["lateral_shift", "nan", "finite"]),
+    (dict(yaw=math.inf), ["yaw", "inf", "finite"]),
+    (dict(normal_force=-1.0), ["normal_force", "-1 N", ">= 0"]),
+    (dict(load_transfer=1.5), ["load_transfer", "1.5", "<= 1"]),
+    (dict(roll_guess=math.nan), ["roll_guess", "nan"]),
+])
+def test_invalid_input_is_a_status_with_a_sentence(system, arguments, words):
+    good = system.evaluate(lateral_shift=2e-3)
+    state = system.evaluate(**{"lateral_shift": 2e-3, **arguments})
+    assert state.status == Status.INVALID_INPUT
+    np.testing.assert_array_equal(state.values, good.values)
+    sentence = explain(state.status, state.inputs)
+    assert all(word in sentence for word in words), sentence
+    assert system.evaluate(lateral_shift=2e-3).values == pytest.approx(good.values, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("inputs, status, words", [
+    ((0.1, 0, 0, 1e4, 0), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
+    ((0.0, 0.3, 0, 1e4, 0), 2, ["yaw is 0.3 rad", "0.12 rad"]),
+    ((0.0, 0, 0, 0.0, 0), 1, ["normal_force is 0 N", "> 0 N"]),
+    ((0.0, 0, 0, 1e4, -1.0), 1, ["load_transfer is -1", "< 1"]),
+    ((0.0, 0, 0, 1e4, 0), 3, ["iteration limit"]),
+])
+def test_every_status_has_its_sentence(inputs, status, words):
+    assert all(word in explain(status, inputs) for word in words), explain(status, inputs)
+    assert explain(0, inputs) == ""
+
+
+def test_nothing_valid_yet_is_nan():
+    state = wrcontact.ContactSystem(rail="54E1").evaluate(lateral_shift=math.nan)
+    assert np.all(np.isnan(state.values)) and state.right.patch_count == 0
+
+
+@pytest.mark.parametrize("arguments, sentence", [
+    (dict(wheel="S1003"), "wheel is 'S1003'; permitted are S1002"),
+    (dict(rail="S1002"), "rail is 'S1002'"),
+    (dict(rail_inclination=0.5), "rail_inclination is 0.5; permitted is 0 ... 0.1 1"),
+    (dict(gauge=1435.0), "gauge is 1435.0; permitted is 0.5 ... 2 m"),
+    (dict(nominal_radius="big"), "nominal_radius is 'big'; permitted is 0.1 ... 1 m"),
+    (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),
+    (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
+    (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'hertz'"),
+    (dict(contact_mode="elastic"), "contact_mode is 'elastic'; permitted is 'rigid'"),
+    (dict(lateral_curvature=3), "lateral_curvature is 3; permitted is 'smooth'"),
+])
+def test_wrong_parameters_are_refused_in_a_sentence(arguments, sentence):
+    with pytest.raises(ValueError) as refusal:
+        wrcontact.ContactSystem(**arguments)
+    assert str(refusal.value).startswith(sentence) and "\n" not in str(refusal.value)
+
+
+def test_every_parameter_changes_what_it_should(system):
+    plain = system.evaluate(3e-3)
+    for name, value in (("rail_inclination", 1 / 20), ("gauge", 1.44), ("gauge_depth", 0.0138),
+                        ("running_circle_distance", 1.51), ("nominal_radius", 0.5)):
+        changed = wrcontact.ContactSystem(**{name: value}).evaluate(3e-3)
+        assert changed.status == 0 and changed.roll != pytest.approx(plain.roll, rel=1e-6), name
+    softer = wrcontact.ContactSystem(youngs_modulus=100e9).evaluate(3e-3)
+    assert softer.roll == pytest.approx(plain.roll, abs=1e-13) and softer.right.area > 1.3 * plain.right.area
+    assert wrcontact.ContactSystem(poisson_ratio=0.0).evaluate(3e-3).right.area > plain.right.area
+
+
+def test_stepper_keeps_the_last_valid_outputs(system):
+    stepper = system.stepper()
+    assert not np.any(stepper.outputs)
+    stepper.inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    assert stepper.step() == 0
+    kept = stepper.outputs.copy()
+    for wrong in ((1.0, 0, 0, 1e4, 0), (np.nan, 0, 0, 1e4, 0), (0, 0, 0, -1, 0), (0, 0, 0, np.inf, 0), (1e308, 0, 0, 1, 0)):
+        stepper.inputs[:] = wrong
+        assert stepper.step() in (2, 4)
+        np.testing.assert_array_equal(stepper.outputs, kept)
+    stepper.inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    assert stepper.step() == 0
+    np.testing.assert_allclose(stepper.outputs, kept, rtol=1e-9, atol=1e-12)
+
+
+def test_numbers_from_hell_never_leave_the_statuses(system):
+    rng = np.random.default_rng(13)
+    special = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-30, 1e-9, 1e-3, 6.25e-3, 0.0149999, 0.015, 1.0, 1e30, 1e308,
+                        np.inf, np.nan])
+    stepper = system.stepper()
+    for _ in range(3000):
+        stepper.inputs[:] = rng.choice(special, 5) * rng.choice([-1.0, 1.0], 5)
+        pose = tuple(stepper.inputs)
+        status = stepper.step()
+        assert 0 <= status <= 4, pose
+        assert np.all(np.isfinite(stepper.outputs)), pose
+
+
+def test_pickled_and_copied_systems_agree(system):
+    other = pickle.loads(pickle.dumps(wrcontact.ContactSystem(rail="60E1", gauge=1.437)))
+    assert other.parameters["gauge"] == 1.437 and repr(other) == "ContactSystem(rail='60E1', gauge=1.437)"
+    assert other.evaluate(1e-3).roll == wrcontact.ContactSystem(rail="60E1", gauge=1.437).evaluate(1e-3).roll
+
+
+def test_threads_share_a_system(system):
+    shift = np.linspace(-6e-3, 6e-3, 200)
+    expected = [system.evaluate(value).roll for value in shift]
+    results = {}
+
+    def work(name):
+        results[name] = [system.evaluate(value).roll for value in shift]
+
+    threads = [threading.Thread(target=work, args=(name,)) for name in range(4)]
+    [thread.start() for thread in threads], [thread.join() for thread in threads]
+    for found in results.values():
+        np.testing.assert_allclose(found, expected, atol=1e-13)
+    assert len(results) == 4
+
+
+def test_memory_stays_flat(system):
+    """100 000 evaluations; resident memory read from the system where it says it."""
+    resident = pytest.importorskip("resource")
+    stepper = system.stepper()
+    shift = 6.6e-3 * np.sin(np.linspace(0, 50, 100_000))
+
+    def run():
+        for value in shift[::2]:
+            stepper.inputs[0], stepper.inputs[3] = value, 78.5e3
+            stepper.step()
+
+    run()
+    before = resident.getrusage(resident.RUSAGE_SELF).ru_maxrss
+    run()
+    assert resident.getrusage(resident.RUSAGE_SELF).ru_maxrss - before < 1024    # [KiB]
