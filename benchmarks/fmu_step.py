@@ -55,6 +55,19 @@ def report(unpacked):
     fmu.slave.freeInstance()
 
 
+def whole_step(folder, rounds):
+    """Seconds and units of a step of a freshly built FMU, each the smallest of ``rounds``."""
+    unpacked = extract(built(folder))
+    try:
+        fmu = Instance(unpacked)
+        found = [(cost(fmu.step_over(moving_inputs()), rounds=1), cost(unit_of_work(), 20 * STEPS, rounds=1))
+                 for _ in range(rounds)]
+        fmu.slave.freeInstance()
+    finally:
+        rmtree(unpacked, ignore_errors=True)
+    return min(seconds for seconds, _ in found), min(seconds / one for seconds, one in found)
+
+
 class Instance:
     """One initialised FMU, and the session inside it: it runs in this process."""
 
@@ -139,15 +152,15 @@ def unit_of_work():
     return lambda: np.sqrt(values, out=roots)
 
 
-def cost(action, count=STEPS):
+def cost(action, count=STEPS, rounds=ROUNDS):
     """Seconds per call: the median of several rounds."""
-    rounds = []
-    for _ in range(ROUNDS):
+    found = []
+    for _ in range(rounds):
         start = time.perf_counter()
         for _ in range(count):
             action()
-        rounds.append((time.perf_counter() - start) / count)
-    return median(rounds)
+        found.append((time.perf_counter() - start) / count)
+    return median(found)
 
 
 if __name__ == "__main__":

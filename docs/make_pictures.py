@@ -24,6 +24,7 @@ ARROW = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shr
 
 
 def main(names):
+    """Draw the pictures of these names and print where they are."""
     IMAGES.mkdir(exist_ok=True)
     for name in names:
         print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
@@ -73,7 +74,8 @@ def draw_from_behind(panel, system, state):
     radius = system.parameters["nominal_radius"]
     for side in ("left", "right"):
         y, z = wheel_outline(system, state, side)
-        panel.fill(np.append(y, y[::-1]) / MM, np.append(-z, 2 * radius + z[::-1]) / MM, color=WHEEL_COLOUR, alpha=0.25, linewidth=0)
+        around = np.append(-z, 2 * radius + z[::-1])  # down at the rail, up over the axle
+        panel.fill(np.append(y, y[::-1]) / MM, around / MM, color=WHEEL_COLOUR, alpha=0.25, linewidth=0)
         y, z = rail_outline(system, side)
         panel.fill(y / MM, -z / MM, color=RAIL_COLOUR, alpha=0.7, linewidth=0)
     panel.plot([-900, 900], [radius / MM] * 2, color=WHEEL_COLOUR, linewidth=1, linestyle=(0, (8, 3, 2, 3)))
@@ -117,7 +119,8 @@ def draw_wheel_frame(panel, system):
     panel.plot(y, -z, color=WHEEL_COLOUR)
     for name, (low, high) in WHEEL_ZONES.items():
         panel.plot([low / MM] * 2, [-34, 42], color=QUIET, linewidth=0.5, linestyle=":")
-        panel.text(max(low / MM, -70) / 2 + high / MM / 2, 38, name.replace(" ", "\n"), color=QUIET, style="italic", ha="center", va="top")
+        middle = (low + high) / 2 / MM
+        panel.text(middle, 38, name.replace(" ", "\n"), color=QUIET, style="italic", ha="center", va="top")
     panel.text(-72, -46, "track side", color=QUIET, fontsize=8, ha="left")
     panel.text(60, -46, "field side", color=QUIET, fontsize=8, ha="right")
     axis(panel, (0, 0), (34, 0), "y", above=True)
@@ -148,18 +151,20 @@ def draw_rail_frame(panel, system):
 def draw_contact_plane(panel, system, state):
     """Contact plane and contact angle of a right wheel at the flange root."""
     panel.set_title("Contact plane, right wheel")
-    for outline, colour, end in ((rail_outline(system, "right"), RAIL_COLOUR, -60e-3), (wheel_outline(system, state, "right"), WHEEL_COLOUR, 60e-3)):
-        y, z = outline
-        panel.fill_between(y / MM, -z / MM, end / MM, color=colour, alpha=0.2, linewidth=0)
+    rail, wheel = rail_outline(system, "right"), wheel_outline(system, state, "right")
+    for (y, z), colour, end in ((rail, RAIL_COLOUR, -60), (wheel, WHEEL_COLOUR, 60)):
+        panel.fill_between(y / MM, -z / MM, end, color=colour, alpha=0.2, linewidth=0)
         panel.plot(y / MM, -z / MM, color=colour)
     contact, angle = state.right.contact, state.right.contact_angle
     point = np.array([contact.y_track, -contact.z_track]) / MM
     along, normal = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
-    panel.plot(*np.array([point - 24 * along, point + 30 * along]).T, color=CONTACT_COLOUR, linewidth=1, linestyle=(0, (4, 2)))
+    ends = np.array([point - 24 * along, point + 30 * along])
+    panel.plot(*ends.T, color=CONTACT_COLOUR, linewidth=1, linestyle=(0, (4, 2)))
     panel.plot([point[0], point[0] + 30], [point[1]] * 2, color=QUIET, linewidth=0.8)
     panel.add_patch(Arc(point, 44, 44, theta1=0, theta2=np.degrees(angle), color=INK, linewidth=1.2))
-    panel.annotate("contact_angle,\nhere positive", point + 22 * np.array([np.cos(angle / 4), np.sin(angle / 4)]), point + np.array([14, -11]),
-                   fontsize=8, va="top", arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.7})
+    on_arc = point + 22 * np.array([np.cos(angle / 4), np.sin(angle / 4)])
+    panel.annotate("contact_angle,\nhere positive", on_arc, point + np.array([14, -11]), fontsize=8, va="top",
+                   arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.7})
     axis(panel, point, 20 * along, "station s", shift=(-7, 6))
     axis(panel, point, 16 * normal, "normal", shift=(-12, 2))
     panel.plot(*point, "o", color=CONTACT_COLOUR, markersize=5)
@@ -176,7 +181,8 @@ def axis(panel, start, stroke, name, *, above=False, shift=None):
     if shift is not None:
         panel.text(*np.add(tip, shift), name)
     elif above:
-        panel.annotate(name, np.add(start, np.multiply(stroke, 0.95)), (0, 4), textcoords="offset points", ha="right", va="bottom")
+        near_tip = np.add(start, np.multiply(stroke, 0.95))
+        panel.annotate(name, near_tip, (0, 4), textcoords="offset points", ha="right", va="bottom")
     else:
         panel.annotate(name, tip, (4, 0), textcoords="offset points", va="center")
 
@@ -185,9 +191,10 @@ def into_page(panel, centre, size, name, shift):
     """A circle with a cross: an axis that points away from the reader."""
     angle = np.linspace(0, 2 * np.pi, 60)
     panel.fill(centre[0] + size * np.cos(angle), centre[1] + size * np.sin(angle), facecolor="white", edgecolor=INK, zorder=4)
-    for sign in (1, -1):
-        reach = 0.7 * size
-        panel.plot([centre[0] - reach, centre[0] + reach], [centre[1] - sign * reach, centre[1] + sign * reach], color=INK, linewidth=1, zorder=5)
+    reach = 0.7 * size
+    for rise in (reach, -reach):
+        ends = [centre[0] - reach, centre[0] + reach], [centre[1] - rise, centre[1] + rise]
+        panel.plot(*ends, color=INK, linewidth=1, zorder=5)
     panel.text(*np.add(centre, shift), name, ha="right")
 
 
@@ -202,7 +209,8 @@ def turn(panel, centre, radius, span, name, shift):
 
 def dimension(panel, low, high, height, words):
     """A measured distance."""
-    panel.annotate("", (low, height), (high, height), arrowprops={**ARROW, "arrowstyle": "<|-|>", "color": QUIET, "linewidth": 0.8})
+    look = {**ARROW, "arrowstyle": "<|-|>", "color": QUIET, "linewidth": 0.8}
+    panel.annotate("", (low, height), (high, height), arrowprops=look)
     panel.text(0.56 * low, height + 12, words, color=QUIET, fontsize=8, ha="center", va="bottom")
 
 

@@ -46,7 +46,8 @@ def run(capsys):
 
 def start(*words, folder):
     """Run Python with these words in a process of its own."""
-    return subprocess.run([sys.executable, *words], cwd=folder, env=OUTSIDE, capture_output=True, text=True, encoding="utf-8", timeout=300)
+    settings = {"cwd": folder, "env": OUTSIDE, "capture_output": True, "text": True, "encoding": "utf-8", "timeout": 300}
+    return subprocess.run([sys.executable, *words], **settings)
 
 
 def read_csv(path):
@@ -177,7 +178,7 @@ def test_solve_prints_display_units(run):
     state = ContactSystem().evaluate(lateral_shift=1e-3, yaw=0.0, normal_force=78.5e3)
     rows = {words[0]: words[1:] for words in map(str.split, out.splitlines()) if len(words) == 4}
     assert code == 0 and err == ""
-    assert rows["contact.y_wheel"] == ["mm", f"{state.left.contact.y_wheel * 1e3:.4f}", f"{state.right.contact.y_wheel * 1e3:.4f}"]
+    assert rows["contact.y_wheel"] == ["mm", *(f"{side.contact.y_wheel * 1e3:.4f}" for side in (state.left, state.right))]
     assert rows["contact.y_wheel"][2] == "-9.3567"  # [mm] as an independent search has it
     assert rows["area"] == ["mm2", f"{state.left.area * 1e6:.2f}", f"{state.right.area * 1e6:.2f}"]
     assert rows["max_pressure"] == ["MPa", f"{state.left.max_pressure / 1e6:.1f}", f"{state.right.max_pressure / 1e6:.1f}"]
@@ -246,7 +247,8 @@ def test_rail_inclination_is_read_as_a_ratio_or_a_slope(run):
 
 def test_sweep_writes_what_evaluate_many_returns(run, tmp_path):
     file = tmp_path / "sweep.csv"
-    code, out, _ = run("sweep", "--from-mm", -7, "--to-mm", 7, "--step-mm", 0.1, "--yaw-deg", 0.3, "--normal-force-kn", 100, "--csv", file)
+    load = ("--yaw-deg", 0.3, "--normal-force-kn", 100)
+    code, out, _ = run("sweep", "--from-mm", -7, "--to-mm", 7, "--step-mm", 0.1, *load, "--csv", file)
     written = read_csv(file)
     shifts = np.round(np.linspace(-7, 7, 141), 9) / 1e3
     expected = columns_of(ContactSystem().evaluate_many(lateral_shift=shifts, yaw=np.radians(0.3), normal_force=100e3))
@@ -259,9 +261,9 @@ def test_sweep_writes_what_evaluate_many_returns(run, tmp_path):
 def test_sweep_prints_a_table(run):
     code, out, err = run("sweep", "--from-mm", 0, "--to-mm", 6, "--step-mm", 3)
     rows = [line.split() for line in out.splitlines() if re.match(r" *\d+\.\d{3} ", line)]
-    state = ContactSystem().evaluate(lateral_shift=3e-3)
+    right = ContactSystem().evaluate(lateral_shift=3e-3).right
     assert code == 0 and err == "" and [row[0] for row in rows] == ["0.000", "3.000", "6.000"]
-    assert rows[1][5:] == [f"{state.right.contact.y_wheel * 1e3:.3f}", f"{state.right.area * 1e6:.1f}", f"{state.right.max_pressure / 1e6:.0f}"]
+    assert rows[1][5:] == [f"{right.contact.y_wheel * 1e3:.3f}", f"{right.area * 1e6:.1f}", f"{right.max_pressure / 1e6:.0f}"]
     assert max(map(len, out.splitlines())) <= 80
 
 

@@ -28,6 +28,7 @@ def millimetres(option, words):
 
 @main.callback(invoke_without_command=True)
 def welcome(context: typer.Context):
+    # no docstring: typer would show it instead of the help above
     if context.invoked_subcommand is None:
         print(context.get_help())
 

@@ -19,15 +19,17 @@ from .report import console, write_table
 RUN = "hunting.csv"
 CSV_NAME, PICTURE_NAME = "demo.csv", "demo.png"
 
-POSITIONS = tuple(f"contact.{name}" for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track"))
-#: What is compared: quantity, its variables (of each wheel where the name says no wheel has them), tolerance, unit of both.
-#: A tolerance in % is a share of the stored value.
+AXES = ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track")
+POSITIONS = tuple(f"contact.{name}" for name in AXES)
 WHEELSET, WHEELS = ("",), tuple(f"{side}." for side in SIDES)
+#: What is compared: quantity, whose it is, its variables, tolerance, unit.  A tolerance in % is a share of the stored value.
 TOLERANCES = (
     ("roll", WHEELSET, ("roll",), 1e-9, "rad"),
     ("vertical shift", WHEELSET, ("vertical_shift",), 1e-3, "mm"),
     ("contact positions", WHEELS, POSITIONS, 1e-3, "mm"),
     ("rolling radius", WHEELS, ("rolling_radius",), 1e-3, "mm"),
+    ("contact angle", WHEELS, ("contact_angle",), 1e-4, "rad"),
+    ("normal force", WHEELS, ("normal_force",), 1e-4, "%"),
     ("penetration", WHEELS, ("penetration",), 5.0, "%"),
     ("area", WHEELS, ("area",), 12.0, "%"),
     ("largest pressure", WHEELS, ("max_pressure",), 15.0, "%"),
@@ -48,6 +50,7 @@ class Check:
 
     @property
     def passed(self):
+        """Whether every value is within the tolerance."""
         return self.within == self.count
 
 
@@ -74,27 +77,34 @@ def stored_run():
 
 
 def step_through(fmu, stored):
-    """All outputs of the FMU after each row of the run, by name, and the time of each step [s].
-
-    A step is what a simulation does: set the inputs, step, read every output.
-    """
+    """All outputs of the FMU after each row of the run, arrays (n,) by name, and the time of each step [s] (n,)."""
     import fmpy
 
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         slave = _started(fmpy.extract(str(fmu), unzipdir=folder))
-        inputs, reals, integers = select(INPUT), select(OUTPUT, REAL), select(OUTPUT, INTEGER)
-        rows = np.column_stack([stored[VARIABLES[reference].name] for reference in inputs]).tolist()
-        instants, seen, seconds = stored["time"], [], []
-        for now, step_size, row in zip(instants, np.diff(instants, append=2 * instants[-1] - instants[-2]), rows):
-            start = time.perf_counter()
-            slave.setReal(inputs, row)
-            slave.doStep(now, step_size)
-            seen.append(slave.getReal(reals) + slave.getInteger(integers))
-            seconds.append(time.perf_counter() - start)
+        references, seen, seconds = _stepped(slave, stored)
         slave.terminate()
         slave.freeInstance()
-    by_reference = dict(zip(reals + integers, np.array(seen, dtype=float).T))
-    return {VARIABLES[r].name: by_reference[r] for r in sorted(by_reference)}, np.array(seconds)
+    columns = dict(zip(references, np.array(seen, dtype=float).T))
+    return {VARIABLES[reference].name: columns[reference] for reference in sorted(columns)}, np.array(seconds)
+
+
+def _stepped(slave, stored):
+    """Value references of the outputs, their values after each row, and the time of each step.
+
+    A step is what a simulation does: set the inputs, step, read every output.
+    """
+    inputs, reals, integers = select(INPUT), select(OUTPUT, REAL), select(OUTPUT, INTEGER)
+    rows = np.column_stack([stored[VARIABLES[reference].name] for reference in inputs]).tolist()
+    instants, seen, seconds = stored["time"].tolist(), [], []
+    step_size = instants[1] - instants[0]
+    for now, row in zip(instants, rows):
+        start = time.perf_counter()
+        slave.setReal(inputs, row)
+        slave.doStep(now, step_size)
+        seen.append(slave.getReal(reals) + slave.getInteger(integers))
+        seconds.append(time.perf_counter() - start)
+    return reals + integers, seen, seconds
 
 
 def _started(folder):
@@ -130,7 +140,8 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
     which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)), deviations.shape)
     wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
     place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f}{wheel}"
-    return Check(quantity, float(deviations[which, row]), tolerance, unit, int(np.sum(deviations <= tolerance)), deviations.size, place)
+    within = int(np.sum(deviations <= tolerance))
+    return Check(quantity, float(deviations[which, row]), tolerance, unit, within, deviations.size, place)
 
 
 def deviation(found, wanted, unit):
@@ -176,6 +187,7 @@ def check_table(checks):
     for column in table.columns:
         column.no_wrap, column.vertical = True, "bottom"
     for check in checks:
+        verdict, look = ("ok", None) if check.passed else ("FAILED", "bold red")
         table.add_row(check.quantity, check.unit, f"{check.deviation:.2g}", check.place, f"{check.tolerance:g}",
-                      f"{check.within}/{check.count}", "ok" if check.passed else "FAILED", style=None if check.passed else "bold red")
+                      f"{check.within}/{check.count}", verdict, style=look)
     return table

@@ -22,6 +22,7 @@ class Door(TyperGroup):
     """The commands; a refusal is a sentence, never a picture of the usage or a traceback."""
 
     def main(self, *arguments, standalone_mode=True, **options):
+        """Run a command and end the process with its exit code; without ``standalone_mode`` return it."""
         try:
             code = super().main(*arguments, standalone_mode=False, **options)
         except Refused as refusal:

@@ -92,9 +92,11 @@ def _option(variable):
     unit = _display(variable)
     start = f"{variable.start * UNITS[variable.unit].display_factor:g}" if variable.type == REAL else variable.start
     words = WORDS.get(name_of(variable), variable.meaning) + (f", in {unit}" if unit else "") + f" (default: {start})"
-    reading = {"parser": ratio if name_of(variable) == RATIO else number, "metavar": "NUMBER"} if variable.type == REAL else {"metavar": "NAME"}
-    option = typer.Option(option_of(variable), help=words, show_default=False, rich_help_panel=PANELS[variable.causality], **reading)
-    kind = float if variable.type == REAL else str
+    kind, reading = str, {"metavar": "NAME"}
+    if variable.type == REAL:
+        kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name_of(variable) == RATIO else number}
+    option = typer.Option(option_of(variable), help=words, show_default=False,
+                          rich_help_panel=PANELS[variable.causality], **reading)
     return Parameter(name_of(variable), Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[Optional[kind], option])
 
 

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..conventions import MILLIMETRE as MM
 from ..conventions import MIRROR, SIDES
 from ..kernel.locus import PLACE_SIZE, outline_point, place_wheelset
 from ..profiles.placement import place_rail, readable_wheel
@@ -97,6 +96,3 @@ def _jumps_inside(system, yaw, side, low, high, before, after):
     between = float(contact_places(system, [middle], yaw)[side][0])
     return (_jumps_inside(system, yaw, side, low, middle, before, between)
             + _jumps_inside(system, yaw, side, middle, high, between, after))
-
-
-__all__ = ["MM", "Jump", "WHEEL_ZONES", "contact_places", "find_jumps", "rail_outline", "wheel_outline", "wheel_zone"]

@@ -5,13 +5,14 @@ pyplot: no window, no display, no state that a caller would have to clean up.
 """
 
 from functools import wraps
+from math import radians
 
 import matplotlib
 from matplotlib.figure import Figure
 
-from ..conventions import MILLIMETRE as MM
+from ..conventions import MILLIMETRE as MM  # noqa: F401  beside the other units
 
-DEGREE = 0.017453292519943295  #: [rad]
+DEGREE = radians(1)
 KILONEWTON = 1e3  #: [N]
 MEGAPASCAL = 1e6  #: [Pa]
 
@@ -83,6 +84,3 @@ def save(figure, path):
     """Write ``figure`` to ``path``; the ending says the format (png, svg, pdf)."""
     figure.savefig(path, dpi=RESOLUTION)
     return path
-
-
-__all__ = ["DEGREE", "KILONEWTON", "MEGAPASCAL", "MM", "new_figure", "number", "save", "styled"]

@@ -31,7 +31,8 @@ def sweep(system, lateral_shift=None, yaw=0.0):
     if lateral_shift is None:
         lateral_shift = np.linspace(-LARGEST, LARGEST, round(2 * LARGEST / STEP) + 1)
     lateral_shift = np.asarray(lateral_shift, dtype=float)
-    return Sweep(lateral_shift, system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw), find_jumps(system, lateral_shift, yaw))
+    state = system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw)
+    return Sweep(lateral_shift, state, find_jumps(system, lateral_shift, yaw))
 
 
 @styled
