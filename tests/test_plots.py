@@ -1,6 +1,7 @@
 """The pictures: not how they look, but that what they draw are the numbers they speak of."""
 
 import re
+from pathlib import Path
 
 import matplotlib
 import numpy as np
@@ -235,3 +236,13 @@ def test_settings_of_the_caller_are_left_alone(tmp_path):
 @pytest.mark.parametrize("value, digits, text", [(-28.61, 1, "\N{MINUS SIGN}28.6"), (-0.001, 1, "0.0"), (5.0, 2, "5.00")])
 def test_number(value, digits, text):
     assert number(value, digits) == text
+
+
+def test_jumps_of_the_documentation(swept):
+    page = (Path(__file__).resolve().parent.parent / "docs" / "conventions.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ([\d.]+) \| (\S+) → (\S+) \|", page, re.MULTILINE)
+    rows = [[float(cell.replace("\N{MINUS SIGN}", "-")) for cell in row] for row in rows]
+    told = np.array(told_jumps(swept, "right")) / MM
+    assert np.shape(rows) == told.shape
+    np.testing.assert_allclose(np.array(rows)[:, 0], told[:, 0], atol=6e-4)  # [mm]
+    np.testing.assert_allclose(np.array(rows)[:, 1:], told[:, 1:], atol=0.5)  # [mm] steep before the last jump

@@ -33,9 +33,16 @@ def draw_patch(panel, outline, scale):
     y, x = np.broadcast_arrays(station / MM, across * half_length / MM)
     pressure = middle * np.sqrt(np.maximum(1 - across**2, 0.0)) / MEGAPASCAL
     mesh = panel.pcolormesh(y, x, pressure, shading="gouraud", cmap=PRESSURE_COLOURS, norm=scale, rasterized=True)
-    for edge in (half_length, -half_length):
-        panel.plot(station / MM, edge / MM, color=INK, linewidth=0.9)
+    edge = np.where(_between_patches(half_length), np.nan, half_length)
+    for side in (edge, -edge):
+        panel.plot(station / MM, side / MM, color=INK, linewidth=0.9)
     return mesh
+
+
+def _between_patches(half_length):
+    """Where neither a point nor its neighbours are loaded."""
+    bare = np.concatenate([[False], half_length <= 0, [False]])
+    return bare[1:-1] & bare[:-2] & bare[2:]
 
 
 def draw_pressure(panel, outline, colour):
@@ -47,7 +54,7 @@ def draw_pressure(panel, outline, colour):
 
 def pressure_scale(outlines):
     """One colour scale for several patches, from zero to the largest pressure, rounded up [MPa]."""
-    largest = max(float(np.max(outline.pressure)) for outline in outlines) / MEGAPASCAL
+    largest = max(float(np.max(fine_outline(outline)[2])) for outline in outlines) / MEGAPASCAL
     return Normalize(0, 100 * np.ceil(max(largest, 1.0) / 100))
 
 
