@@ -7,6 +7,7 @@ The host's own wrcontact is shut out: what answers is the code in the FMU.
 
 import gc
 import json
+import os
 import shutil
 import sys
 import threading
@@ -383,4 +384,9 @@ def resident():
 if __name__ == "__main__":
     scenario, file, folder = sys.argv[1:]
     answer = globals()[scenario](Fmu(file, folder), **json.load(sys.stdin))
-    print(json.dumps(answer))
+    print(json.dumps(answer), flush=True)
+    # PythonFMU's binary reads and writes memory that it has freed when the process ends (its exit handler follows the
+    # destructor of what it uses; PythonFMU issue 228), which now and then aborts the process after all is done.  Every
+    # check is in the answer, so leave without exit handlers.
+    sys.stderr.flush()
+    os._exit(0)
