@@ -139,9 +139,9 @@ def test_stored_values_pass(answers):
     ("roll", lambda v: v + 1.1e-9, "roll"),  # [rad]
     ("left.contact.x_track", lambda v: v - 1.1e-6, "contact positions"),  # [m]
     ("right.contact.y_wheel", lambda v: v + 1.1e-6, "contact positions"),
-    ("right.penetration", lambda v: 1.051 * v, "penetration"),
-    ("left.area", lambda v: 0.879 * v, "area"),
-    ("right.max_pressure", lambda v: 1.151 * v, "largest pressure"),
+    ("right.penetration", lambda v: 1.161 * v, "penetration"),
+    ("left.area", lambda v: 0.819 * v, "area"),
+    ("right.max_pressure", lambda v: 1.301 * v, "largest pressure"),
     ("left.max_pressure", lambda v: v * np.nan, "largest pressure"),
     ("status", lambda v: v + 2, "steps not valid"),
 ])  # fmt: skip
@@ -151,6 +151,18 @@ def test_one_wrong_value_fails_its_check(answers, name, change, quantity):
     check = next(check for check in compare(answers, stored_run()) if check.quantity == quantity)
     assert check.within == check.count - 1
     assert check.place.startswith(f"{stored_run()['lateral_shift'][40] * 1e3:.2f}")
+
+
+@pytest.mark.parametrize("name, factor, quantity", [
+    ("right.penetration", 1.051, "penetration"),
+    ("left.area", 0.879, "area"),
+    ("right.max_pressure", 1.151, "largest pressure"),
+])  # fmt: skip
+def test_a_few_patches_may_miss_their_tolerance_but_not_many(answers, name, factor, quantity):
+    answers[name][40:49] *= factor  # 9 of 320 values
+    assert failed(answers) == []
+    answers[name][49] *= factor  # 10 of 320: less than 97 % are left
+    assert failed(answers) == [quantity]
 
 
 @pytest.mark.parametrize("name, change", [("roll", 0.9e-9), ("left.contact.z_rail", 0.9e-6)])
@@ -164,7 +176,7 @@ def test_exit_code_follows_the_checks(run, answers, tmp_path, monkeypatch, right
     if not right:
         answers["roll"][7] += 1e-6
     monkeypatch.setattr(wrcontact.fmu, "build_fmu", lambda folder: Path(folder, "some.fmu"))
-    monkeypatch.setattr(demo_module, "step_through", lambda fmu, stored: (answers, np.ones(160)))
+    monkeypatch.setattr(demo_module, "apart", lambda function, fmu, stored: (answers, np.ones(160)))
     monkeypatch.setattr(demo_module, "draw", lambda path, answers, stored: None)
     ended, out, _ = run("demo", "--output", tmp_path)
     assert ended == code and word in out
