@@ -16,21 +16,21 @@ from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL,
 from .profile_table import START, STOP, height_slope_bend
 
 # the contact frame, at WORK_CONTACT
-FRAME_ABSCISSA: Final[int] = 3630    # rail abscissa of the contact point [m]
-FRAME_HEIGHT: Final[int] = 3631      # rail height there [m]
-FRAME_Y: Final[int] = 3632           # wheel abscissa [m]
-FRAME_COS: Final[int] = 3633         # of the plane's angle
-FRAME_SIN: Final[int] = 3634
-FRAME_SHIFT: Final[int] = 3635       # vertical shift of the wheelset [m]
-FRAME_PLACE: Final[int] = 3636       # offset of the placed wheel in the workspace
+FRAME_ABSCISSA: Final[int] = WORK_CONTACT + 0    # rail abscissa of the contact point [m]
+FRAME_HEIGHT: Final[int] = WORK_CONTACT + 1      # rail height there [m]
+FRAME_Y: Final[int] = WORK_CONTACT + 2           # wheel abscissa [m]
+FRAME_COS: Final[int] = WORK_CONTACT + 3         # of the plane's angle
+FRAME_SIN: Final[int] = WORK_CONTACT + 4
+FRAME_SHIFT: Final[int] = WORK_CONTACT + 5       # vertical shift of the wheelset [m]
+FRAME_PLACE: Final[int] = WORK_CONTACT + 6       # offset of the placed wheel in the workspace
 # the tracer: the last station and the profile abscissae that belong to it
-TRACER_STATION: Final[int] = 3640
-TRACER_RAIL: Final[int] = 3641
-TRACER_RAIL_RATE: Final[int] = 3642
-TRACER_RAIL_BEND: Final[int] = 3643
-TRACER_WHEEL: Final[int] = 3644
-TRACER_WHEEL_RATE: Final[int] = 3645
-TRACER_WHEEL_BEND: Final[int] = 3646
+TRACER_STATION: Final[int] = WORK_CONTACT + 10
+TRACER_RAIL: Final[int] = WORK_CONTACT + 11
+TRACER_RAIL_RATE: Final[int] = WORK_CONTACT + 12
+TRACER_RAIL_BEND: Final[int] = WORK_CONTACT + 13
+TRACER_WHEEL: Final[int] = WORK_CONTACT + 14
+TRACER_WHEEL_RATE: Final[int] = WORK_CONTACT + 15
+TRACER_WHEEL_BEND: Final[int] = WORK_CONTACT + 16
 
 #: Where no wheel or rail is left at a station, the gap counts as this [m].
 NO_GAP: Final[float] = 1.0

@@ -12,7 +12,7 @@ and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over 
 (wrcontact/profiles is not involved; see wrcontact/hertz_table.py).
 """
 
-from math import log, pi, sqrt
+from math import log, sqrt
 from typing import Final
 
 TABLE_COUNT: Final[int] = 0

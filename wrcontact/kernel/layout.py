@@ -18,8 +18,8 @@ INPUT_COUNT: Final[int] = 5
 OUT_ROLL: Final[int] = 0
 OUT_VERTICAL_SHIFT: Final[int] = 1
 OUT_LEFT: Final[int] = 2
-OUT_RIGHT: Final[int] = 136
-OUTPUT_COUNT: Final[int] = 270
+OUT_RIGHT: Final[int] = OUT_LEFT + 134
+OUTPUT_COUNT: Final[int] = OUT_RIGHT + 134
 
 # outputs: one side, relative to OUT_LEFT or OUT_RIGHT --------------------------------------------
 SIDE_PATCH_COUNT: Final[int] = 0
@@ -101,26 +101,33 @@ OFF_PROFILE: Final[int] = 2
 NOT_CONVERGED: Final[int] = 3
 INVALID_INPUT: Final[int] = 4
 
-# workspace -----------------------------------------------------------------------------------------
+# workspace: one array, cut up here ------------------------------------------------------------------
 SCAN_LIMIT: Final[int] = 400         # scan nodes over one wheel
-WORK_OUTPUTS: Final[int] = 0         # outputs under construction
-WORK_PLACE: Final[int] = 270         # the two placed wheels
-WORK_SIDE: Final[int] = 302          # two blocks of WORK_SIDE_SIZE
-WORK_SIDE_SIZE: Final[int] = 1664
+REGION_LIMIT: Final[int] = 3         # loaded regions of one wheel
+REGION_BLOCK: Final[int] = 32        # numbers kept of each
+NODE_FIELDS: Final[int] = 8          # node arrays of each
+NODE_LIMIT: Final[int] = 256         # their length
+NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
+PLACE_BLOCK: Final[int] = 16         # a placed wheel
+SIDE_BLOCK: Final[int] = 1200        # search data of one side
+CONTACT_BLOCK: Final[int] = 32       # contact frame and tracer
+ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
+
+WORK_INPUTS: Final[int] = 0          # inputs of the row at work
+WORK_OUTPUTS: Final[int] = WORK_INPUTS + 8          # outputs under construction
+WORK_PLACE: Final[int] = WORK_OUTPUTS + OUTPUT_COUNT          # left and right placed wheel
+WORK_SIDE: Final[int] = WORK_PLACE + 2 * PLACE_BLOCK          # left and right search data
+WORK_CONTACT: Final[int] = WORK_SIDE + 2 * SIDE_BLOCK         # contact frame of the side at work
+WORK_REGION: Final[int] = WORK_CONTACT + CONTACT_BLOCK
+WORK_NODES: Final[int] = WORK_REGION + REGION_BLOCK * REGION_LIMIT
+WORK_ISLANDS: Final[int] = WORK_NODES + NODE_LIMIT * NODE_FIELDS * REGION_LIMIT
+WORK_SIZE: Final[int] = WORK_ISLANDS + ISLAND_BLOCK
+
+# search data of one side, relative to its block
 SIDE_GAP: Final[int] = 0             # vertical gap at the scan nodes
-SIDE_ABSCISSA: Final[int] = 400      # rail abscissa of the scan nodes
-SIDE_FIRST: Final[int] = 800         # first and last scan node above the rail
-SIDE_LAST: Final[int] = 801
-SIDE_BEST: Final[int] = 802          # smallest gap found
-SIDE_BEST_Y: Final[int] = 803        # and its wheel abscissa
-SIDE_STACK: Final[int] = 808         # cells still to be searched
-WORK_CONTACT: Final[int] = 3630      # contact frame of the side at work
-WORK_REGION: Final[int] = 3662       # three region blocks
-REGION_LIMIT: Final[int] = 3
-WORK_NODES: Final[int] = 3758        # node arrays of the three regions
-NODE_LIMIT: Final[int] = 256
-NODE_MIDDLE: Final[int] = 128
-NODE_FIELDS: Final[int] = 8
-WORK_ISLANDS: Final[int] = 9902
-WORK_INPUTS: Final[int] = 9982
-WORK_SIZE: Final[int] = 9990
+SIDE_ABSCISSA: Final[int] = SIDE_GAP + SCAN_LIMIT             # rail abscissa of the scan nodes
+SIDE_FIRST: Final[int] = SIDE_ABSCISSA + SCAN_LIMIT           # first and last scan node above the rail
+SIDE_LAST: Final[int] = SIDE_FIRST + 1
+SIDE_BEST: Final[int] = SIDE_FIRST + 2                        # smallest gap found
+SIDE_BEST_Y: Final[int] = SIDE_FIRST + 3                      # and its wheel abscissa
+SIDE_STACK: Final[int] = SIDE_FIRST + 8                       # cells still to be searched

@@ -12,7 +12,7 @@ B_t and B_s these two,
 follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
 """
 
-from math import fabs, pi, sqrt
+from math import fabs, sqrt
 from typing import Final
 
 from .contact_plane import NO_GAP, normal_gap, start_tracer

@@ -6,11 +6,10 @@
 4. the FINE nodes, on which the force is met.
 """
 
-from math import atan, fabs, isfinite, pi, sqrt
+from math import isfinite, pi, sqrt
 from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
-from .contact_plane import longitudinal_curvature
 from .hertz import hertz_coefficients, hertz_stiffness
 from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
                      PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL, SIDE_AREA,

@@ -9,13 +9,12 @@ from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_SIN, FRAME_Y, TRACER_RAIL, TRACER_WHEEL,
                             normal_gap, start_tracer)
-from .layout import (REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP, SIDE_LAST,
+from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP, SIDE_LAST,
                      WORK_REGION)
 from .profile_table import height_slope
 from .search import ROW_Y, SCAN_NODES, SCAN_ROW
 
 # a region block
-REGION_SIZE: Final[int] = 32
 REGION_STATION: Final[int] = 0       # of the minimum [m]
 REGION_GAP: Final[int] = 1           # there [m]
 REGION_RAIL: Final[int] = 2          # rail and wheel abscissa there [m]
@@ -56,7 +55,7 @@ MINIMUM_ITERATIONS: Final[int] = 12
 
 def region_block(index: int):
     """Offset of region ``index`` in the workspace."""
-    return WORK_REGION + REGION_SIZE * index
+    return WORK_REGION + REGION_BLOCK * index
 
 
 def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, station: float):
@@ -172,7 +171,7 @@ def bound_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count
 
 def swap_regions(work: 'float[:]', first: int, second: int):
     """Exchange two region blocks."""
-    for i in range(REGION_SIZE):
+    for i in range(REGION_BLOCK):
         kept = work[region_block(first) + i]
         work[region_block(first) + i] = work[region_block(second) + i]
         work[region_block(second) + i] = kept

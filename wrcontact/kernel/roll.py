@@ -12,9 +12,9 @@ from math import fabs
 from typing import Final
 
 from .gap import gap_per_roll
-from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SIDE_BEST, SIDE_BEST_Y,
-                     STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE, WORK_SIDE_SIZE)
-from .locus import PLACE_SIZE, mirror_place, place_wheelset
+from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST, SIDE_BEST_Y,
+                     STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE, SIDE_BLOCK)
+from .locus import mirror_place, place_wheelset
 from .search import follow_minimum, search_side
 
 #: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
@@ -26,10 +26,11 @@ NEWTON_STEPS: Final[int] = 25
 #: Largest move of the roll in one Newton step with followed minima [rad]; larger ones are searched anew.
 LONGEST_TURN: Final[float] = 5e-4
 
-LEFT: Final[int] = 302               # WORK_SIDE, and the right side after it
-RIGHT: Final[int] = 1966
-LEFT_PLACE: Final[int] = 270
-RIGHT_PLACE: Final[int] = 281
+# the two sides' blocks and placed wheels in the workspace
+LEFT: Final[int] = WORK_SIDE
+RIGHT: Final[int] = WORK_SIDE + SIDE_BLOCK
+LEFT_PLACE: Final[int] = WORK_PLACE
+RIGHT_PLACE: Final[int] = WORK_PLACE + PLACE_BLOCK
 
 
 def place_both(tables: 'float[:]', work: 'float[:]', roll: float):

@@ -93,10 +93,11 @@ def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
     return node
 
 
-def bend_bounds(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, cell: int):
-    """Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1: rail minus wheel."""
+def bend_bounds(tables: 'float[:]', place: 'float[:]', at: int, cell: int, abscissa: float):
+    """Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
+    the rail's ``abscissa`` [m]: rail minus wheel."""
     scan = int(tables[SET_SCAN])
-    u = (work[side + SIDE_ABSCISSA + cell] - tables[scan + SCAN_RAIL_START]) / tables[scan + SCAN_RAIL_STEP]
+    u = (abscissa - tables[scan + SCAN_RAIL_START]) / tables[scan + SCAN_RAIL_STEP]
     if not u > 0.0:
         u = 0.0
     if u > tables[scan + SCAN_RAIL_COUNT] - 1.0:
@@ -135,7 +136,7 @@ def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
             lowest = work[side + SIDE_GAP + i + 1]
         # most cells are far above; the bounds are looked up for the others only
         if lowest < work[side + SIDE_BEST] + 1e-3:
-            least, most = bend_bounds(tables, work, side, place, at, i)
+            least, most = bend_bounds(tables, place, at, i, work[side + SIDE_ABSCISSA + i])
             row = scan + SCAN_NODES + SCAN_ROW * i
             low = tables[row + ROW_Y]
             high = tables[row + SCAN_ROW + ROW_Y]
@@ -175,9 +176,11 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
         else:
             outside = middle
     cell = node
+    abscissa = work[side + SIDE_ABSCISSA + node]
     if outward < 0:
         cell = node - 1
-    least, most = bend_bounds(tables, work, side, place, at, node)
+        abscissa = tables[int(tables[SET_RAIL]) + START]
+    least, most = bend_bounds(tables, place, at, cell, abscissa)
     if inside < inner:
         search_cell(tables, work, side, place, at, state, -1.0, most, inside, inner)
     elif inside > inner:

@@ -8,14 +8,14 @@ from typing import Final
 
 from .contact_plane import open_frame
 from .gap import vertical_gap
-from .layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL_GUESS, IN_YAW, INPUT_COUNT,
+from .layout import (PLACE_BLOCK, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL_GUESS, IN_YAW, INPUT_COUNT,
                      INVALID_INPUT, NOT_CONVERGED, OFF_PROFILE, OUT_LEFT, OUT_RIGHT, OUT_ROLL, OUT_VERTICAL_SHIFT,
                      OUTPUT_COUNT, SET_LATERAL_LIMIT, SET_PENETRATION_LEFT, SET_RADIUS, SET_RAIL, SET_RAIL_Y,
                      SET_WHEEL, SET_YAW_LIMIT, SIDE_BEST, SIDE_BEST_Y, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
                      SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_SIZE, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
                      SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, STATE_ROLL, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT,
-                     UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SIDE_SIZE)
-from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_SIZE, around_wheel,
+                     UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, SIDE_BLOCK)
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel,
                     outline_point)
 from .normal_contact import solve_normal
 from .profile_table import height_slope, height_slope_bend
@@ -53,8 +53,8 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
 
     1 if the profiles are parallel at the smallest gap, else 0.
     """
-    side = WORK_SIDE + WORK_SIDE_SIZE * index
-    at = WORK_PLACE + PLACE_SIZE * index
+    side = WORK_SIDE + SIDE_BLOCK * index
+    at = WORK_PLACE + PLACE_BLOCK * index
     out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
     y = work[side + SIDE_BEST_Y]
     gap, mismatch, rate = vertical_gap(tables, work, at, y)
@@ -89,7 +89,7 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
 
 def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, shift: float, force: float):
     """Contact and patches of one side; its outcome."""
-    side = WORK_SIDE + WORK_SIDE_SIZE * index
+    side = WORK_SIDE + SIDE_BLOCK * index
     out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
     for i in range(SIDE_SIZE):
         work[out + i] = 0.0
@@ -113,7 +113,7 @@ def find_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     if state[STATE_WARM] == 1.0 and guess == 0.0:
         guess = state[STATE_ROLL]
         work[WORK_SIDE + SIDE_BEST_Y] = state[STATE_Y_LEFT]
-        work[WORK_SIDE + WORK_SIDE_SIZE + SIDE_BEST_Y] = state[STATE_Y_RIGHT]
+        work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y] = state[STATE_Y_RIGHT]
         warm = 1
     return solve_roll(tables, work, state, guess, warm)
 
@@ -128,18 +128,18 @@ def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     if status != VALID:
         return status
     work[WORK_OUTPUTS + OUT_ROLL] = roll
-    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SIDE + WORK_SIDE_SIZE + SIDE_BEST]
+    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST]
     for index in range(2):
         sign = float(2 * index - 1)
         force = work[WORK_INPUTS + IN_NORMAL_FORCE] * (1.0 + sign * work[WORK_INPUTS + IN_LOAD_TRANSFER])
-        shift = work[WORK_SIDE + WORK_SIDE_SIZE * index + SIDE_BEST]
+        shift = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
         outcome = step_side(tables, work, state, index, shift, force)
         if outcome > status:
             status = outcome
     if status <= UNLOADED:
         state[STATE_ROLL] = roll
         state[STATE_Y_LEFT] = work[WORK_SIDE + SIDE_BEST_Y]
-        state[STATE_Y_RIGHT] = work[WORK_SIDE + WORK_SIDE_SIZE + SIDE_BEST_Y]
+        state[STATE_Y_RIGHT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y]
         state[STATE_WARM] = 1.0
     return status
 

@@ -11,7 +11,7 @@
 /* Offset of region ``index`` in the workspace. */
 static int64_t regions__region_block(int64_t index)
 {
-    return layout__WORK_REGION + regions__REGION_SIZE * index;
+    return layout__WORK_REGION + layout__REGION_BLOCK * index;
 }
 
 /* Start region ``index`` at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
@@ -214,7 +214,7 @@ static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_
 {
     int64_t i;
     double kept;
-    for (i = INT64_C(0); i < regions__REGION_SIZE; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__REGION_BLOCK; i += INT64_C(1))
     {
         kept = (*cspan_at(&work, regions__region_block(first) + i));
         (*cspan_at(&work, regions__region_block(first) + i)) = (*cspan_at(&work, regions__region_block(second) + i));

@@ -15,7 +15,6 @@
 #include "profile_table.h"
 #include "search.h"
 
-static const int64_t regions__REGION_SIZE = INT64_C(32);
 static const int64_t regions__REGION_STATION = INT64_C(0);
 static const int64_t regions__REGION_GAP = INT64_C(1);
 static const int64_t regions__REGION_RAIL = INT64_C(2);

@@ -24,10 +24,10 @@ static const double roll__ROLL_SHARP = 1e-14;
 static const int64_t roll__SEARCHES = INT64_C(60);
 static const int64_t roll__NEWTON_STEPS = INT64_C(25);
 static const double roll__LONGEST_TURN = 0.0005;
-static const int64_t roll__LEFT = INT64_C(302);
-static const int64_t roll__RIGHT = INT64_C(1966);
-static const int64_t roll__LEFT_PLACE = INT64_C(270);
-static const int64_t roll__RIGHT_PLACE = INT64_C(281);
+static const int64_t roll__LEFT = INT64_C(310);
+static const int64_t roll__RIGHT = INT64_C(1510);
+static const int64_t roll__LEFT_PLACE = INT64_C(278);
+static const int64_t roll__RIGHT_PLACE = INT64_C(294);
 
 static int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
 static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);

@@ -91,8 +91,10 @@ static int64_t search__scan_side(array_double_1d tables, array_double_1d work, i
     return node;
 }
 
-/* Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1: rail minus wheel. */
-static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, int64_t cell)
+/* Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
+ * the rail's ``abscissa`` [m]: rail minus wheel.
+ */
+static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa)
 {
     int64_t scan;
     double u;
@@ -100,7 +102,7 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
     int64_t row;
     double share;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    u = ((*cspan_at(&work, side + layout__SIDE_ABSCISSA + cell)) - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) / (*cspan_at(&tables, scan + search__SCAN_RAIL_STEP));
+    u = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) / (*cspan_at(&tables, scan + search__SCAN_RAIL_STEP));
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -166,7 +168,7 @@ static int64_t search__search_side(array_double_1d tables, array_double_1d work,
         /* most cells are far above; the bounds are looked up for the others only */
         if (lowest < (*cspan_at(&work, side + layout__SIDE_BEST)) + 0.001)
         {
-            search__bend_bounds(&least, &most, tables, work, side, place, at, i);
+            search__bend_bounds(&least, &most, tables, place, at, i, (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i)));
             row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
             low = (*cspan_at(&tables, row + search__ROW_Y));
             high = (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y));
@@ -215,6 +217,7 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
     double z_track;
     double outline_slope;
     int64_t cell;
+    double abscissa;
     double least;
     double most;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
@@ -237,11 +240,13 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
         }
     }
     cell = node;
+    abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + node));
     if (outward < INT64_C(0))
     {
         cell = node - INT64_C(1);
+        abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))) + profile_table__START));
     }
-    search__bend_bounds(&least, &most, tables, work, side, place, at, node);
+    search__bend_bounds(&least, &most, tables, place, at, cell, abscissa);
     if (inside < inner)
     {
         search__search_cell(tables, work, side, place, at, state, -1.0, most, inside, inner);

@@ -42,7 +42,7 @@ static const double search__SCAN_LEAD = 0.03;
 static const double search__LARGE_GAP = 1000.0;
 
 static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state);
-static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, int64_t cell);
+static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa);
 static int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
 static int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap);
 static int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high);

@@ -73,8 +73,8 @@ static int64_t step__describe_contact(array_double_1d tables, array_double_1d wo
     double r;
     double lateral;
     int64_t parallel;
-    side = layout__WORK_SIDE + layout__WORK_SIDE_SIZE * index;
-    at = layout__WORK_PLACE + locus__PLACE_SIZE * index;
+    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
+    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
     y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
     gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
@@ -119,7 +119,7 @@ static int64_t step__step_side(array_double_1d tables, array_double_1d work, arr
     int64_t i;
     double penetration;
     int64_t status;
-    side = layout__WORK_SIDE + layout__WORK_SIDE_SIZE * index;
+    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
     for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
     {
@@ -159,7 +159,7 @@ static int64_t step__find_roll(double* result_0, int64_t* result_1, array_double
     {
         guess = (*cspan_at(&state, layout__STATE_ROLL));
         (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
-        (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
+        (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
         warm = INT64_C(1);
     }
     roll__solve_roll(result_0, result_1, tables, work, state, guess, warm);
@@ -190,12 +190,12 @@ static int64_t step__evaluate(array_double_1d tables, array_double_1d work, arra
         return status;
     }
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE + layout__SIDE_BEST));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST));
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         sign = (double)(INT64_C(2) * index - INT64_C(1));
         force = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER)));
-        shift = (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE * index + layout__SIDE_BEST));
+        shift = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
         outcome = step__step_side(tables, work, state, index, shift, force);
         if (outcome > status)
         {
@@ -206,7 +206,7 @@ static int64_t step__evaluate(array_double_1d tables, array_double_1d work, arra
     {
         (*cspan_at(&state, layout__STATE_ROLL)) = roll;
         (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
-        (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__WORK_SIDE_SIZE + layout__SIDE_BEST_Y));
+        (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
         (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
     }
     return status;
