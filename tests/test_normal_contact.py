@@ -203,14 +203,18 @@ def test_outline_integrates_to_area_and_force(system):
 
 
 def test_prescribed_penetration_is_the_inverse(system):
-    shift, yaw, force = random_poses(40, 9, least_force=1e3)
-    for k in range(40):
+    """The window of the lateral curvature follows the estimated penetration in one case and the given one in the other;
+    that is a few per cent of a window, and much less of the force unless regions exchange load."""
+    shift, yaw, force = random_poses(100, 9, least_force=1e3)
+    ratios = []
+    for k in range(100):
         by_force = system.evaluate(shift[k], yaw[k], force[k])
         back = system.evaluate(shift[k], yaw[k], penetration=(by_force.left.penetration, by_force.right.penetration))
         for one, other in ((by_force.left, back.left), (by_force.right, back.right)):
-            # the window follows the interpenetration of a coarse solve in one case, of the given value in the other
-            assert other.normal_force == pytest.approx(one.normal_force, rel=0.03), (shift[k], yaw[k], force[k])
-            assert other.penetration == one.penetration
+            ratios.append(other.normal_force / one.normal_force)
+            assert other.penetration == one.penetration, (shift[k], yaw[k], force[k])
+    error = np.abs(np.array(ratios) - 1)
+    assert np.median(error) < 2e-3 and np.percentile(error, 90) < 0.02 and error.max() < 0.1
     with pytest.raises(ValueError, match=r"penetration \(left\) is -1 m; permitted is 0 ... 0.01 m"):
         system.evaluate(penetration=-1.0)
     assert system.evaluate().right.normal_force == pytest.approx(78.5e3)
@@ -297,8 +301,8 @@ def test_unloaded_wheels_keep_their_geometry(system):
 def test_work_is_bounded(system):
     """Counts per pose, in trajectory order and at random: the budget that performance rests on."""
     stepper = system.stepper()
-    for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)), (260, 2.6, 190, 20)),
-                                ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000), (520, 6.0, 190, 20))):
+    for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)), (220, 2.3, 135, 11)),
+                                ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000), (520, 6.0, 135, 11))):
         stepper.state[:] = 0.0
         inputs = np.zeros((2000, 5))
         inputs[:, 0], inputs[:, 3] = shift, 78.5e3

@@ -199,3 +199,30 @@ def test_every_pair_over_the_whole_range():
             table = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination).evaluate_many(shift, yaw)
             bad = np.flatnonzero(table.status)
             assert len(bad) == 0, [(rail, inclination, shift[k], yaw[k], table.status[k]) for k in bad[:5]]
+
+
+@pytest.mark.parametrize("rail, inclination, shift, yaw, force", [
+    ("UIC60", 1 / 40, -6.251934541417579e-3, 0.0, 8e3),                     # nearly conformal R13 on R13, y_wheel -36 mm
+    ("60E1", 1 / 40, 6.2597306526431685e-3, 0.0, 6.9e3),                    # likewise, beside S1002's step at -35 mm
+    ("UIC60", 1 / 40, 5.452984024507772e-3, 0.051588600550075296, 2.5),     # between the last scan node and the rail's end
+    ("UIC60", 1 / 40, -6.159960302142493e-3, 0.015818061840829713, 9.5e4),  # kinks in the load over penetration
+    ("UIC60", 1 / 40, 4.529254062720551e-3, 0.0, 7.1e4),                    # regions that were closed too early
+    ("UIC60", 1 / 40, 6.165668323384629e-3, -0.015987082958319174, 6.4e4),  # two regions that press each other away
+    ("UIC60", 1 / 40, 4.905236053824249e-3, -0.08038425688630561, 1.7e5),   # outline folded back beside the contact
+    ("60E1", 1 / 20, 4.844598087213372e-3, 0.08497943295679282, 7e5),       # contact beside a fold
+    ("54E1", 1 / 40, 5.116213193802009e-3, -0.03593182758325816, 6.4e4),    # a region that is none
+])
+def test_poses_that_once_failed(rail, inclination, shift, yaw, force):
+    state = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination).evaluate(shift, yaw, force)
+    assert state.status == 0
+    for side in (state.left, state.right):
+        assert side.normal_force == pytest.approx(force, rel=1e-6)
+        assert 0 < side.max_pressure < 8 * side.normal_force / side.area
+
+
+def test_far_moves_from_flange_to_tread_converge():
+    """Newton crept along one side of the bracket when a pose followed one on the flange."""
+    system = wrcontact.ContactSystem(rail="60E1", rail_inclination=1 / 20)
+    system.evaluate(0.0063870354021925545, -0.034081234770175765, 112.0)
+    state = system.evaluate(0.004809773635151726, 0.023961499467004543, 0.94)
+    assert state.status == 0 and state.roll == pytest.approx(-6.393952188661e-05, abs=1e-12)

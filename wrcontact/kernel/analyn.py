@@ -53,7 +53,10 @@ def cell_part(d_before: float, d_low: float, d_high: float):
         bend = bend_of(d_before, d_low, d_high)
         slope = d_high - d_low - bend
         # the root between two values of opposite sign, in the form that does not cancel
-        spread = sqrt(slope * slope - 4.0 * bend * d_low)
+        spread = slope * slope - 4.0 * bend * d_low
+        if spread < 0.0:
+            spread = 0.0
+        spread = sqrt(spread)
         root = 0.0
         if d_low > 0.0:
             root = 2.0 * d_low / (spread - slope)

@@ -4,10 +4,15 @@ gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive 
 wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift is that gap.
 """
 
+from typing import Final
+
 from .layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL
 from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, around_wheel,
                     outline_jet, outline_point)
 from .profile_table import START, STOP, height_slope, height_slope_bend
+
+#: Slope difference of a point that cannot be in contact.
+FOLDED: Final[float] = 1e6
 
 
 def above_rail(tables: 'float[:]', abscissa: float):
@@ -20,11 +25,18 @@ def above_rail(tables: 'float[:]', abscissa: float):
 
 
 def vertical_gap(tables: 'float[:]', place: 'float[:]', at: int, y: float):
-    """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m]."""
+    """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
+
+    Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
+    difference reads FOLDED.
+    """
     z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
     y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, at, y, z, slope, bend)
     z_rail, rail_slope, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), y_track - tables[SET_RAIL_Y])
-    return z_rail - z_track, rail_slope - outline_slope, rail_bend * stretch - outline_rate
+    mismatch = rail_slope - outline_slope
+    if not stretch > 0.0:
+        mismatch = FOLDED
+    return z_rail - z_track, mismatch, rail_bend * stretch - outline_rate
 
 
 def gap_per_roll(tables: 'float[:]', place: 'float[:]', at: int, y: float):

@@ -36,7 +36,7 @@ FLOOR: Final[float] = 0.02
 #: Nodes are evaluated until the gap exceeds the level by this factor.
 COVER: Final[float] = 1.1
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
-FINEST_TRACE: Final[float] = 2e-7    # [m]; leaves 2e-12 m in the gap, the residual being removed to first order
+FINEST_TRACE: Final[float] = 5e-8    # [m]; leaves 1e-13 m in the gap, the residual being removed to first order
 
 
 def node_field(region: int, field: int):

@@ -29,6 +29,8 @@ ISLAND_START: Final[int] = 5
 ISLAND_STOP: Final[int] = 6
 ISLAND_ANGLE: Final[int] = 7
 
+#: Bend, as a share of the end values, below which a quadratic is expanded about its chord: leaves the square of it.
+STRAIGHT: Final[float] = 1e-4
 #: Loaded parts closer than this share of the spacing are one patch.
 JOINED: Final[float] = 1e-9
 
@@ -47,7 +49,10 @@ def root_primitive(low: float, slope: float, bend: float, x: float):
     value = low + x * (slope + x * bend)
     if value < 0.0:
         value = 0.0
-    spread = sqrt(slope * slope - 4.0 * bend * low)
+    spread = slope * slope - 4.0 * bend * low
+    if not spread > 0.0:
+        return 0.0
+    spread = sqrt(spread)
     share = -(2.0 * bend * x + slope) / spread
     if share > 1.0:
         share = 1.0
@@ -58,27 +63,29 @@ def root_primitive(low: float, slope: float, bend: float, x: float):
 
 
 def root_integral(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of the square root of the quadratic of ``bend_of``.
+    """Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
 
-    In closed form where the quadratic bends down noticeably, else by Simpson's rule in a root-friendly variable.
+    In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values and the
+    width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q + q^2)/(p + q)^3].
     """
     bend = bend_of(before, low, high)
     slope = high - low - bend
-    result = 0.0
-    if bend < -1e-5 * (low + high) and slope * slope - 4.0 * bend * low > 0.0:
-        result = root_primitive(low, slope, bend, stop) - root_primitive(low, slope, bend, start)
-    else:
-        first = low + start * (slope + start * bend)
-        last = low + stop * (slope + stop * bend)
-        if first < 0.0:
-            first = 0.0
-        if last < 0.0:
-            last = 0.0
-        total = sqrt(first) + sqrt(last)
-        if total > 0.0:
-            # exact for a straight line: 2/3 (q1 + sqrt(q0 q1) + q0) / (sqrt(q0) + sqrt(q1))
-            result = (stop - start) * 2.0 / 3.0 * (first + sqrt(first * last) + last) / total
-    return result
+    if bend < -STRAIGHT * (fabs(low) + fabs(high)):
+        return root_primitive(low, slope, bend, stop) - root_primitive(low, slope, bend, start)
+    first = low + start * (slope + start * bend)
+    last = low + stop * (slope + stop * bend)
+    if first < 0.0:
+        first = 0.0
+    if last < 0.0:
+        last = 0.0
+    p = sqrt(first)
+    q = sqrt(last)
+    total = p + q
+    if not total > 0.0:
+        return 0.0
+    width = stop - start
+    chord = 2.0 / 3.0 * (first + p * q + last) / total
+    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / (total * total * total))
 
 
 def load_nodes(work: 'float[:]', region: int, level: float):

@@ -45,10 +45,12 @@ APART: Final[float] = 2e-4
 #: A minimum of the normal gap lies within this of the vertical gap's [m].
 WANDER: Final[float] = 2e-3
 FAR: Final[float] = 1.0
-TRACE: Final[float] = 1e-8           # tolerance of the abscissae while regions are sought [m]
-WIDTH_TRACE: Final[float] = 2e-7     # and while half-widths are measured [m]
+TRACE: Final[float] = 1e-12          # tolerance of the abscissae while minima and humps are sought [m]
+PLACE_SHARP: Final[float] = 1e-11    # last Newton step to a minimum or a hump [m]; a hump cuts a load
+WIDTH_TRACE: Final[float] = 5e-8     # and while half-widths are measured [m]
+HALVED_SHARP: Final[float] = 1e-9    # last halving, relative
 WIDTH_ITERATIONS: Final[int] = 60
-WIDTH_SHARP: Final[float] = 1e-3     # last Newton step, relative (its error is the square); the width only sets the nodes
+WIDTH_SHARP: Final[float] = 1e-4     # last Newton step, relative (its error is the square); the width only sets the nodes
 HUMP_SAMPLES: Final[int] = 8
 MINIMUM_ITERATIONS: Final[int] = 12
 
@@ -75,7 +77,7 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
             move = start + WANDER - station
         if station + move < start - WANDER:
             move = start - WANDER - station
-        if fabs(move) < TRACE:
+        if fabs(move) < PLACE_SHARP:
             if bend > 0.0:
                 found = gap
             break
@@ -195,16 +197,11 @@ def find_hump(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int,
     station = top
     for i in range(MINIMUM_ITERATIONS):
         gap, rate, bend, curvature = normal_gap(tables, work, state, station, TRACE)
-        move = 0.0
-        if bend < 0.0:
-            move = -rate / bend
-        if fabs(station + move - top) > 0.9 * step:
-            move = 0.0
-        if gap > largest:
-            largest = gap
-            top = station
-        if fabs(move) < TRACE:
-            break
+        if not bend < 0.0 or fabs(station - top) > step:
+            return top, largest
+        move = -rate / bend
+        if fabs(move) < PLACE_SHARP:
+            return station, gap
         station += move
     return top, largest
 
@@ -239,6 +236,7 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
         else:
             high = width
         following = 2.0 * width
+        sharp = HALVED_SHARP
         if high > 0.0:
             following = 0.5 * (low + high)
         if rise > 0.0 and rate * direction > 0.0:
@@ -246,7 +244,8 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
             newton = width + (root - square) * 2.0 * square / (rate * direction)
             if newton > low and newton < 4.0 * width and (high < 0.0 or newton < high):
                 following = newton
-        if fabs(following - width) < WIDTH_SHARP * width:
+                sharp = WIDTH_SHARP
+        if fabs(following - width) < sharp * width:
             return following
         width = following
     return width

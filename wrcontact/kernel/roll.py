@@ -97,6 +97,7 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: f
     roll = guess
     if not (roll > low and roll < high):
         roll = 0.0
+    width = high - low
     known = 0
     if warm == 1:
         balanced, known = balance(tables, work, state, roll, low, high)
@@ -115,6 +116,7 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: f
             known = 0
             low = -ROLL_LIMIT
             high = ROLL_LIMIT
+            width = high - low
         else:
             if known == 1 and before_left == work[LEFT + SIDE_BEST_Y] and before_right == work[RIGHT + SIDE_BEST_Y]:
                 return roll, VALID
@@ -128,7 +130,10 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: f
             if high - low < ROLL_SHARP:
                 return roll, VALID
             known = 0
-            if not (roll + move > low and roll + move < high):
+            # between flange and tread Newton can creep along one side: halve where it did not
+            slow = low > -ROLL_LIMIT and high < ROLL_LIMIT and high - low > 0.5 * width
+            width = high - low
+            if slow or not (roll + move > low and roll + move < high):
                 roll = 0.5 * (low + high)
             elif fabs(move) > LONGEST_TURN:
                 roll += move

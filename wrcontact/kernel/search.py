@@ -10,7 +10,7 @@ the global minimum is bounded and not assumed.
 from math import fabs
 from typing import Final
 
-from .gap import above_rail, vertical_gap
+from .gap import FOLDED, above_rail, vertical_gap
 from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_Y, SIDE_FIRST,
                      SIDE_GAP, SIDE_LAST, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
 from .locus import PLACE_ARM, PLACE_SHIFT, PLACE_YAWED, outline_point
@@ -214,10 +214,11 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
             lowest = gap_high
             keep_best(work, side, high, gap_high)
         if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
-            if mismatch_low < 0.0 and mismatch_high >= 0.0:
+            folded = mismatch_low == FOLDED or mismatch_high == FOLDED
+            if mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded:
                 y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
                 keep_best(work, side, y, gap)
-            elif width > NARROW and not least > 0.0:
+            elif width > NARROW and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
                 state[STATE_GAP_COUNT] += 1.0

@@ -22,8 +22,12 @@ static int64_t gap__above_rail(array_double_1d tables, double abscissa)
     return inside;
 }
 
-/* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m]. */
-static int64_t gap__vertical_gap(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
+/* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
+ *
+ * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
+ * difference reads FOLDED.
+ */
+static int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
 {
     double z;
     double slope;
@@ -39,8 +43,12 @@ static int64_t gap__vertical_gap(double* result_0, double* result_1, double* res
     profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, place, at, y, z, slope, bend);
     profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)));
+    (*mismatch) = rail_slope - outline_slope;
+    if (!(stretch > 0.0))
+    {
+        (*mismatch) = gap__FOLDED;
+    }
     (*result_0) = z_rail - z_track;
-    (*result_1) = rail_slope - outline_slope;
     (*result_2) = rail_bend * stretch - outline_rate;
     return 0;
 }

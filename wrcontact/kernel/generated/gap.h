@@ -14,8 +14,10 @@
 #include "locus.h"
 #include "profile_table.h"
 
+static const double gap__FOLDED = 1000000.0;
+
 static int64_t gap__above_rail(array_double_1d tables, double abscissa);
-static int64_t gap__vertical_gap(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y);
+static int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y);
 static double gap__gap_per_roll(array_double_1d tables, array_double_1d place, int64_t at, double y);
 
 #endif

@@ -34,7 +34,7 @@ static const int64_t nodes__NODE_PRESSURE = INT64_C(7);
 static const double nodes__FLOOR = 0.02;
 static const double nodes__COVER = 1.1;
 static const double nodes__TRACE_SHARE = 0.001;
-static const double nodes__FINEST_TRACE = 2e-07;
+static const double nodes__FINEST_TRACE = 5e-08;
 
 static int64_t nodes__node_field(int64_t region, int64_t field);
 static int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station);

@@ -1,11 +1,13 @@
 /* Generated from normal_contact.py by tools/transpile_kernel.py; change that one.
  *
- * The normal contact of one side: regions, widths, nodes, levels, patches.
+ * The normal contact of one side: estimate, regions, nodes, levels, patches.
  *
- * 1. guess the penetration from the force (it hardly depends on the lateral curvature),
- * 2. find the regions whose gap is below it, and the half-width of each one's interpenetration,
- * 3. solve on COARSE nodes: that fixes the half-widths, hence spacing and window of
- * 4. the FINE nodes, on which the force is met.
+ * 1. estimate the penetration from the force and the width of the interpenetration,
+ * 2. find the regions that it reaches, and the half-width of each one's interpenetration, which sets
+ * 3. spacing and window of the nodes, on which
+ * 4. the force is met.
+ *
+ * The estimate depends on pose and force alone and moves smoothly with them, and so does the result.
  */
 
 #include "normal_contact.h"
@@ -103,22 +105,6 @@ static int64_t normal_contact__start_levels(array_double_1d work, int64_t count,
     return INT64_C(0);
 }
 
-/* Levels of the coarse solve as widths of the fine one, none below a tenth of the penetration. */
-static int64_t normal_contact__keep_levels(array_double_1d work, int64_t count, double penetration)
-{
-    int64_t i;
-    int64_t block;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        block = regions__region_block(i);
-        if ((*cspan_at(&work, block + regions__REGION_LEVEL)) < 0.1 * penetration)
-        {
-            (*cspan_at(&work, block + regions__REGION_LEVEL)) = 0.1 * penetration;
-        }
-    }
-    return INT64_C(0);
-}
-
 /* 1 if no region is loaded at an end of its nodes other than its bound, else 0. */
 static int64_t normal_contact__covered(array_double_1d work, int64_t count)
 {
@@ -145,37 +131,50 @@ static int64_t normal_contact__covered(array_double_1d work, int64_t count)
     return result;
 }
 
-/* Penetration [m] on coarse nodes and the number of regions, repeated while the guess was far off. */
-static int64_t normal_contact__solve_coarse(double* penetration, int64_t* count, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double guess)
+/* Hertz's penetration [m] for the interpenetration's own width: B = level / width^2 at a guessed level.
+ *
+ * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
+ */
+static double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
 {
-    int64_t repeat;
-    int64_t i;
-    int64_t met;
-    (*count) = INT64_C(1);
-    (*penetration) = guess;
-    for (repeat = INT64_C(0); repeat < normal_contact__COARSE_REPEATS; repeat += INT64_C(1))
+    int64_t block;
+    double A;
+    double guess;
+    double width;
+    double B;
+    double stiffness;
+    block = regions__region_block(INT64_C(0));
+    A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+    guess = normal_contact__guess_penetration(force, A, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+    normal_contact__measure_widths(tables, work, state, INT64_C(0), guess);
+    width = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
+    B = nodes__FLOOR * A;
+    if (guess > normal_contact__CEILING * A * width * width)
     {
-        for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
-        {
-            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
-        }
-        regions__open_contact_region(tables, work, state);
-        (*count) = regions__find_regions(tables, work, state, side, 1.2 * guess);
-        (*count) = regions__bound_regions(tables, work, state, (*count), normal_contact__COARSE_MERGE * guess);
-        normal_contact__start_levels(work, (*count), guess);
-        normal_contact__prepare_regions(tables, work, state, (*count), normal_contact__COARSE_NODES, normal_contact__COARSE_WINDOW, normal_contact__GUESS_FACTOR);
-        analyn__solve_levels(penetration, &met, tables, work, state, (*count), force, guess, INT64_C(0), normal_contact__COARSE_SHARP);
-        if (met == INT64_C(0))
-        {
-            (*penetration) = guess;
-        }
-        if (((*penetration) < normal_contact__GUESS_FACTOR * guess) && (normal_contact__GUESS_FACTOR * (*penetration) > guess))
-        {
-            break;
-        }
-        guess = (*penetration);
+        B = normal_contact__CEILING * A;
     }
-    return 0;
+    else if (guess > B * width * width)
+    {
+        B = guess / (width * width);
+    }
+    stiffness = hertz__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), A, B, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+    return pow((force / stiffness), (2.0 / 3.0));
+}
+
+/* Open the regions that ``penetration`` [m] reaches, with their bounds and first levels; their number. */
+static int64_t normal_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration)
+{
+    int64_t i;
+    int64_t count;
+    for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
+    {
+        (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
+    }
+    regions__open_contact_region(tables, work, state);
+    count = regions__find_regions(tables, work, state, side, penetration);
+    count = regions__bound_regions(tables, work, state, count, penetration);
+    normal_contact__start_levels(work, count, penetration);
+    return count;
 }
 
 /* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
@@ -184,43 +183,39 @@ static int64_t normal_contact__solve_coarse(double* penetration, int64_t* count,
 static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
 {
     int64_t by_penetration;
-    int64_t i;
-    double A;
-    double guess;
+    int64_t repeat;
+    double estimate;
     regions__open_contact_region(tables, work, state);
-    (*count) = INT64_C(1);
+    (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_WIDTH_LEVEL)) = 0.0;
     by_penetration = INT64_C(0);
     (*penetration) = prescribed;
     if (isfinite(prescribed))
     {
         by_penetration = INT64_C(1);
-        for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
-        {
-            (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
-        }
-        (*count) = regions__find_regions(tables, work, state, side, (*penetration));
-        (*count) = regions__bound_regions(tables, work, state, (*count), (*penetration));
-        normal_contact__start_levels(work, (*count), (*penetration));
     }
     else
     {
-        A = 0.5 * (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_CURVATURE));
-        guess = normal_contact__guess_penetration(force, A, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
-        normal_contact__solve_coarse(penetration, count, tables, work, state, side, force, guess);
-        if ((*count) > INT64_C(1))
-        {
-            (*count) = regions__bound_regions(tables, work, state, (*count), (*penetration));
-        }
-        normal_contact__keep_levels(work, (*count), (*penetration));
+        (*penetration) = normal_contact__estimate_penetration(tables, work, state, force);
     }
-    normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, (*penetration), by_penetration);
-    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
+    (*count) = INT64_C(1);
+    (*met) = INT64_C(0);
+    for (repeat = INT64_C(0); repeat < normal_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
-        /* regions so close that pressing on each other has no fixed point are one region */
-        (*count) = INT64_C(1);
-        regions__open_contact_region(tables, work, state);
-        normal_contact__start_levels(work, (*count), (*penetration));
-        normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, (*penetration), by_penetration);
+        estimate = (*penetration);
+        (*count) = normal_contact__gather_regions(tables, work, state, side, estimate);
+        normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
+        if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
+        {
+            /* regions so close that pressing on each other has no fixed point are one region */
+            (*count) = INT64_C(1);
+            regions__open_contact_region(tables, work, state);
+            normal_contact__start_levels(work, (*count), estimate);
+            normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
+        }
+        if (((*penetration) < normal_contact__ESTIMATE_FACTOR * estimate) && (normal_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
+        {
+            break;
+        }
     }
     return 0;
 }
@@ -255,7 +250,7 @@ static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result
         {
             enlarge *= 1.4;
             start = penetration;
-            normal_contact__keep_levels(work, count, penetration);
+            normal_contact__start_levels(work, count, penetration);
         }
     }
     (*result_0_0001) = penetration;

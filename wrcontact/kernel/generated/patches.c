@@ -33,7 +33,12 @@ static double patches__root_primitive(double low, double slope, double bend, dou
     {
         value = 0.0;
     }
-    spread = sqrt(slope * slope - 4.0 * bend * low);
+    spread = slope * slope - 4.0 * bend * low;
+    if (!(spread > 0.0))
+    {
+        return 0.0;
+    }
+    spread = sqrt(spread);
     share = (-(2.0 * bend * x + slope)) / spread;
     if (share > 1.0)
     {
@@ -46,9 +51,10 @@ static double patches__root_primitive(double low, double slope, double bend, dou
     return (2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value) + spread * spread / (8.0 * (-bend) * sqrt(-bend)) * asin(share);
 }
 
-/* Integral over [start, stop] of the square root of the quadratic of ``bend_of``.
+/* Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
  *
- * In closed form where the quadratic bends down noticeably, else by Simpson's rule in a root-friendly variable.
+ * In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values and the
+ * width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q + q^2)/(p + q)^3].
  */
 static double patches__root_integral(double before, double low, double high, double start, double stop)
 {
@@ -56,35 +62,37 @@ static double patches__root_integral(double before, double low, double high, dou
     double slope;
     double first;
     double last;
+    double p;
+    double q;
     double total;
-    double result;
+    double width;
+    double chord;
     bend = analyn__bend_of(before, low, high);
     slope = high - low - bend;
-    result = 0.0;
-    if ((bend < (-1e-05) * (low + high)) && (slope * slope - 4.0 * bend * low > 0.0))
+    if (bend < (-patches__STRAIGHT) * (fabs(low) + fabs(high)))
     {
-        result = patches__root_primitive(low, slope, bend, stop) - patches__root_primitive(low, slope, bend, start);
+        return patches__root_primitive(low, slope, bend, stop) - patches__root_primitive(low, slope, bend, start);
     }
-    else
+    first = low + start * (slope + start * bend);
+    last = low + stop * (slope + stop * bend);
+    if (first < 0.0)
     {
-        first = low + start * (slope + start * bend);
-        last = low + stop * (slope + stop * bend);
-        if (first < 0.0)
-        {
-            first = 0.0;
-        }
-        if (last < 0.0)
-        {
-            last = 0.0;
-        }
-        total = sqrt(first) + sqrt(last);
-        if (total > 0.0)
-        {
-            /* exact for a straight line: 2/3 (q1 + sqrt(q0 q1) + q0) / (sqrt(q0) + sqrt(q1)) */
-            result = (stop - start) * 2.0 / 3.0 * (first + sqrt(first * last) + last) / total;
-        }
+        first = 0.0;
     }
-    return result;
+    if (last < 0.0)
+    {
+        last = 0.0;
+    }
+    p = sqrt(first);
+    q = sqrt(last);
+    total = p + q;
+    if (!(total > 0.0))
+    {
+        return 0.0;
+    }
+    width = stop - start;
+    chord = 2.0 / 3.0 * (first + p * q + last) / total;
+    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / (total * total * total));
 }
 
 /* Line load, square of half-length and of pressure at the region's nodes for its ``level`` [m]. */

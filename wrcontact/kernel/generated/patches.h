@@ -26,6 +26,7 @@ static const int64_t patches__ISLAND_HALF_LENGTH = INT64_C(4);
 static const int64_t patches__ISLAND_START = INT64_C(5);
 static const int64_t patches__ISLAND_STOP = INT64_C(6);
 static const int64_t patches__ISLAND_ANGLE = INT64_C(7);
+static const double patches__STRAIGHT = 0.0001;
 static const double patches__JOINED = 1e-09;
 
 static double patches__quadratic_moment(double before, double low, double high, double start, double stop);

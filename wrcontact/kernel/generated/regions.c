@@ -48,7 +48,7 @@ static double regions__open_region(array_double_1d tables, array_double_1d work,
         {
             move = start - regions__WANDER - station;
         }
-        if (fabs(move) < regions__TRACE)
+        if (fabs(move) < regions__PLACE_SHARP)
         {
             if (bend > 0.0)
             {
@@ -224,11 +224,13 @@ static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_
 }
 
 /* Station and gap [m] of the hump between two regions: best of HUMP_SAMPLES, then Newton on the rate. */
-static int64_t regions__find_hump(double* top, double* largest, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high)
+static int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high)
 {
     double left;
     double right;
     double step;
+    double top;
+    double largest;
     int64_t i;
     double station;
     double gap;
@@ -240,42 +242,39 @@ static int64_t regions__find_hump(double* top, double* largest, array_double_1d 
     right = (*cspan_at(&work, high + regions__REGION_STATION));
     contact_plane__start_tracer(work, left, (*cspan_at(&work, low + regions__REGION_RAIL)), (*cspan_at(&work, low + regions__REGION_WHEEL)));
     step = (right - left) / (double)(regions__HUMP_SAMPLES + INT64_C(1));
-    (*top) = left;
-    (*largest) = -regions__FAR;
+    top = left;
+    largest = -regions__FAR;
     for (i = INT64_C(1); i < regions__HUMP_SAMPLES + INT64_C(1); i += INT64_C(1))
     {
         station = left + step * (double)(i);
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
-        if (gap > (*largest))
+        if (gap > largest)
         {
-            (*largest) = gap;
-            (*top) = station;
+            largest = gap;
+            top = station;
         }
     }
-    station = (*top);
+    station = top;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
-        move = 0.0;
-        if (bend < 0.0)
+        if ((!(bend < 0.0)) || (fabs(station - top) > step))
         {
-            move = (-rate) / bend;
+            (*result_0_0001) = top;
+            (*result_1_0001) = largest;
+            return 0;
         }
-        if (fabs(station + move - (*top)) > 0.9 * step)
+        move = (-rate) / bend;
+        if (fabs(move) < regions__PLACE_SHARP)
         {
-            move = 0.0;
-        }
-        if (gap > (*largest))
-        {
-            (*largest) = gap;
-            (*top) = station;
-        }
-        if (fabs(move) < regions__TRACE)
-        {
-            break;
+            (*result_0_0001) = station;
+            (*result_1_0001) = gap;
+            return 0;
         }
         station += move;
     }
+    (*result_0_0001) = top;
+    (*result_1_0001) = largest;
     return 0;
 }
 
@@ -298,6 +297,7 @@ static double regions__zone_width(array_double_1d tables, array_double_1d work, 
     double curvature;
     double rise;
     double following;
+    double sharp;
     double square;
     double newton;
     limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
@@ -336,6 +336,7 @@ static double regions__zone_width(array_double_1d tables, array_double_1d work, 
             high = width;
         }
         following = 2.0 * width;
+        sharp = regions__HALVED_SHARP;
         if (high > 0.0)
         {
             following = 0.5 * (low + high);
@@ -347,9 +348,10 @@ static double regions__zone_width(array_double_1d tables, array_double_1d work, 
             if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
             {
                 following = newton;
+                sharp = regions__WIDTH_SHARP;
             }
         }
-        if (fabs(following - width) < regions__WIDTH_SHARP * width)
+        if (fabs(following - width) < sharp * width)
         {
             return following;
         }

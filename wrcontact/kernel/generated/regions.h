@@ -40,10 +40,12 @@ static const double regions__MERGE = 0.35;
 static const double regions__APART = 0.0002;
 static const double regions__WANDER = 0.002;
 static const double regions__FAR = 1.0;
-static const double regions__TRACE = 1e-08;
-static const double regions__WIDTH_TRACE = 2e-07;
+static const double regions__TRACE = 1e-12;
+static const double regions__PLACE_SHARP = 1e-11;
+static const double regions__WIDTH_TRACE = 5e-08;
+static const double regions__HALVED_SHARP = 1e-09;
 static const int64_t regions__WIDTH_ITERATIONS = INT64_C(60);
-static const double regions__WIDTH_SHARP = 0.001;
+static const double regions__WIDTH_SHARP = 0.0001;
 static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(12);
 
@@ -53,7 +55,7 @@ static int64_t regions__open_contact_region(array_double_1d tables, array_double
 static int64_t regions__is_new(array_double_1d work, int64_t count);
 static int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level);
 static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second);
-static int64_t regions__find_hump(double* top, double* largest, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high);
+static int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high);
 static int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level);
 static double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess);
 

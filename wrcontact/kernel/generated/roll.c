@@ -112,6 +112,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     double low;
     double high;
     double roll;
+    double width;
     int64_t known;
     double balanced;
     int64_t i;
@@ -119,6 +120,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     double before_right;
     double difference;
     double move;
+    bool slow;
     low = -roll__ROLL_LIMIT;
     high = roll__ROLL_LIMIT;
     roll = guess;
@@ -126,6 +128,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     {
         roll = 0.0;
     }
+    width = high - low;
     known = INT64_C(0);
     if (warm == INT64_C(1))
     {
@@ -156,6 +159,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
             known = INT64_C(0);
             low = -roll__ROLL_LIMIT;
             high = roll__ROLL_LIMIT;
+            width = high - low;
         }
         else
         {
@@ -187,7 +191,10 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
                 return 0;
             }
             known = INT64_C(0);
-            if (!((roll + move > low) && (roll + move < high)))
+            /* between flange and tread Newton can creep along one side: halve where it did not */
+            slow = (low > -roll__ROLL_LIMIT) && (high < roll__ROLL_LIMIT) && (high - low > 0.5 * width);
+            width = high - low;
+            if (slow || (!((roll + move > low) && (roll + move < high))))
             {
                 roll = 0.5 * (low + high);
             }

@@ -275,6 +275,7 @@ static int64_t search__search_cell(array_double_1d tables, array_double_1d work,
     double high;
     double width;
     double lowest;
+    bool folded;
     double y;
     double gap;
     double middle;
@@ -305,12 +306,13 @@ static int64_t search__search_cell(array_double_1d tables, array_double_1d work,
         }
         if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
         {
-            if ((mismatch_low < 0.0) && (mismatch_high >= 0.0))
+            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
+            if ((mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded))
             {
                 search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
                 search__keep_best(work, side, y, gap);
             }
-            else if ((width > search__NARROW) && (!(least > 0.0)))
+            else if ((width > search__NARROW) && (folded || (!(least > 0.0))))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
