@@ -19,12 +19,16 @@ class _View:
         return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)!r}' for name in names)})"
 
 
+def _number(value):
+    """A float of one pose, (n,) of a table."""
+    return float(value) if value.ndim == 0 else value
+
+
 def _place(offset, unit, text):
     """A property that reads one number (a float, or (n,) of a table) at ``offset``."""
 
     def read(self):
-        value = self._values[..., self._offset + offset]
-        return float(value) if value.ndim == 0 else value
+        return _number(self._values[..., self._offset + offset])
 
     return property(read, doc=f"{text} [{unit}].")
 
@@ -133,12 +137,12 @@ class WheelsetState:
     @property
     def roll(self):
         """Roll of the wheelset [rad], right wheel down positive."""
-        return self.values[..., layout.OUT_ROLL][()]
+        return _number(self.values[..., layout.OUT_ROLL])
 
     @property
     def vertical_shift(self):
         """Vertical shift of the wheelset [m], positive down."""
-        return self.values[..., layout.OUT_VERTICAL_SHIFT][()]
+        return _number(self.values[..., layout.OUT_VERTICAL_SHIFT])
 
     @property
     def left(self):

@@ -7,8 +7,8 @@ wheelset stands at vertical shift zero, so contact lies at the smallest gap and 
 from typing import Final
 
 from .layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL
-from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, around_wheel,
-                    outline_jet, outline_point)
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, around_wheel, outline_jet,
+                    outline_point)
 from .profile_table import START, STOP, height_slope, height_slope_bend
 
 #: Slope difference of a point that cannot be in contact.

@@ -14,18 +14,20 @@ from typing import Final
 from .analyn import FORCE_SHARP, solve_levels
 from .hertz import hertz_coefficients, hertz_stiffness
 from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL, SIDE_AREA,
-                     SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE,
-                     SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
-                     SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
+                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL,
+                     SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH,
+                     SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
+                     SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
 from .nodes import FLOOR, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .patches import gather_islands, write_outline, write_patches
 from .regions import (FAR, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
                       REGION_LOW, REGION_MIDDLE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
                       REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region, region_block, zone_width)
 
-FINE_NODES: Final[int] = 15
-FINE_WINDOW: Final[int] = 3          # a fifth of the half-width: see docs/method.md for the measurement
+#: Nodes per half-width of the interpenetration.  Against 40 nodes the median change is 1e-4, the 99th percentile 0.3 % in
+#: penetration, 0.6 % in area and 1 % in peak pressure.
+NODES_PER_WIDTH: Final[int] = 15
+WINDOW_NODES: Final[int] = 3         # window of the lateral curvature, a fifth of the half-width (docs/method.md)
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
 #: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no curvature.
@@ -178,7 +180,7 @@ def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: i
     enlarge = 1.0
     met = 0
     for repeat in range(COVER_REPEATS):
-        prepare_regions(tables, work, state, count, FINE_NODES, FINE_WINDOW, enlarge)
+        prepare_regions(tables, work, state, count, NODES_PER_WIDTH, WINDOW_NODES, enlarge)
         penetration, met = solve_levels(tables, work, state, count, force, start, by_penetration, FORCE_SHARP)
         if met == 0:
             return start, met

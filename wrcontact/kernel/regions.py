@@ -9,8 +9,8 @@ from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_SIN, FRAME_Y, TRACER_RAIL, TRACER_WHEEL,
                             normal_gap, start_tracer)
-from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP, SIDE_LAST,
-                     WORK_REGION)
+from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP,
+                     SIDE_LAST, WORK_REGION)
 from .profile_table import height_slope
 from .search import ROW_Y, SCAN_NODES, SCAN_ROW
 

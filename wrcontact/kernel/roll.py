@@ -12,8 +12,8 @@ from math import fabs
 from typing import Final
 
 from .gap import gap_per_roll
-from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST, SIDE_BEST_Y,
-                     STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE, SIDE_BLOCK)
+from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST,
+                     SIDE_BEST_Y, SIDE_BLOCK, STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE)
 from .locus import mirror_place, place_wheelset
 from .search import follow_minimum, search_side
 

@@ -3,27 +3,16 @@
 The recipe: check the inputs, find the roll at which both wheels touch, describe each contact, solve its normal contact.
 """
 
-from math import atan, fabs, isfinite
-from typing import Final
+from math import fabs, isfinite
 
-from .contact_plane import open_frame
-from .gap import vertical_gap
-from .layout import (PLACE_BLOCK, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL_GUESS, IN_YAW, INPUT_COUNT,
-                     INVALID_INPUT, NOT_CONVERGED, OFF_PROFILE, OUT_LEFT, OUT_RIGHT, OUT_ROLL, OUT_VERTICAL_SHIFT,
-                     OUTPUT_COUNT, SET_LATERAL_LIMIT, SET_PENETRATION_LEFT, SET_RADIUS, SET_RAIL, SET_RAIL_Y,
-                     SET_WHEEL, SET_YAW_LIMIT, SIDE_BEST, SIDE_BEST_Y, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
-                     SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_SIZE, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
-                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, STATE_ROLL, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT,
-                     UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, SIDE_BLOCK)
-from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel,
-                    outline_point)
+from .contact_point import describe_contact
+from .layout import (INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL_GUESS,
+                     IN_YAW, NOT_CONVERGED, OFF_PROFILE, OUTPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUT_ROLL,
+                     OUT_VERTICAL_SHIFT, SET_LATERAL_LIMIT, SET_PENETRATION_LEFT, SET_YAW_LIMIT, SIDE_BEST,
+                     SIDE_BEST_Y, SIDE_BLOCK, SIDE_SIZE, STATE_ROLL, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, UNLOADED,
+                     VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE)
 from .normal_contact import solve_normal
-from .profile_table import height_slope, height_slope_bend
-from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
 from .roll import solve_roll
-
-#: The slopes of wheel and rail agree to this at a contact [-]; more means that the smallest gap lies at a profile's end.
-PARALLEL: Final[float] = 1e-6
 
 
 def inputs_valid(work: 'float[:]'):
@@ -46,45 +35,6 @@ def inputs_in_range(tables: 'float[:]', work: 'float[:]'):
     if fabs(work[WORK_INPUTS + IN_YAW]) > tables[SET_YAW_LIMIT]:
         inside = 0
     return inside
-
-
-def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, shift: float):
-    """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right); opens its contact plane.
-
-    1 if the profiles are parallel at the smallest gap, else 0.
-    """
-    side = WORK_SIDE + SIDE_BLOCK * index
-    at = WORK_PLACE + PLACE_BLOCK * index
-    out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
-    y = work[side + SIDE_BEST_Y]
-    gap, mismatch, rate = vertical_gap(tables, work, at, y)
-    z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-    abscissa = y_track - tables[SET_RAIL_Y]
-    z_rail, rail_slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
-    sin_phi, cos_phi = around_wheel(work, at, slope)
-    r = tables[SET_RADIUS] + z
-    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
-    work[out + SIDE_X_WHEEL] = r * sin_phi
-    work[out + SIDE_Y_WHEEL] = y
-    work[out + SIDE_Z_WHEEL] = r * cos_phi - tables[SET_RADIUS]
-    work[out + SIDE_Y_RAIL] = abscissa
-    work[out + SIDE_Z_RAIL] = z_rail
-    work[out + SIDE_X_TRACK] = work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral
-    work[out + SIDE_Y_TRACK] = y_track
-    if index == 0:
-        work[out + SIDE_Y_TRACK] = -y_track
-    work[out + SIDE_Z_TRACK] = z_rail
-    work[out + SIDE_CONTACT_ANGLE] = -atan(rail_slope)
-    work[out + SIDE_ROLLING_RADIUS] = r
-    open_frame(tables, work, at, y, shift)
-    open_contact_region(tables, work, state)
-    work[out + SIDE_CURVATURE_X] = work[region_block(0) + REGION_CURVATURE]
-    work[out + SIDE_CURVATURE_Y] = work[region_block(0) + REGION_BEND]
-    parallel = 0
-    if fabs(mismatch) < PARALLEL:
-        parallel = 1
-    return parallel
 
 
 def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, shift: float, force: float):

@@ -234,7 +234,7 @@ static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result
     met = INT64_C(0);
     for (repeat = INT64_C(0); repeat < normal_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        normal_contact__prepare_regions(tables, work, state, count, normal_contact__FINE_NODES, normal_contact__FINE_WINDOW, enlarge);
+        normal_contact__prepare_regions(tables, work, state, count, normal_contact__NODES_PER_WIDTH, normal_contact__WINDOW_NODES, enlarge);
         analyn__solve_levels(&penetration, &met, tables, work, state, count, force, start, by_penetration, analyn__FORCE_SHARP);
         if (met == INT64_C(0))
         {

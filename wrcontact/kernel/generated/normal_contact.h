@@ -21,8 +21,8 @@
 #include "patches.h"
 #include "regions.h"
 
-static const int64_t normal_contact__FINE_NODES = INT64_C(15);
-static const int64_t normal_contact__FINE_WINDOW = INT64_C(3);
+static const int64_t normal_contact__NODES_PER_WIDTH = INT64_C(15);
+static const int64_t normal_contact__WINDOW_NODES = INT64_C(3);
 static const double normal_contact__TYPICAL_RATIO = 2.0;
 static const double normal_contact__CEILING = 1000.0;
 static const double normal_contact__ESTIMATE_FACTOR = 1.5;

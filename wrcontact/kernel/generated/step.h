@@ -9,20 +9,13 @@
 #define WRCONTACT_KERNEL_STEP_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
-#include "gap.h"
+#include "contact_point.h"
 #include "layout.h"
-#include "locus.h"
 #include "normal_contact.h"
-#include "profile_table.h"
-#include "regions.h"
 #include "roll.h"
-
-static const double step__PARALLEL = 1e-06;
 
 static int64_t step__inputs_valid(array_double_1d work);
 static int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work);
-static int64_t step__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift);
 static int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force);
 static int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state);
 static int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);

@@ -1,0 +1,21 @@
+/* Generated from contact_point.py by tools/transpile_kernel.py; change that one.
+ *
+ * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and curvatures.
+ */
+
+#ifndef WRCONTACT_KERNEL_CONTACT_POINT_H
+#define WRCONTACT_KERNEL_CONTACT_POINT_H
+
+#include "../native/spans.h"
+#include "contact_plane.h"
+#include "gap.h"
+#include "layout.h"
+#include "locus.h"
+#include "profile_table.h"
+#include "regions.h"
+
+static const double contact_point__PARALLEL = 1e-06;
+
+static int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift);
+
+#endif
