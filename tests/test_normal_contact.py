@@ -2,6 +2,7 @@
 
 import csv
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,10 @@ from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
 REFERENCE = Path(__file__).parent / "reference"
+sys.path.insert(0, str(REFERENCE))
+import brute_force  # noqa: E402
+import halfspace_reference  # noqa: E402
+
 MODULUS = 210e9 / (2 * (1 - 0.28**2))
 
 
@@ -161,6 +166,19 @@ def test_complete_theory_with_full_geometry_and_yaw(system):
         assert side.max_pressure * 1e-6 == pytest.approx(float(row["max_pressure_MPa"]), rel=0.15), (shift, yaw)
         compared += 1
     assert compared == 5
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shift", [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 4.7, 5.0, 5.2, 5.5, 5.8, 6.0, 6.2, 6.3,
+                                   6.4, 6.5])
+def test_half_space_on_positions_from_tread_to_flange(system, shift):
+    """Complete theory on the true gap, millimetre by millimetre; no yaw, 78.5 kN."""
+    track = brute_force.track()
+    truth = halfspace_reference.normal_contact(track, brute_force.rigid_contact(track, shift * 1e-3, 0.0), "right", 78.5e3)
+    side = system.evaluate(shift * 1e-3).right
+    assert side.penetration == pytest.approx(truth.penetration, rel=0.05)
+    assert side.area == pytest.approx(truth.area, rel=0.12)
+    assert side.max_pressure == pytest.approx(truth.max_pressure, rel=0.15)
 
 
 def random_poses(count, seed, least_force=1.0):
