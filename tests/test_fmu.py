@@ -482,4 +482,4 @@ def test_memory_stays_flat(run, entries):
     compiled = any(Path(name).suffix in (".so", ".dll", ".dylib") for name in entries if name.startswith("resources/"))
     grown = run("endurance", steps=100_000 if compiled else 2_000)
     assert grown["resident"] < 2e6, grown  # [bytes]
-    assert grown["blocks"] < 200, grown  # objects of Python
+    assert grown["blocks"] < 800, grown  # objects of Python; one lost per saved state would be 1000, per step 100 000

@@ -16,6 +16,9 @@ class Status(IntEnum):
     NOT_CONVERGED = layout.NOT_CONVERGED  #: likewise
     INVALID_INPUT = layout.INVALID_INPUT  #: likewise
 
+    def __str__(self):
+        return str(int(self))  # as from Python 3.11 on
+
 
 INPUT_NAMES = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
 INPUT_UNITS = ("m", "rad", "rad", "N", "1")
