@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 import wrcontact
+from wrcontact.kernel import gap, layout, locus, profile_table, roll, search
 from wrcontact.profiles import standard_profile
-from wrcontact.profiles.placement import place_rail
+from wrcontact.profiles.placement import place_rail, readable_wheel
+from wrcontact.tables import build_tables
 
 REFERENCE = Path(__file__).parent / "reference"
 sys.path.insert(0, str(REFERENCE))
@@ -115,6 +117,51 @@ def test_nothing_penetrates(system, shift, yaw):
     for sign in (-1, 1):
         # touching, within the cloud's resolution (50 um at curvature 100 1/m) and the closed steps of S1002
         assert -1.3e-7 < smallest_distance(state, sign, wheel, rail) < 1e-6
+
+
+def test_no_cell_of_the_search_holds_more_than_its_bound_says():
+    """The certificate of the global minimum, against dense sampling of the gap at random placements up to 6 deg."""
+    rng = np.random.default_rng(21)
+    tables = system_tables()
+    work, state = np.zeros(layout.WORK_SIZE), np.zeros(layout.STATE_SIZE)
+    scan, checked = int(tables[layout.SET_SCAN]), 0
+    for trial in range(12):
+        work[layout.WORK_INPUTS] = rng.uniform(-0.01, 0.01)
+        work[layout.WORK_INPUTS + 1] = (0.0, 0.02, 0.05, 0.105)[trial % 4]
+        roll.place_both(tables, work, rng.uniform(-0.01, 0.01))
+        search.scan_side(tables, work, roll.RIGHT, work, roll.RIGHT_PLACE, state)
+        for cell in range(int(work[roll.RIGHT + layout.SIDE_FIRST]), int(work[roll.RIGHT + layout.SIDE_LAST])):
+            row = scan + search.SCAN_NODES + search.SCAN_ROW * cell
+            y = np.linspace(tables[row], tables[row + search.SCAN_ROW], 9)
+            gaps = np.array([gap.vertical_gap(tables, work, roll.RIGHT_PLACE, place)[0] for place in y])
+            least, most = search.bend_bounds(tables, work, roll.RIGHT_PLACE, cell, work[roll.RIGHT + layout.SIDE_ABSCISSA + cell])
+            dips = np.linspace(gaps[0], gaps[-1], 9) - gaps
+            if not on_rail(tables, work, y):
+                continue
+            checked += 1
+            pose = (trial, cell, y[0])
+            assert dips.max() <= most * (y[-1] - y[0]) ** 2 / 8 + 1e-12, pose
+            assert dips.max() < search.DEEPEST, pose
+            if least > 0.0:
+                assert np.all(np.diff(gaps, 2) > -1e-12), pose
+    assert checked > 800
+
+
+def system_tables():
+    wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435,
+                                                        gauge_depth=0.014)
+    return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
+                        normal_model=layout.MODEL_ANALYN, longitudinal_curvature=layout.LONGITUDINAL_EFFECTIVE)
+
+
+def on_rail(tables, work, places):
+    """Whether the outline is above the rail at all wheel abscissae ``places``."""
+    for place in places:
+        z, slope = profile_table.height_slope(tables, int(tables[layout.SET_WHEEL]), place)
+        y_track = locus.outline_point(work, roll.RIGHT_PLACE, place, z, slope)[0]
+        if not gap.above_rail(tables, y_track - tables[layout.SET_RAIL_Y]):
+            return False
+    return True
 
 
 def test_roll_guess_changes_nothing(system):

@@ -13,7 +13,7 @@ from typing import Final
 from .gap import FOLDED, above_rail, vertical_gap
 from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_Y, SIDE_FIRST,
                      SIDE_GAP, SIDE_LAST, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
-from .locus import PLACE_ARM, PLACE_SHIFT, PLACE_YAWED, outline_point
+from .locus import PLACE_ARM, PLACE_RADIUS, PLACE_SHIFT, PLACE_SIN_YAW, PLACE_YAWED, outline_point
 from .profile_table import START, STOP, find_piece, height_slope
 
 # the scan table: sizes, then the nodes, then the raster of the rail's bounds
@@ -31,10 +31,14 @@ ROW_LEAST_BEND: Final[int] = 3       # smallest and largest second derivative up
 ROW_MOST_BEND: Final[int] = 4
 RAIL_ROW: Final[int] = 2             # smallest and largest second derivative around a cell of the rail's raster
 
-#: Share by which yaw and roll change the second derivative of either profile, as seen along the track: 30 % covers
-#: 6 deg of yaw, 2 % the roll alone.
+#: Share by which roll and yaw change the second derivative of either profile, as seen along the track; with yaw also in
+#: proportion to how much the outline is stretched or folded.  Held against dense sampling in tests/test_rigid.py.
 YAWED_SHARE: Final[float] = 0.3
+STRETCHED_SHARE: Final[float] = 10.0
 ROLLED_SHARE: Final[float] = 0.02
+#: No cell dips further below its ends than this [m]: a flange root at 6 deg of yaw, 2.3 mm.  Bounds of higher cells are
+#: not looked up.
+DEEPEST: Final[float] = 4e-3
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (3e-5 m)^2 / 8, 2e-9 m at worst.
 NARROW: Final[float] = 3.2e-5
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
@@ -106,7 +110,12 @@ def bend_bounds(tables: 'float[:]', place: 'float[:]', at: int, cell: int, absci
     row = scan + SCAN_NODES + SCAN_ROW * cell
     share = ROLLED_SHARE
     if place[at + PLACE_YAWED] != 0.0:
-        share = YAWED_SHARE
+        # how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''|
+        steepest = fabs(tables[row + ROW_MOST_BEND])
+        if fabs(tables[row + ROW_LEAST_BEND]) > steepest:
+            steepest = fabs(tables[row + ROW_LEAST_BEND])
+        sine = place[at + PLACE_SIN_YAW]
+        share = YAWED_SHARE + STRETCHED_SHARE * sine * sine * place[at + PLACE_RADIUS] * steepest
     least = tables[rail] - tables[row + ROW_MOST_BEND] - share * (fabs(tables[rail]) + fabs(tables[row + ROW_MOST_BEND]))
     most = (tables[rail + 1] - tables[row + ROW_LEAST_BEND]
             + share * (fabs(tables[rail + 1]) + fabs(tables[row + ROW_LEAST_BEND])))
@@ -135,7 +144,7 @@ def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if work[side + SIDE_GAP + i + 1] < lowest:
             lowest = work[side + SIDE_GAP + i + 1]
         # most cells are far above; the bounds are looked up for the others only
-        if lowest < work[side + SIDE_BEST] + 1e-3:
+        if lowest < work[side + SIDE_BEST] + DEEPEST:
             least, most = bend_bounds(tables, place, at, i, work[side + SIDE_ABSCISSA + i])
             row = scan + SCAN_NODES + SCAN_ROW * i
             low = tables[row + ROW_Y]

@@ -101,6 +101,8 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
     int64_t rail;
     int64_t row;
     double share;
+    double steepest;
+    double sine;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     u = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) / (*cspan_at(&tables, scan + search__SCAN_RAIL_STEP));
     if (!(u > 0.0))
@@ -116,7 +118,14 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
     share = search__ROLLED_SHARE;
     if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
     {
-        share = search__YAWED_SHARE;
+        /* how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''| */
+        steepest = fabs((*cspan_at(&tables, row + search__ROW_MOST_BEND)));
+        if (fabs((*cspan_at(&tables, row + search__ROW_LEAST_BEND))) > steepest)
+        {
+            steepest = fabs((*cspan_at(&tables, row + search__ROW_LEAST_BEND)));
+        }
+        sine = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        share = search__YAWED_SHARE + search__STRETCHED_SHARE * sine * sine * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * steepest;
     }
     (*least) = (*cspan_at(&tables, rail)) - (*cspan_at(&tables, row + search__ROW_MOST_BEND)) - share * (fabs((*cspan_at(&tables, rail))) + fabs((*cspan_at(&tables, row + search__ROW_MOST_BEND))));
     (*most) = (*cspan_at(&tables, rail + INT64_C(1))) - (*cspan_at(&tables, row + search__ROW_LEAST_BEND)) + share * (fabs((*cspan_at(&tables, rail + INT64_C(1)))) + fabs((*cspan_at(&tables, row + search__ROW_LEAST_BEND))));
@@ -166,7 +175,7 @@ static int64_t search__search_side(array_double_1d tables, array_double_1d work,
             lowest = (*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1)));
         }
         /* most cells are far above; the bounds are looked up for the others only */
-        if (lowest < (*cspan_at(&work, side + layout__SIDE_BEST)) + 0.001)
+        if (lowest < (*cspan_at(&work, side + layout__SIDE_BEST)) + search__DEEPEST)
         {
             search__bend_bounds(&least, &most, tables, place, at, i, (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i)));
             row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
