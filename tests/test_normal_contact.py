@@ -238,6 +238,15 @@ def test_prescribed_penetration_is_the_inverse(system):
     assert system.evaluate().right.normal_force == pytest.approx(78.5e3)
 
 
+@pytest.mark.parametrize("model", ["analyn", "hertz"])
+def test_no_penetration_is_no_load(model):
+    """Whatever force is given beside it; the other wheel does not mind."""
+    state = wrcontact.ContactSystem(normal_model=model).evaluate(2e-3, penetration=(0.0, 5e-5))
+    assert state.status == wrcontact.Status.UNLOADED and np.all(np.isfinite(state.values))
+    assert state.left.patch_count == 0 and state.left.normal_force == 0.0
+    assert state.right.penetration == 5e-5 and state.right.normal_force > 1e4
+
+
 def test_force_rises_with_penetration(system):
     for shift, yaw in ((0.0, 0.0), (1e-3, 0.0), (5e-3, 0.0), (6e-3, 0.02), (6.2e-3, 0.0), (7e-3, 0.01)):
         loads = [system.evaluate(shift, yaw, penetration=d).right.normal_force for d in np.linspace(5e-6, 2e-4, 60)]

@@ -143,15 +143,15 @@ def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
         level = work[block + REGION_LEVEL]
         if level > 0.0:
             height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
-            fresh = 1
+            angle = -atan(slope)
             load_nodes(work, region, level)
             for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
-                islands, fresh = gather_cell(work, region, level, k, islands, fresh, -atan(slope))
+                islands = gather_cell(work, region, level, k, islands, angle)
     return islands
 
 
-def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: int, fresh: int, angle: float):
-    """Add the cell between nodes ``k`` and ``k`` + 1; the number of islands, and 1 if the next cell starts a new one."""
+def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: int, angle: float):
+    """Add the cell between nodes ``k`` and ``k`` + 1 to the last island, or to a new one; the number of islands."""
     block = region_block(region)
     spacing = work[block + REGION_SPACING]
     outward = 1
@@ -172,19 +172,17 @@ def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: in
         if outward < 0:
             begin = inner - spacing * stop
             end = inner - spacing * start
-        if islands == 0:
-            fresh = 1
-        elif begin - work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP] < JOINED * spacing:
-            fresh = 0
-        else:
-            fresh = 1
-        if fresh == 1 and islands < ISLAND_LIMIT:
+        joined = 0
+        if islands > 0:
+            if begin - work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP] < JOINED * spacing:
+                joined = 1
+        if joined == 0 and islands < ISLAND_LIMIT:
             open_island(work, islands, begin, angle)
             islands += 1
         at = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
         work[at + ISLAND_STOP] = end
         add_cell(work, region, before, low, high, start, stop, at, inner, spacing * float(outward))
-    return islands, fresh
+    return islands
 
 
 def add_cell(work: 'float[:]', region: int, before: int, low: int, high: int, start: float, stop: float, at: int,

@@ -48,7 +48,10 @@ def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
         status = OFF_PROFILE
     else:
         penetration = tables[SET_PENETRATION_LEFT + index]
-        if force > 0.0 or penetration > 0.0:
+        pressed = force
+        if isfinite(penetration):
+            pressed = penetration
+        if pressed > 0.0:
             if solve_normal(tables, work, state, side, out, force, penetration) == 0:
                 status = NOT_CONVERGED
         else:

@@ -183,7 +183,7 @@ static int64_t patches__gather_islands(array_double_1d tables, array_double_1d w
     double level;
     double height;
     double slope;
-    int64_t fresh;
+    double angle;
     int64_t k_end;
     int64_t k;
     int64_t islands;
@@ -195,20 +195,20 @@ static int64_t patches__gather_islands(array_double_1d tables, array_double_1d w
         if (level > 0.0)
         {
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
-            fresh = INT64_C(1);
+            angle = -atan(slope);
             patches__load_nodes(work, region, level);
             k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                patches__gather_cell(&islands, &fresh, work, region, level, k, islands, fresh, -atan(slope));
+                islands = patches__gather_cell(work, region, level, k, islands, angle);
             }
         }
     }
     return islands;
 }
 
-/* Add the cell between nodes ``k`` and ``k`` + 1; the number of islands, and 1 if the next cell starts a new one. */
-static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, int64_t fresh, double angle)
+/* Add the cell between nodes ``k`` and ``k`` + 1 to the last island, or to a new one; the number of islands. */
+static int64_t patches__gather_cell(array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, double angle)
 {
     int64_t block;
     double spacing;
@@ -222,6 +222,7 @@ static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_
     double inner;
     double begin;
     double end;
+    int64_t joined;
     int64_t at;
     block = regions__region_block(region);
     spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
@@ -250,19 +251,15 @@ static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_
             begin = inner - spacing * stop;
             end = inner - spacing * start;
         }
-        if (islands == INT64_C(0))
+        joined = INT64_C(0);
+        if (islands > INT64_C(0))
         {
-            fresh = INT64_C(1);
+            if (begin - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP)) < patches__JOINED * spacing)
+            {
+                joined = INT64_C(1);
+            }
         }
-        else if (begin - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP)) < patches__JOINED * spacing)
-        {
-            fresh = INT64_C(0);
-        }
-        else
-        {
-            fresh = INT64_C(1);
-        }
-        if ((fresh == INT64_C(1)) && (islands < patches__ISLAND_LIMIT))
+        if ((joined == INT64_C(0)) && (islands < patches__ISLAND_LIMIT))
         {
             patches__open_island(work, islands, begin, angle);
             islands += INT64_C(1);
@@ -271,9 +268,7 @@ static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_
         (*cspan_at(&work, at + patches__ISLAND_STOP)) = end;
         patches__add_cell(work, region, before, low, high, start, stop, at, inner, spacing * (double)(outward));
     }
-    (*result_0) = islands;
-    (*result_1) = fresh;
-    return 0;
+    return islands;
 }
 
 /* Add load, moment and area of a cell's loaded part to the island at ``at``, and its inner node's extremes. */

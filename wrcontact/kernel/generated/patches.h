@@ -36,7 +36,7 @@ static int64_t patches__load_nodes(array_double_1d work, int64_t region, double 
 static double patches__peak_square(array_double_1d work, int64_t field, int64_t k);
 static int64_t patches__open_island(array_double_1d work, int64_t count, double start, double angle);
 static int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step);
-static int64_t patches__gather_cell(int64_t* result_0, int64_t* result_1, array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, int64_t fresh, double angle);
+static int64_t patches__gather_cell(array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, double angle);
 static int64_t patches__gather_islands(array_double_1d tables, array_double_1d work, int64_t count);
 static int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at);
 static int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands);

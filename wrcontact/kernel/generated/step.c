@@ -53,6 +53,7 @@ static int64_t step__step_side(array_double_1d tables, array_double_1d work, arr
     int64_t out;
     int64_t i;
     double penetration;
+    double pressed;
     int64_t status;
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
@@ -68,7 +69,12 @@ static int64_t step__step_side(array_double_1d tables, array_double_1d work, arr
     else
     {
         penetration = (*cspan_at(&tables, layout__SET_PENETRATION_LEFT + index));
-        if ((force > 0.0) || (penetration > 0.0))
+        pressed = force;
+        if (isfinite(penetration))
+        {
+            pressed = penetration;
+        }
+        if (pressed > 0.0)
         {
             if (normal_contact__solve_normal(tables, work, state, side, out, force, penetration) == INT64_C(0))
             {
