@@ -36,13 +36,13 @@ RANGES = {
 CHOICES = {
     "contact_mode": ("rigid",),
     "load": ("normal",),
-    "normal_model": ("analyn", "hertz"),
+    "normal_model": ("analyn", "analyn_strip", "hertz"),
     "separation": ("normal",),
     "longitudinal_curvature": ("effective", "basic"),
     "lateral_curvature": ("smooth",),
 }
 
-KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "hertz": layout.MODEL_HERTZ,
+KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "analyn_strip": layout.MODEL_ANALYN_STRIP, "hertz": layout.MODEL_HERTZ,
                   "effective": layout.LONGITUDINAL_EFFECTIVE, "basic": layout.LONGITUDINAL_BASIC}
 
 

@@ -30,6 +30,7 @@ NODE_LENGTH: Final[int] = 4          # (1 + alpha) A [1/m]
 NODE_LOAD: Final[int] = 5            # line load [N/m] at the solved level; negative where unloaded, likewise
 NODE_SQUARE: Final[int] = 6          # square of the half-length [m^2] and
 NODE_PRESSURE: Final[int] = 7        # square of the pressure on x = 0 [Pa^2]
+NODE_B: Final[int] = 8               # lateral curvature B [1/m]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02
@@ -45,9 +46,12 @@ def node_field(region: int, field: int):
 
 
 def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, level: float, spacing: float,
-              window: int):
+              window: int, stride: int):
     """Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
-    ``window`` nodes further."""
+    ``window`` nodes further.
+
+    Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
+    """
     block = region_block(region)
     work[block + REGION_SPACING] = spacing
     gaps = node_field(region, NODE_GAP)
@@ -57,28 +61,42 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         tolerance = FINEST_TRACE
     origin = work[block + REGION_STATION]
     start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    gap, rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
+    gap, first_rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
     for direction in range(-1, 2, 2):
         start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
+        rate = first_rate
         k = 0
+        traced = 0
+        step = stride
         left = window
         passed = 0
         ended = 0
-        while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2:
+        while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
+            if k == traced and ended == 0:
+                at = direction * (traced + step)
+                gap, next_rate, bend, curvature = normal_gap(tables, work, state, origin + spacing * float(at), tolerance)
+                if gap >= NO_GAP and step > 1:
+                    # a profile ends within this stretch: node by node from here
+                    step = 1
+                    start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
+                    at = direction * (traced + step)
+                    gap, next_rate, bend, curvature = normal_gap(tables, work, state, origin + spacing * float(at),
+                                                                 tolerance)
+                if gap >= NO_GAP:
+                    ended = 1
+                    end_region(work, block, direction, origin + spacing * float(direction * k))
+                else:
+                    work[gaps + at] = gap - work[block + REGION_GAP]
+                    work[longitudinal + at] = 0.5 * curvature
+                    fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
+                    rate = next_rate
+                    traced += step
             k += 1
             at = direction * k
             station = origin + spacing * float(at)
-            if ended == 0:
-                gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
-                if gap >= NO_GAP:
-                    ended = 1
-                    end_region(work, block, direction, station - spacing * float(direction))
-            if ended == 0:
-                work[gaps + at] = gap - work[block + REGION_GAP]
-                work[longitudinal + at] = 0.5 * curvature
-            else:
+            if ended == 1:
                 extrapolate_node(work, gaps, longitudinal, at, direction)
             if passed > 0:
                 left -= 1
@@ -92,6 +110,27 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
             work[block + REGION_FIRST] = float(-passed)
         else:
             work[block + REGION_LAST] = float(passed)
+    return 0
+
+
+def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, stop: int, count: int, spacing: float,
+                 start_rate: float, stop_rate: float):
+    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes."""
+    low = work[gaps + start]
+    high = work[gaps + stop]
+    width = spacing * float(stop - start)
+    rise = high - low
+    forward = start_rate * width
+    backward = stop_rate * width
+    inward = 1
+    if stop < start:
+        inward = -1
+    for i in range(1, count):
+        x = float(i) / float(count)
+        at = start + inward * i
+        rest = 1.0 - x
+        work[gaps + at] = low + x * (rise + rest * (rest * (forward - rise) - x * (backward - rise)))
+        work[longitudinal + at] = rest * work[longitudinal + start] + x * work[longitudinal + stop]
     return 0
 
 
@@ -158,10 +197,12 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
     rises = node_field(region, NODE_RISE)
     lines = node_field(region, NODE_LINE)
     lengths = node_field(region, NODE_LENGTH)
+    curvatures = node_field(region, NODE_B)
     base = int(tables[SET_HERTZ])
     for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
         A = work[longitudinal + k]
         B = lateral_curvature(work, region, k, window)
+        work[curvatures + k] = B
         one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
         work[rises + k] = one_beta * work[gaps + k]
         work[lines + k] = tables[SET_CONTACT_MODULUS] / nr

@@ -24,8 +24,10 @@ static int64_t nodes__node_field(int64_t region, int64_t field)
 
 /* Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
  * ``window`` nodes further.
+ *
+ * Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
  */
-static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window)
+static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window, int64_t stride)
 {
     int64_t block;
     int64_t gaps;
@@ -33,15 +35,19 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
     double tolerance;
     double origin;
     double gap;
-    double rate;
+    double first_rate;
     double bend;
     double curvature;
     int64_t direction;
+    double rate;
     int64_t k;
+    int64_t traced;
+    int64_t step;
     int64_t left;
     int64_t passed;
     int64_t ended;
     int64_t at;
+    double next_rate;
     double station;
     block = regions__region_block(region);
     (*cspan_at(&work, block + regions__REGION_SPACING)) = spacing;
@@ -54,36 +60,51 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
     }
     origin = (*cspan_at(&work, block + regions__REGION_STATION));
     contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
-    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, origin, tolerance);
+    contact_plane__normal_gap(&gap, &first_rate, &bend, &curvature, tables, work, state, origin, tolerance);
     (*cspan_at(&work, gaps)) = 0.0;
     (*cspan_at(&work, longitudinal)) = 0.5 * curvature;
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
         contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        rate = first_rate;
         k = INT64_C(0);
+        traced = INT64_C(0);
+        step = stride;
         left = window;
         passed = INT64_C(0);
         ended = INT64_C(0);
-        while((left > INT64_C(0)) && (k < layout__NODE_LIMIT - layout__NODE_MIDDLE - INT64_C(2)))
+        while((left > INT64_C(0)) && (k < layout__NODE_LIMIT - layout__NODE_MIDDLE - INT64_C(2) - stride))
         {
-            k += INT64_C(1);
-            at = direction * k;
-            station = origin + spacing * (double)(at);
-            if (ended == INT64_C(0))
+            if ((k == traced) && (ended == INT64_C(0)))
             {
-                contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, tolerance);
+                at = direction * (traced + step);
+                contact_plane__normal_gap(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
+                if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
+                {
+                    /* a profile ends within this stretch: node by node from here */
+                    step = INT64_C(1);
+                    contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+                    at = direction * (traced + step);
+                    contact_plane__normal_gap(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
+                }
                 if (gap >= contact_plane__NO_GAP)
                 {
                     ended = INT64_C(1);
-                    nodes__end_region(work, block, direction, station - spacing * (double)(direction));
+                    nodes__end_region(work, block, direction, origin + spacing * (double)(direction * k));
+                }
+                else
+                {
+                    (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+                    (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
+                    nodes__fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate);
+                    rate = next_rate;
+                    traced += step;
                 }
             }
-            if (ended == INT64_C(0))
-            {
-                (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
-                (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
-            }
-            else
+            k += INT64_C(1);
+            at = direction * k;
+            station = origin + spacing * (double)(at);
+            if (ended == INT64_C(1))
             {
                 nodes__extrapolate_node(work, gaps, longitudinal, at, direction);
             }
@@ -112,6 +133,42 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
         {
             (*cspan_at(&work, block + regions__REGION_LAST)) = (double)(passed);
         }
+    }
+    return INT64_C(0);
+}
+
+/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes. */
+static int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
+{
+    double low;
+    double high;
+    double width;
+    double rise;
+    double forward;
+    double backward;
+    int64_t inward;
+    int64_t i;
+    double x;
+    int64_t at;
+    double rest;
+    low = (*cspan_at(&work, gaps + start));
+    high = (*cspan_at(&work, gaps + stop));
+    width = spacing * (double)(stop - start);
+    rise = high - low;
+    forward = start_rate * width;
+    backward = stop_rate * width;
+    inward = INT64_C(1);
+    if (stop < start)
+    {
+        inward = -INT64_C(1);
+    }
+    for (i = INT64_C(1); i < count; i += INT64_C(1))
+    {
+        x = (double)(i) / (double)(count);
+        at = start + inward * i;
+        rest = 1.0 - x;
+        (*cspan_at(&work, gaps + at)) = low + x * (rise + rest * (rest * (forward - rise) - x * (backward - rise)));
+        (*cspan_at(&work, longitudinal + at)) = rest * (*cspan_at(&work, longitudinal + start)) + x * (*cspan_at(&work, longitudinal + stop));
     }
     return INT64_C(0);
 }
@@ -220,6 +277,7 @@ static int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, 
     int64_t rises;
     int64_t lines;
     int64_t lengths;
+    int64_t curvatures;
     int64_t base;
     int64_t k_end;
     int64_t k;
@@ -234,12 +292,14 @@ static int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, 
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     lengths = nodes__node_field(region, nodes__NODE_LENGTH);
+    curvatures = nodes__node_field(region, nodes__NODE_B);
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
     k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         A = (*cspan_at(&work, longitudinal + k));
         B = nodes__lateral_curvature(work, region, k, window);
+        (*cspan_at(&work, curvatures + k)) = B;
         hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
         (*cspan_at(&work, rises + k)) = one_beta * (*cspan_at(&work, gaps + k));
         (*cspan_at(&work, lines + k)) = (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) / nr;
