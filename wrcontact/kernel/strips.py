@@ -31,12 +31,11 @@ STRIP_LOG: Final[int] = 6            # its logarithm
 STRIP_SHARE: Final[int] = 7          # y = h p / (pi E*) [m]; zero where not loaded
 STRIP_LOADED: Final[int] = 8         # 1 or 0
 STRIP_REGION: Final[int] = 9
-STRIP_UNIT: Final[int] = 10          # y for a penetration of 1 m and a flat gap
-STRIP_REST: Final[int] = 11          # y for the gap as it is and no penetration, sign changed
-STRIP_LINE: Final[int] = 12          # line load q [N/m]
-STRIP_SQUARE: Final[int] = 13        # square of the corrected half-length [m^2]
-STRIP_PRESSURE: Final[int] = 14      # pressure on the middle line [Pa]
-STRIP_JOINED: Final[int] = 15        # 1 if it touches the next one
+STRIP_LINE: Final[int] = 10          # line load q [N/m]
+STRIP_SQUARE: Final[int] = 11        # square of the corrected half-length [m^2]
+STRIP_PRESSURE: Final[int] = 12      # pressure on the middle line [Pa]
+STRIP_JOINED: Final[int] = 13        # 1 if it touches the next one
+STRIP_RANK: Final[int] = 14          # the loaded strips, one after the other
 
 # the influence table: Phi of eq. (S3) over ln(distance / half-length)
 TABLE_START: Final[int] = 0
@@ -50,7 +49,7 @@ ZONE: Final[float] = 0.9
 #: and, where a patch is short across, where ANALYN's level is above minus this share of it.
 BEYOND: Final[float] = 0.6
 #: Share of the strips that is spread evenly; the others go with sqrt(B) sqrt(1 - gap / penetration).
-EVEN: Final[float] = 0.3
+EVEN: Final[float] = 0.5
 #: Fewest strips of a region.
 LEAST: Final[int] = 12
 #: Smallest half-length: of the longest one, of that of the interpenetration, and of the strip's width.  Shorter ones make
@@ -305,13 +304,13 @@ def fit_edges(work: 'float[:]', strips: int):
             if last > first:
                 start = run_edge(work, strips, first, last, -1)
                 stop = run_edge(work, strips, last, first, 1)
-                fit_edge(work, first, start, -1)
-                fit_edge(work, last, stop, 1)
+                fit_edge(work, strips, first, start, -1)
+                fit_edge(work, strips, last, stop, 1)
         first = last + 1
     return 0
 
 
-def fit_edge(work: 'float[:]', last: int, edge: float, outward: int):
+def fit_edge(work: 'float[:]', strips: int, last: int, edge: float, outward: int):
     """Let strip ``last``, or the one beyond it, end at ``edge`` [m]."""
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
@@ -326,15 +325,16 @@ def fit_edge(work: 'float[:]', last: int, edge: float, outward: int):
         work[stations + at] = 0.5 * (inner + edge)
         work[strip_field(STRIP_LOADED) + at] = 1.0
         region, k, x = locate_strip(work, at)
+        measure_distances(work, strips, at, strips)
     return 0
 
 
-def measure_distances(work: 'float[:]', strips: int):
-    """Logarithms of the distances between the strips."""
+def measure_distances(work: 'float[:]', strips: int, i: int, others: int):
+    """Logarithms of the distances between strip ``i`` and the first ``others``."""
     stations = strip_field(STRIP_STATION)
-    for i in range(strips):
-        row = WORK_DISTANCE + strips * i
-        for j in range(i):
+    row = WORK_DISTANCE + strips * i
+    for j in range(others):
+        if j != i:
             distance = log(fabs(work[stations + i] - work[stations + j]))
             work[row + j] = distance
             work[WORK_DISTANCE + strips * j + i] = distance
@@ -387,14 +387,22 @@ def eliminate(work: 'float[:]', size: int):
     Without exchange of rows: the matrix is that of a positive kernel, largest on the diagonal.
     """
     width = size + 2
-    for k in range(size):
-        pivot = WORK_SYSTEM + width * k
-        inverse = 1.0 / work[pivot + k]
-        for i in range(k + 1, size):
+    for pair in range(size // 2):
+        # two columns at a time, so that every row is read and written once for both
+        k = 2 * pair
+        first = WORK_SYSTEM + width * k
+        second = first + width
+        inverse = 1.0 / work[first + k]
+        factor = work[second + k] * inverse
+        for j in range(k + 1, width):
+            work[second + j] -= factor * work[first + j]
+        next_inverse = 1.0 / work[second + k + 1]
+        for i in range(k + 2, size):
             row = WORK_SYSTEM + width * i
             factor = work[row + k] * inverse
-            for j in range(k + 1, width):
-                work[row + j] -= factor * work[pivot + j]
+            next_factor = (work[row + k + 1] - factor * work[first + k + 1]) * next_inverse
+            for j in range(k + 2, width):
+                work[row + j] = work[row + j] - factor * work[first + j] - next_factor * work[second + j]
     for back in range(size):
         k = size - 1 - back
         pivot = WORK_SYSTEM + width * k
@@ -411,40 +419,36 @@ def eliminate(work: 'float[:]', size: int):
 
 def solve_loaded(tables: 'float[:]', work: 'float[:]', strips: int, force: float, prescribed: float, by_penetration: int):
     """y of the loaded strips under ``force`` [N], or at ``prescribed`` penetration [m]; the penetration."""
-    loaded = strip_field(STRIP_LOADED)
+    ranks = strip_field(STRIP_RANK)
     size = 0
     for i in range(strips):
-        if work[loaded + i] == 1.0:
+        if work[strip_field(STRIP_LOADED) + i] == 1.0:
+            work[ranks + size] = float(i)
             size += 1
-    row = WORK_SYSTEM
-    for i in range(strips):
-        if work[loaded + i] == 1.0:
-            for j in range(strips):
-                if work[loaded + j] == 1.0:
-                    work[row] = work[WORK_INFLUENCE + strips * i + j]
-                    row += 1
-            work[row] = 1.0
-            work[row + 1] = work[strip_field(STRIP_GAP) + i]
-            row += 2
+    for rank in range(size):
+        i = int(work[ranks + rank])
+        row = WORK_SYSTEM + (size + 2) * rank
+        influences = WORK_INFLUENCE + strips * i
+        for other in range(size):
+            work[row + other] = work[influences + int(work[ranks + other])]
+        work[row + size] = 1.0
+        work[row + size + 1] = work[strip_field(STRIP_GAP) + i]
     eliminate(work, size)
     unit_load = 0.0
     rest_load = 0.0
-    row = WORK_SYSTEM
-    for i in range(strips):
-        if work[loaded + i] == 1.0:
-            work[strip_field(STRIP_UNIT) + i] = work[row + size]
-            work[strip_field(STRIP_REST) + i] = work[row + size + 1]
-            unit_load += work[strip_field(STRIP_HALF) + i] * work[row + size]
-            rest_load += work[strip_field(STRIP_HALF) + i] * work[row + size + 1]
-            row += size + 2
+    for rank in range(size):
+        row = WORK_SYSTEM + (size + 2) * rank
+        half = work[strip_field(STRIP_HALF) + int(work[ranks + rank])]
+        unit_load += half * work[row + size]
+        rest_load += half * work[row + size + 1]
     penetration = prescribed
     if by_penetration == 0:
         penetration = (force / (0.5 * pi * pi * tables[SET_CONTACT_MODULUS]) + rest_load) / unit_load
     for i in range(strips):
         work[strip_field(STRIP_SHARE) + i] = 0.0
-        if work[loaded + i] == 1.0:
-            work[strip_field(STRIP_SHARE) + i] = (penetration * work[strip_field(STRIP_UNIT) + i]
-                                                  - work[strip_field(STRIP_REST) + i])
+    for rank in range(size):
+        row = WORK_SYSTEM + (size + 2) * rank
+        work[strip_field(STRIP_SHARE) + int(work[ranks + rank])] = penetration * work[row + size] - work[row + size + 1]
     return penetration
 
 
@@ -587,7 +591,8 @@ def correct_strips(tables: 'float[:]', work: 'float[:]', state: 'float[:]', coun
     join_strips(work, strips)
     describe_strips(work, strips, predicted)
     start_loaded(work, strips)
-    measure_distances(work, strips)
+    for i in range(strips):
+        measure_distances(work, strips, i, i)
     penetration = predicted
     met = 0
     sweeps = int(tables[SET_SWEEPS])
@@ -600,5 +605,4 @@ def correct_strips(tables: 'float[:]', work: 'float[:]', state: 'float[:]', coun
         if sweep < sweeps - 1:
             adopt_lengths(work, strips)
             fit_edges(work, strips)
-            measure_distances(work, strips)
     return penetration, strips, met

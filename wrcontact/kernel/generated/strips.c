@@ -420,8 +420,8 @@ static int64_t strips__fit_edges(array_double_1d work, int64_t strips)
             {
                 start = strips__run_edge(work, strips, first, last, -INT64_C(1));
                 stop = strips__run_edge(work, strips, last, first, INT64_C(1));
-                strips__fit_edge(work, first, start, -INT64_C(1));
-                strips__fit_edge(work, last, stop, INT64_C(1));
+                strips__fit_edge(work, strips, first, start, -INT64_C(1));
+                strips__fit_edge(work, strips, last, stop, INT64_C(1));
             }
         }
         first = last + INT64_C(1);
@@ -430,7 +430,7 @@ static int64_t strips__fit_edges(array_double_1d work, int64_t strips)
 }
 
 /* Let strip ``last``, or the one beyond it, end at ``edge`` [m]. */
-static int64_t strips__fit_edge(array_double_1d work, int64_t last, double edge, int64_t outward)
+static int64_t strips__fit_edge(array_double_1d work, int64_t strips, int64_t last, double edge, int64_t outward)
 {
     int64_t stations;
     int64_t widths;
@@ -457,23 +457,23 @@ static int64_t strips__fit_edge(array_double_1d work, int64_t last, double edge,
         (*cspan_at(&work, stations + at)) = 0.5 * (inner + edge);
         (*cspan_at(&work, strips__strip_field(strips__STRIP_LOADED) + at)) = 1.0;
         strips__locate_strip(&region, &k, &x, work, at);
+        strips__measure_distances(work, strips, at, strips);
     }
     return INT64_C(0);
 }
 
-/* Logarithms of the distances between the strips. */
-static int64_t strips__measure_distances(array_double_1d work, int64_t strips)
+/* Logarithms of the distances between strip ``i`` and the first ``others``. */
+static int64_t strips__measure_distances(array_double_1d work, int64_t strips, int64_t i, int64_t others)
 {
     int64_t stations;
-    int64_t i;
     int64_t row;
     int64_t j;
     double distance;
     stations = strips__strip_field(strips__STRIP_STATION);
-    for (i = INT64_C(0); i < strips; i += INT64_C(1))
+    row = layout__WORK_DISTANCE + strips * i;
+    for (j = INT64_C(0); j < others; j += INT64_C(1))
     {
-        row = layout__WORK_DISTANCE + strips * i;
-        for (j = INT64_C(0); j < i; j += INT64_C(1))
+        if (j != i)
         {
             distance = log(fabs((*cspan_at(&work, stations + i)) - (*cspan_at(&work, stations + j))));
             (*cspan_at(&work, row + j)) = distance;
@@ -563,28 +563,43 @@ static int64_t strips__fill_influence(array_double_1d tables, array_double_1d wo
 static int64_t strips__eliminate(array_double_1d work, int64_t size)
 {
     int64_t width;
+    int64_t pair;
     int64_t k;
-    int64_t pivot;
+    int64_t first;
+    int64_t second;
     double inverse;
-    int64_t i;
-    int64_t row;
     double factor;
     int64_t j;
+    double next_inverse;
+    int64_t i;
+    int64_t row;
+    double next_factor;
     int64_t back;
+    int64_t pivot;
     double unit;
     double rest;
     width = size + INT64_C(2);
-    for (k = INT64_C(0); k < size; k += INT64_C(1))
+    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
     {
-        pivot = layout__WORK_SYSTEM + width * k;
-        inverse = 1.0 / (*cspan_at(&work, pivot + k));
-        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
+        /* two columns at a time, so that every row is read and written once for both */
+        k = INT64_C(2) * pair;
+        first = layout__WORK_SYSTEM + width * k;
+        second = first + width;
+        inverse = 1.0 / (*cspan_at(&work, first + k));
+        factor = (*cspan_at(&work, second + k)) * inverse;
+        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        {
+            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
+        }
+        next_inverse = 1.0 / (*cspan_at(&work, second + k + INT64_C(1)));
+        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
             row = layout__WORK_SYSTEM + width * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+            next_factor = ((*cspan_at(&work, row + k + INT64_C(1))) - factor * (*cspan_at(&work, first + k + INT64_C(1)))) * next_inverse;
+            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
             {
-                (*cspan_at(&work, row + j)) -= factor * (*cspan_at(&work, pivot + j));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
             }
         }
     }
@@ -609,55 +624,48 @@ static int64_t strips__eliminate(array_double_1d work, int64_t size)
 /* y of the loaded strips under ``force`` [N], or at ``prescribed`` penetration [m]; the penetration. */
 static double strips__solve_loaded(array_double_1d tables, array_double_1d work, int64_t strips, double force, double prescribed, int64_t by_penetration)
 {
-    int64_t loaded;
+    int64_t ranks;
     int64_t size;
     int64_t i;
+    int64_t rank;
     int64_t row;
-    int64_t j;
+    int64_t influences;
+    int64_t other;
     double unit_load;
     double rest_load;
+    double half;
     double penetration;
-    loaded = strips__strip_field(strips__STRIP_LOADED);
+    ranks = strips__strip_field(strips__STRIP_RANK);
     size = INT64_C(0);
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, loaded + i)) == 1.0)
+        if ((*cspan_at(&work, strips__strip_field(strips__STRIP_LOADED) + i)) == 1.0)
         {
+            (*cspan_at(&work, ranks + size)) = (double)(i);
             size += INT64_C(1);
         }
     }
-    row = layout__WORK_SYSTEM;
-    for (i = INT64_C(0); i < strips; i += INT64_C(1))
+    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        if ((*cspan_at(&work, loaded + i)) == 1.0)
+        i = (int64_t)((*cspan_at(&work, ranks + rank)));
+        row = layout__WORK_SYSTEM + (size + INT64_C(2)) * rank;
+        influences = layout__WORK_INFLUENCE + strips * i;
+        for (other = INT64_C(0); other < size; other += INT64_C(1))
         {
-            for (j = INT64_C(0); j < strips; j += INT64_C(1))
-            {
-                if ((*cspan_at(&work, loaded + j)) == 1.0)
-                {
-                    (*cspan_at(&work, row)) = (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j));
-                    row += INT64_C(1);
-                }
-            }
-            (*cspan_at(&work, row)) = 1.0;
-            (*cspan_at(&work, row + INT64_C(1))) = (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i));
-            row += INT64_C(2);
+            (*cspan_at(&work, row + other)) = (*cspan_at(&work, influences + (int64_t)((*cspan_at(&work, ranks + other)))));
         }
+        (*cspan_at(&work, row + size)) = 1.0;
+        (*cspan_at(&work, row + size + INT64_C(1))) = (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i));
     }
     strips__eliminate(work, size);
     unit_load = 0.0;
     rest_load = 0.0;
-    row = layout__WORK_SYSTEM;
-    for (i = INT64_C(0); i < strips; i += INT64_C(1))
+    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        if ((*cspan_at(&work, loaded + i)) == 1.0)
-        {
-            (*cspan_at(&work, strips__strip_field(strips__STRIP_UNIT) + i)) = (*cspan_at(&work, row + size));
-            (*cspan_at(&work, strips__strip_field(strips__STRIP_REST) + i)) = (*cspan_at(&work, row + size + INT64_C(1)));
-            unit_load += (*cspan_at(&work, strips__strip_field(strips__STRIP_HALF) + i)) * (*cspan_at(&work, row + size));
-            rest_load += (*cspan_at(&work, strips__strip_field(strips__STRIP_HALF) + i)) * (*cspan_at(&work, row + size + INT64_C(1)));
-            row += size + INT64_C(2);
-        }
+        row = layout__WORK_SYSTEM + (size + INT64_C(2)) * rank;
+        half = (*cspan_at(&work, strips__strip_field(strips__STRIP_HALF) + (int64_t)((*cspan_at(&work, ranks + rank)))));
+        unit_load += half * (*cspan_at(&work, row + size));
+        rest_load += half * (*cspan_at(&work, row + size + INT64_C(1)));
     }
     penetration = prescribed;
     if (by_penetration == INT64_C(0))
@@ -667,10 +675,11 @@ static double strips__solve_loaded(array_double_1d tables, array_double_1d work,
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
         (*cspan_at(&work, strips__strip_field(strips__STRIP_SHARE) + i)) = 0.0;
-        if ((*cspan_at(&work, loaded + i)) == 1.0)
-        {
-            (*cspan_at(&work, strips__strip_field(strips__STRIP_SHARE) + i)) = penetration * (*cspan_at(&work, strips__strip_field(strips__STRIP_UNIT) + i)) - (*cspan_at(&work, strips__strip_field(strips__STRIP_REST) + i));
-        }
+    }
+    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    {
+        row = layout__WORK_SYSTEM + (size + INT64_C(2)) * rank;
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_SHARE) + (int64_t)((*cspan_at(&work, ranks + rank))))) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + size + INT64_C(1)));
     }
     return penetration;
 }
@@ -918,6 +927,7 @@ static int64_t strips__start_loaded(array_double_1d work, int64_t strips)
 static int64_t strips__correct_strips(double* result_0, int64_t* result_1, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double predicted, int64_t by_penetration)
 {
     int64_t strips;
+    int64_t i;
     double penetration;
     int64_t met;
     int64_t sweeps;
@@ -926,7 +936,10 @@ static int64_t strips__correct_strips(double* result_0, int64_t* result_1, int64
     strips__join_strips(work, strips);
     strips__describe_strips(work, strips, predicted);
     strips__start_loaded(work, strips);
-    strips__measure_distances(work, strips);
+    for (i = INT64_C(0); i < strips; i += INT64_C(1))
+    {
+        strips__measure_distances(work, strips, i, i);
+    }
     penetration = predicted;
     met = INT64_C(0);
     sweeps = (int64_t)((*cspan_at(&tables, layout__SET_SWEEPS)));
@@ -946,7 +959,6 @@ static int64_t strips__correct_strips(double* result_0, int64_t* result_1, int64
         {
             strips__adopt_lengths(work, strips);
             strips__fit_edges(work, strips);
-            strips__measure_distances(work, strips);
         }
     }
     (*result_0) = penetration;
