@@ -15,9 +15,13 @@ follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to ze
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import NO_GAP, normal_gap, start_tracer
-from .hertz import hertz_coefficients
-from .layout import NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ, WORK_NODES
+from .contact_plane import FRAME_PLACE, NO_GAP, TRACER_WHEEL, normal_gap, start_tracer
+from .hertz import hertz_coefficients, skewed_coefficients, upright_coefficients
+from .layout import (MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ,
+                     SET_NORMAL_MODEL, SET_WHEEL, WORK_NODES)
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
+                    around_wheel)
+from .profile_table import height_slope
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
                       REGION_STATION, REGION_WHEEL, region_block)
 
@@ -31,6 +35,10 @@ NODE_LOAD: Final[int] = 5            # line load [N/m] at the solved level; nega
 NODE_SQUARE: Final[int] = 6          # square of the half-length [m^2] and
 NODE_PRESSURE: Final[int] = 7        # square of the pressure on x = 0 [Pa^2]
 NODE_B: Final[int] = 8               # lateral curvature B [1/m]
+NODE_X: Final[int] = 9               # where along the track the gap is smallest [m]; of a yawed wheel only, as is
+NODE_UPRIGHT_RISE: Final[int] = 10   # gap, A and penetration of the upright ellipse with the same strips, see
+NODE_UPRIGHT_A: Final[int] = 11      # hertz.upright_coefficients: the gap's rise [m], A [1/m] and
+NODE_UPRIGHT_SHARE: Final[int] = 12  # its penetration over the real one [-]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02
@@ -64,6 +72,10 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     gap, first_rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
+    yawed = is_yawed(work)
+    ridges = node_field(region, NODE_X)
+    if yawed == 1:
+        work[ridges] = ridge_place(tables, work)
     for direction in range(-1, 2, 2):
         start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
         rate = first_rate
@@ -90,6 +102,9 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
                 else:
                     work[gaps + at] = gap - work[block + REGION_GAP]
                     work[longitudinal + at] = 0.5 * curvature
+                    if yawed == 1:
+                        work[ridges + at] = ridge_place(tables, work)
+                        fill_straight(work, ridges, direction * traced, at, step)
                     fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
                     rate = next_rate
                     traced += step
@@ -98,6 +113,7 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
             station = origin + spacing * float(at)
             if ended == 1:
                 extrapolate_node(work, gaps, longitudinal, at, direction)
+                work[ridges + at] = 2.0 * work[ridges + at - direction] - work[ridges + at - 2 * direction]
             if passed > 0:
                 left -= 1
             elif ended == 1 or work[gaps + at] > COVER * level:
@@ -113,24 +129,49 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     return 0
 
 
+def is_yawed(work: 'float[:]'):
+    """1 if the wheel of the open frame is yawed, else 0."""
+    return int(work[int(work[FRAME_PLACE]) + PLACE_YAWED])
+
+
+def ridge_place(tables: 'float[:]', work: 'float[:]'):
+    """Track coordinate x [m] of the wheel's outline where the tracer stands."""
+    at = int(work[FRAME_PLACE])
+    y = work[TRACER_WHEEL]
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    sin_phi, cos_phi = around_wheel(work, at, slope)
+    r = work[at + PLACE_RADIUS] + z
+    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
+    return work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral
+
+
+def fill_straight(work: 'float[:]', field: int, start: int, stop: int, count: int):
+    """``field`` at the ``count`` - 1 nodes between two, on a straight line."""
+    inward = 1
+    if stop < start:
+        inward = -1
+    rise = (work[field + stop] - work[field + start]) / float(count)
+    for i in range(1, count):
+        work[field + start + inward * i] = work[field + start] + rise * float(i)
+    return 0
+
+
 def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, stop: int, count: int, spacing: float,
                  start_rate: float, stop_rate: float):
     """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes."""
     low = work[gaps + start]
-    high = work[gaps + stop]
+    rise = work[gaps + stop] - low
     width = spacing * float(stop - start)
-    rise = high - low
-    forward = start_rate * width
-    backward = stop_rate * width
+    forward = start_rate * width - rise
+    backward = stop_rate * width - rise
     inward = 1
     if stop < start:
         inward = -1
     for i in range(1, count):
         x = float(i) / float(count)
-        at = start + inward * i
         rest = 1.0 - x
-        work[gaps + at] = low + x * (rise + rest * (rest * (forward - rise) - x * (backward - rise)))
-        work[longitudinal + at] = rest * work[longitudinal + start] + x * work[longitudinal + stop]
+        work[gaps + start + inward * i] = low + x * (rise + rest * (rest * forward - x * backward))
+    fill_straight(work, longitudinal, start, stop, count)
     return 0
 
 
@@ -199,11 +240,22 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
     lengths = node_field(region, NODE_LENGTH)
     curvatures = node_field(region, NODE_B)
     base = int(tables[SET_HERTZ])
+    yawed = is_yawed(work)
     for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
         A = work[longitudinal + k]
         B = lateral_curvature(work, region, k, window)
         work[curvatures + k] = B
-        one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
+        if yawed == 1:
+            across = node_field(region, NODE_X) + k
+            slant = (work[across + window] - work[across - window]) / (2.0 * float(window) * work[block + REGION_SPACING])
+            one_alpha, one_beta, nr = skewed_coefficients(tables, base, A, B, slant)
+            if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
+                upright_A, upright_B, share = upright_coefficients(tables, base, one_alpha * A, one_beta * B, nr)
+                work[node_field(region, NODE_UPRIGHT_RISE) + k] = work[gaps + k] * upright_B / B
+                work[node_field(region, NODE_UPRIGHT_A) + k] = upright_A
+                work[node_field(region, NODE_UPRIGHT_SHARE) + k] = share
+        else:
+            one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
         work[rises + k] = one_beta * work[gaps + k]
         work[lines + k] = tables[SET_CONTACT_MODULUS] / nr
         work[lengths + k] = one_alpha * A

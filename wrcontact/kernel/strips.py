@@ -16,7 +16,8 @@ from typing import Final
 
 from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT, STRIP_FIELDS,
                      STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
-from .nodes import NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, node_field
+from .nodes import (NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, NODE_UPRIGHT_A,
+                    NODE_UPRIGHT_RISE, NODE_UPRIGHT_SHARE, is_yawed, node_field)
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_SPACING,
                       REGION_START, REGION_STATION, REGION_STOP, REGION_WEIGHT, region_block)
 
@@ -36,6 +37,7 @@ STRIP_SQUARE: Final[int] = 11        # square of the corrected half-length [m^2]
 STRIP_PRESSURE: Final[int] = 12      # pressure on the middle line [Pa]
 STRIP_JOINED: Final[int] = 13        # 1 if it touches the next one
 STRIP_RANK: Final[int] = 14          # the loaded strips, one after the other
+STRIP_TURN: Final[int] = 15          # penetration of the upright problem over the real one; 1 without yaw
 
 # the influence table: Phi of eq. (S3) over ln(distance / half-length)
 TABLE_START: Final[int] = 0
@@ -245,6 +247,14 @@ def locate_strip(work: 'float[:]', i: int):
     gap = cubic_value(work, node_field(region, NODE_GAP) + k, x)
     work[strip_field(STRIP_GAP) + i] = work[block + REGION_GAP] + gap
     work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_A, k, x)
+    work[strip_field(STRIP_TURN) + i] = 1.0
+    if is_yawed(work) == 1:
+        # the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients)
+        turn = node_value(work, region, NODE_UPRIGHT_SHARE, k, x)
+        rise = cubic_value(work, node_field(region, NODE_UPRIGHT_RISE) + k, x)
+        work[strip_field(STRIP_GAP) + i] = turn * work[block + REGION_GAP] + rise
+        work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_UPRIGHT_A, k, x)
+        work[strip_field(STRIP_TURN) + i] = turn
     return region, k, x
 
 
@@ -269,7 +279,8 @@ def describe_strips(work: 'float[:]', strips: int, penetration: float):
         if level > 0.0:
             loaded = 1.0
             square = level / length
-        inside = INSIDE * INSIDE * (penetration - work[strip_field(STRIP_GAP) + i]) / length
+        below = penetration - work[strip_field(STRIP_GAP) + i] / work[strip_field(STRIP_TURN) + i]
+        inside = INSIDE * INSIDE * below / length
         if inside > square:
             square = inside
         work[strip_field(STRIP_LOADED) + i] = loaded
@@ -431,7 +442,7 @@ def solve_loaded(tables: 'float[:]', work: 'float[:]', strips: int, force: float
         influences = WORK_INFLUENCE + strips * i
         for other in range(size):
             work[row + other] = work[influences + int(work[ranks + other])]
-        work[row + size] = 1.0
+        work[row + size] = work[strip_field(STRIP_TURN) + i]
         work[row + size + 1] = work[strip_field(STRIP_GAP) + i]
     eliminate(work, size)
     unit_load = 0.0
@@ -465,7 +476,7 @@ def exchange_strips(work: 'float[:]', strips: int, penetration: float, single: i
                     work[loaded + i] = 0.0
                     changed += 1
             else:
-                pushed = penetration - work[strip_field(STRIP_GAP) + i] - TOUCH * penetration
+                pushed = (work[strip_field(STRIP_TURN) + i] - TOUCH) * penetration - work[strip_field(STRIP_GAP) + i]
                 row = WORK_INFLUENCE + strips * i
                 for j in range(strips):
                     pushed -= work[row + j] * work[shares + j]

@@ -309,6 +309,8 @@ static int64_t strips__locate_strip(int64_t* region, int64_t* k, double* x, arra
     int64_t block;
     double u;
     double gap;
+    double turn;
+    double rise;
     (*region) = (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
     block = regions__region_block((*region));
     u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
@@ -317,6 +319,16 @@ static int64_t strips__locate_strip(int64_t* region, int64_t* k, double* x, arra
     gap = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_GAP) + (*k), (*x));
     (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
     (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_A, (*k), (*x));
+    (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = 1.0;
+    if (nodes__is_yawed(work) == INT64_C(1))
+    {
+        /* the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients) */
+        turn = strips__node_value(work, (*region), nodes__NODE_UPRIGHT_SHARE, (*k), (*x));
+        rise = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_UPRIGHT_RISE) + (*k), (*x));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + rise;
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_UPRIGHT_A, (*k), (*x));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn;
+    }
     return 0;
 }
 
@@ -344,6 +356,7 @@ static int64_t strips__describe_strips(array_double_1d work, int64_t strips, dou
     double level;
     double loaded;
     double square;
+    double below;
     double inside;
     halves = strips__strip_field(strips__STRIP_HALF);
     longest = 0.0;
@@ -361,7 +374,8 @@ static int64_t strips__describe_strips(array_double_1d work, int64_t strips, dou
             loaded = 1.0;
             square = level / length;
         }
-        inside = strips__INSIDE * strips__INSIDE * (penetration - (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i))) / length;
+        below = penetration - (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) / (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i));
+        inside = strips__INSIDE * strips__INSIDE * below / length;
         if (inside > square)
         {
             square = inside;
@@ -654,7 +668,7 @@ static double strips__solve_loaded(array_double_1d tables, array_double_1d work,
         {
             (*cspan_at(&work, row + other)) = (*cspan_at(&work, influences + (int64_t)((*cspan_at(&work, ranks + other)))));
         }
-        (*cspan_at(&work, row + size)) = 1.0;
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i));
         (*cspan_at(&work, row + size + INT64_C(1))) = (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i));
     }
     strips__eliminate(work, size);
@@ -713,7 +727,7 @@ static int64_t strips__exchange_strips(array_double_1d work, int64_t strips, dou
             }
             else
             {
-                pushed = penetration - (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) - strips__TOUCH * penetration;
+                pushed = ((*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) - strips__TOUCH) * penetration - (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i));
                 row = layout__WORK_INFLUENCE + strips * i;
                 for (j = INT64_C(0); j < strips; j += INT64_C(1))
                 {

@@ -36,6 +36,7 @@ static const int64_t strips__STRIP_SQUARE = INT64_C(11);
 static const int64_t strips__STRIP_PRESSURE = INT64_C(12);
 static const int64_t strips__STRIP_JOINED = INT64_C(13);
 static const int64_t strips__STRIP_RANK = INT64_C(14);
+static const int64_t strips__STRIP_TURN = INT64_C(15);
 static const int64_t strips__TABLE_START = INT64_C(0);
 static const int64_t strips__TABLE_CELLS_PER_UNIT = INT64_C(1);
 static const int64_t strips__TABLE_COUNT = INT64_C(2);
