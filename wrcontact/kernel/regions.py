@@ -53,7 +53,7 @@ PLACE_SHARP: Final[float] = 1e-11    # last Newton step to a minimum or a hump [
 WIDTH_TRACE: Final[float] = 5e-8     # and while half-widths are measured [m]
 HALVED_SHARP: Final[float] = 1e-9    # last halving, relative
 WIDTH_ITERATIONS: Final[int] = 60
-WIDTH_SHARP: Final[float] = 1e-4     # last Newton step, relative (its error is the square); the width only sets the nodes
+WIDTH_SHARP: Final[float] = 2e-2     # last Newton step, relative (its error is the square); the width only sets the nodes
 HUMP_SAMPLES: Final[int] = 8
 MINIMUM_ITERATIONS: Final[int] = 12
 

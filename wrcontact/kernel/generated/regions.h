@@ -48,7 +48,7 @@ static const double regions__PLACE_SHARP = 1e-11;
 static const double regions__WIDTH_TRACE = 5e-08;
 static const double regions__HALVED_SHARP = 1e-09;
 static const int64_t regions__WIDTH_ITERATIONS = INT64_C(60);
-static const double regions__WIDTH_SHARP = 0.0001;
+static const double regions__WIDTH_SHARP = 0.02;
 static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(12);
 
