@@ -130,4 +130,5 @@ SIDE_FIRST: Final[int] = SIDE_ABSCISSA + SCAN_LIMIT           # first and last s
 SIDE_LAST: Final[int] = SIDE_FIRST + 1
 SIDE_BEST: Final[int] = SIDE_FIRST + 2                        # smallest gap found
 SIDE_BEST_Y: Final[int] = SIDE_FIRST + 3                      # and its wheel abscissa
+SIDE_BEST_RAIL: Final[int] = SIDE_FIRST + 4                   # and its rail abscissa, while the roll is sought
 SIDE_STACK: Final[int] = SIDE_FIRST + 8                       # cells still to be searched

@@ -7,12 +7,12 @@ between them stays below MERGE of the penetration; otherwise the hump bounds bot
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_SIN, FRAME_Y, TRACER_RAIL, TRACER_WHEEL,
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_SIN, FRAME_Y, TRACER_RAIL, TRACER_WHEEL,
                             normal_gap, start_tracer)
 from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP,
                      SIDE_LAST, WORK_REGION)
 from .profile_table import height_slope
-from .search import ROW_Y, SCAN_NODES, SCAN_ROW
+from .search import ROW_Y, SCAN_NODES, SCAN_ROW, scan_side
 
 # a region block
 REGION_STATION: Final[int] = 0       # of the minimum [m]
@@ -114,6 +114,7 @@ def find_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     scan = int(tables[SET_SCAN])
     count = 1
     reach = work[side + SIDE_BEST] + 2.0 * level / work[FRAME_COS]
+    scan_side(tables, work, side, work, int(work[FRAME_PLACE]), state, reach)
     for i in range(int(work[side + SIDE_FIRST]) + 1, int(work[side + SIDE_LAST])):
         gap = work[side + SIDE_GAP + i]
         if gap < reach and gap <= work[side + SIDE_GAP + i - 1] and gap < work[side + SIDE_GAP + i + 1]:

@@ -116,6 +116,7 @@ static const int64_t layout__SIDE_FIRST = INT64_C(800);
 static const int64_t layout__SIDE_LAST = INT64_C(801);
 static const int64_t layout__SIDE_BEST = INT64_C(802);
 static const int64_t layout__SIDE_BEST_Y = INT64_C(803);
+static const int64_t layout__SIDE_BEST_RAIL = INT64_C(804);
 static const int64_t layout__SIDE_STACK = INT64_C(808);
 
 #endif

@@ -16,43 +16,71 @@
 /* Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]. */
 static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
 {
-    double sin_yaw;
-    double cos_yaw;
+    (*cspan_at(&place, at + locus__PLACE_SHIFT)) = lateral_shift;
+    (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = 0.0;
+    (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = 1.0;
+    (*cspan_at(&place, at + locus__PLACE_YAWED)) = 0.0;
+    if (yaw != 0.0)
+    {
+        (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&place, at + locus__PLACE_YAWED)) = 1.0;
+    }
+    (*cspan_at(&place, at + locus__PLACE_RADIUS)) = radius;
+    (*cspan_at(&place, at + locus__PLACE_ARM)) = arm;
+    locus__turn_wheelset(place, at, roll);
+    return INT64_C(0);
+}
+
+/* Give the wheelset at ``at`` another roll [rad]. */
+static int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double roll)
+{
     double sin_roll;
     double cos_roll;
     double t;
     double cos_t;
-    sin_yaw = sin(yaw);
-    cos_yaw = cos(yaw);
+    double w_per_slope;
+    double tan_yaw;
     sin_roll = sin(roll);
     cos_roll = cos(roll);
-    t = sin_yaw / cos_yaw * sin_roll;
-    cos_t = 1.0 / sqrt(1.0 + t * t);
-    (*cspan_at(&place, at + locus__PLACE_SHIFT)) = lateral_shift;
-    (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = sin_yaw;
-    (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = cos_yaw;
+    t = 0.0;
+    cos_t = 1.0;
+    w_per_slope = 0.0;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    {
+        tan_yaw = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) / (*cspan_at(&place, at + locus__PLACE_COS_YAW));
+        t = tan_yaw * sin_roll;
+        cos_t = 1.0 / sqrt(1.0 + t * t);
+        w_per_slope = tan_yaw * cos_roll * cos_t;
+    }
     (*cspan_at(&place, at + locus__PLACE_SIN_ROLL)) = sin_roll;
     (*cspan_at(&place, at + locus__PLACE_COS_ROLL)) = cos_roll;
     (*cspan_at(&place, at + locus__PLACE_T)) = t;
     (*cspan_at(&place, at + locus__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) = sin_yaw / cos_yaw * cos_roll * cos_t;
-    (*cspan_at(&place, at + locus__PLACE_RADIUS)) = radius;
-    (*cspan_at(&place, at + locus__PLACE_ARM)) = arm;
-    (*cspan_at(&place, at + locus__PLACE_YAWED)) = (yaw == 0.0 ? 0.0 : 1.0);
+    (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) = w_per_slope;
     return INT64_C(0);
 }
 
 /* The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign. */
 static int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to)
 {
-    int64_t i;
-    for (i = INT64_C(0); i < locus__PLACE_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&place, to + i)) = (*cspan_at(&place, at + i));
-    }
     (*cspan_at(&place, to + locus__PLACE_SHIFT)) = -(*cspan_at(&place, at + locus__PLACE_SHIFT));
     (*cspan_at(&place, to + locus__PLACE_SIN_YAW)) = -(*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+    (*cspan_at(&place, to + locus__PLACE_COS_YAW)) = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
+    (*cspan_at(&place, to + locus__PLACE_RADIUS)) = (*cspan_at(&place, at + locus__PLACE_RADIUS));
+    (*cspan_at(&place, to + locus__PLACE_ARM)) = (*cspan_at(&place, at + locus__PLACE_ARM));
+    (*cspan_at(&place, to + locus__PLACE_YAWED)) = (*cspan_at(&place, at + locus__PLACE_YAWED));
+    locus__mirror_roll(place, at, to);
+    return INT64_C(0);
+}
+
+/* What ``turn_wheelset`` has changed, mirrored. */
+static int64_t locus__mirror_roll(array_double_1d place, int64_t at, int64_t to)
+{
     (*cspan_at(&place, to + locus__PLACE_SIN_ROLL)) = -(*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+    (*cspan_at(&place, to + locus__PLACE_COS_ROLL)) = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
+    (*cspan_at(&place, to + locus__PLACE_T)) = (*cspan_at(&place, at + locus__PLACE_T));
+    (*cspan_at(&place, to + locus__PLACE_COS_T)) = (*cspan_at(&place, at + locus__PLACE_COS_T));
     (*cspan_at(&place, to + locus__PLACE_W_PER_SLOPE)) = -(*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE));
     return INT64_C(0);
 }

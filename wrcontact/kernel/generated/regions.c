@@ -110,6 +110,7 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
+    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach);
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST)));
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) + INT64_C(1); i < i_end; i += INT64_C(1))
     {
