@@ -109,7 +109,7 @@ NODE_FIELDS: Final[int] = 8          # node arrays of each
 NODE_LIMIT: Final[int] = 256         # their length
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
 PLACE_BLOCK: Final[int] = 16         # a placed wheel
-SIDE_BLOCK: Final[int] = 1200        # search data of one side
+SIDE_BLOCK: Final[int] = 400         # search data of one side
 CONTACT_BLOCK: Final[int] = 32       # contact frame and tracer
 ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
 
@@ -124,11 +124,11 @@ WORK_ISLANDS: Final[int] = WORK_NODES + NODE_LIMIT * NODE_FIELDS * REGION_LIMIT
 WORK_SIZE: Final[int] = WORK_ISLANDS + ISLAND_BLOCK
 
 # search data of one side, relative to its block
-SIDE_GAP: Final[int] = 0             # vertical gap at the scan nodes
-SIDE_ABSCISSA: Final[int] = SIDE_GAP + SCAN_LIMIT             # rail abscissa of the scan nodes
-SIDE_FIRST: Final[int] = SIDE_ABSCISSA + SCAN_LIMIT           # first and last scan node above the rail
-SIDE_LAST: Final[int] = SIDE_FIRST + 1
-SIDE_BEST: Final[int] = SIDE_FIRST + 2                        # smallest gap found
-SIDE_BEST_Y: Final[int] = SIDE_FIRST + 3                      # and its wheel abscissa
-SIDE_BEST_RAIL: Final[int] = SIDE_FIRST + 4                   # and its rail abscissa, while the roll is sought
-SIDE_STACK: Final[int] = SIDE_FIRST + 8                       # cells still to be searched
+SIDE_BEST: Final[int] = 0            # smallest gap found [m]
+SIDE_BEST_Y: Final[int] = 1          # its wheel abscissa
+SIDE_BEST_RAIL: Final[int] = 2       # and its rail abscissa, while the roll is sought
+SIDE_FIRST: Final[int] = 3           # first and last of the scan nodes listed as candidates for further regions:
+SIDE_LAST: Final[int] = 4
+SIDE_NODE: Final[int] = 8            # their numbers
+SIDE_ABSCISSA: Final[int] = 48       # their places on the rail [m]
+SIDE_STACK: Final[int] = 88          # cells still to be searched

@@ -13,7 +13,8 @@ from typing import Final
 
 from .gap import gap_jet, gap_per_roll
 from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST,
-                     SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE)
+                     SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS,
+                     WORK_PLACE, WORK_SIDE)
 from .locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
 from .search import SHARP, search_side
 

@@ -13,7 +13,7 @@ from typing import Final
 
 from .gap import FOLDED, above_rail, vertical_gap
 from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y,
-                     SIDE_FIRST, SIDE_GAP, SIDE_LAST, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
+                     SIDE_FIRST, SIDE_LAST, SIDE_NODE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
 from .locus import PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED, outline_point
 from .profile_table import START, STOP, height_slope
 
@@ -66,6 +66,8 @@ SHARP: Final[float] = 1e-13
 #: The end of the rail is located to this [m].
 END_SHARP: Final[float] = 1e-9
 LARGE_GAP: Final[float] = 1e3
+#: Candidates for other regions that are listed to either side of the smallest gap; two or three occur.
+CANDIDATES: Final[int] = 16
 
 
 def node_below(tables: 'float[:]', y: float):
@@ -104,9 +106,9 @@ def rail_row(tables: 'float[:]', abscissa: float):
 
 
 def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direction: int, abscissa: float, excess: float,
-                slope: float, level: int):
-    """The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m]; from
-    ``level`` downwards, -1 if there is none.
+                slope: float, level: int, risen: int):
+    """The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m], or
+    with ``risen`` = 1 in which it only rises; from ``level`` downwards, -1 if there is none.
 
     abscissa : where the stretch begins on the rail [m].
     slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
@@ -145,8 +147,25 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
                 bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
                 if largest_fall(slope, bend, length, stretch) <= excess:
                     return level
+                if risen == 1 and slope >= 0.0 and slope + bend * length >= 0.0:
+                    return level
         level -= 1
     return level
+
+
+def leave_minimum(tables: 'float[:]', place: 'float[:]', at: int, cell: int, direction: int, abscissa: float):
+    """``clear_level`` from a minimum of the gap in ``cell``, at ``abscissa`` on the rail [m]: where the gap only rises.
+
+    The stretch is counted from the cell's far node, so that it covers the whole cell.
+    """
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
+    margin = (1.0 + WIDEST) * (tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y])
+    node = cell
+    start = abscissa - margin
+    if direction < 0:
+        node = cell + 1
+        start = abscissa + margin
+    return clear_level(tables, place, at, node, direction, start, 0.0, 0.0, LEVELS - 1, 0)
 
 
 def largest_fall(slope: float, bend: float, length: float, stretch: float):
@@ -194,10 +213,8 @@ def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
     state[STATE_SCAN_COUNT] += 1.0
     if known == 1:
         cell = node_below(tables, work[side + SIDE_BEST_Y])
-        row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
-        margin = (1.0 + WIDEST) * (tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y])
-        ahead = clear_level(tables, place, at, cell, 1, work[side + SIDE_BEST_RAIL] - margin, 0.0, 0.0, LEVELS - 1)
-        behind = clear_level(tables, place, at, cell + 1, -1, work[side + SIDE_BEST_RAIL] + margin, 0.0, 0.0, LEVELS - 1)
+        ahead = leave_minimum(tables, place, at, cell, 1, work[side + SIDE_BEST_RAIL])
+        behind = leave_minimum(tables, place, at, cell, -1, work[side + SIDE_BEST_RAIL])
         if ahead >= 0 and behind >= 0:
             march(tables, work, side, place, at, state, cell + (1 << ahead), 1)
             march(tables, work, side, place, at, state, cell + 1 - (1 << behind), -1)
@@ -263,7 +280,7 @@ def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
         gap_before = gap
         abscissa_before = abscissa
         level = clear_level(tables, place, at, node, direction, abscissa, gap - work[side + SIDE_BEST],
-                            float(direction) * mismatch, level)
+                            float(direction) * mismatch, level, 0)
         skipped = 1
         if level < 0:
             level = 0
@@ -322,47 +339,80 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
 
 
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
-              reach: float):
-    """Gap and rail abscissa at all scan nodes with a gap below ``reach`` [m] and at their neighbours; others read
-    LARGE_GAP.  The side's smallest gap is known."""
-    for i in range(int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])):
-        work[side + SIDE_GAP + i] = LARGE_GAP
-    node = node_below(tables, work[side + SIDE_BEST_Y])
-    gap, mismatch, abscissa = node_gap(tables, place, at, node)
-    if above_rail(tables, abscissa) == 0:
-        node += 1
-    work[side + SIDE_FIRST] = float(node)
-    work[side + SIDE_LAST] = float(node)
-    scan_on(tables, work, side, place, at, state, reach, node, 1)
-    scan_on(tables, work, side, place, at, state, reach, node, -1)
+              reach: float, abscissa: float):
+    """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours,
+    below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+
+    SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
+    by rising abscissa.
+    """
+    cell = node_below(tables, work[side + SIDE_BEST_Y])
+    work[side + SIDE_FIRST] = float(CANDIDATES)
+    work[side + SIDE_LAST] = float(CANDIDATES - 1)
+    ahead = leave_minimum(tables, place, at, cell, 1, abscissa)
+    if ahead < 0:
+        ahead = 0
+    scan_on(tables, work, side, place, at, state, reach, cell + (1 << ahead), 1)
+    behind = leave_minimum(tables, place, at, cell, -1, abscissa)
+    if behind < 0:
+        behind = 0
+    scan_on(tables, work, side, place, at, state, reach, cell + 1 - (1 << behind), -1)
     return 0
 
 
 def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
             node: int, direction: int):
-    """``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1)."""
+    """``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1).
+
+    Stretches are skipped in which the gap only rises, or stays above ``reach``.
+    """
     count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
     level = LEVELS - 1
+    # the gap at the node before: after a rise it is smaller, coming from above it is larger
+    before = -LARGE_GAP
+    abscissa_before = 0.0
+    fallen = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
         state[STATE_GAP_COUNT] += 1.0
         if above_rail(tables, abscissa) == 0:
             return 0
-        work[side + SIDE_GAP + node] = gap
-        work[side + SIDE_ABSCISSA + node] = abscissa
-        if direction > 0:
-            work[side + SIDE_LAST] = float(node)
-        else:
-            work[side + SIDE_FIRST] = float(node)
+        if fallen == 1 and gap > before:
+            list_candidate(work, side, node - direction, direction, abscissa_before)
+        fallen = 0
+        if gap <= before and gap < reach:
+            fallen = 1
+        level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level, 1)
         cells = 1
-        if gap >= reach:
-            level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch,
-                                level)
-            if level > 0:
-                cells = 1 << level
+        before = gap
+        abscissa_before = abscissa
+        if level > 0:
+            cells = 1 << level
+            if fallen == 1:
+                # the next node is higher; it counts if it is above the rail
+                cells = 1
+            elif gap < reach:
+                before = -LARGE_GAP
+            else:
+                before = LARGE_GAP
         if level < LEVELS - 1:
             level += 1
         node += direction * cells
+    return 0
+
+
+def list_candidate(work: 'float[:]', side: int, node: int, direction: int, abscissa: float):
+    """Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning."""
+    entry = int(work[side + SIDE_LAST]) + 1
+    if direction < 0:
+        entry = int(work[side + SIDE_FIRST]) - 1
+    if entry >= 0 and entry < 2 * CANDIDATES:
+        work[side + SIDE_NODE + entry] = float(node)
+        work[side + SIDE_ABSCISSA + entry] = abscissa
+        if direction < 0:
+            work[side + SIDE_FIRST] = float(entry)
+        else:
+            work[side + SIDE_LAST] = float(entry)
     return 0
 
 

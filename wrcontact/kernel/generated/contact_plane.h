@@ -16,20 +16,20 @@
 #include "locus.h"
 #include "profile_table.h"
 
-static const int64_t contact_plane__FRAME_ABSCISSA = INT64_C(2710);
-static const int64_t contact_plane__FRAME_HEIGHT = INT64_C(2711);
-static const int64_t contact_plane__FRAME_Y = INT64_C(2712);
-static const int64_t contact_plane__FRAME_COS = INT64_C(2713);
-static const int64_t contact_plane__FRAME_SIN = INT64_C(2714);
-static const int64_t contact_plane__FRAME_SHIFT = INT64_C(2715);
-static const int64_t contact_plane__FRAME_PLACE = INT64_C(2716);
-static const int64_t contact_plane__TRACER_STATION = INT64_C(2720);
-static const int64_t contact_plane__TRACER_RAIL = INT64_C(2721);
-static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(2722);
-static const int64_t contact_plane__TRACER_RAIL_BEND = INT64_C(2723);
-static const int64_t contact_plane__TRACER_WHEEL = INT64_C(2724);
-static const int64_t contact_plane__TRACER_WHEEL_RATE = INT64_C(2725);
-static const int64_t contact_plane__TRACER_WHEEL_BEND = INT64_C(2726);
+static const int64_t contact_plane__FRAME_ABSCISSA = INT64_C(1110);
+static const int64_t contact_plane__FRAME_HEIGHT = INT64_C(1111);
+static const int64_t contact_plane__FRAME_Y = INT64_C(1112);
+static const int64_t contact_plane__FRAME_COS = INT64_C(1113);
+static const int64_t contact_plane__FRAME_SIN = INT64_C(1114);
+static const int64_t contact_plane__FRAME_SHIFT = INT64_C(1115);
+static const int64_t contact_plane__FRAME_PLACE = INT64_C(1116);
+static const int64_t contact_plane__TRACER_STATION = INT64_C(1120);
+static const int64_t contact_plane__TRACER_RAIL = INT64_C(1121);
+static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(1122);
+static const int64_t contact_plane__TRACER_RAIL_BEND = INT64_C(1123);
+static const int64_t contact_plane__TRACER_WHEEL = INT64_C(1124);
+static const int64_t contact_plane__TRACER_WHEEL_RATE = INT64_C(1125);
+static const int64_t contact_plane__TRACER_WHEEL_BEND = INT64_C(1126);
 static const double contact_plane__NO_GAP = 1.0;
 static const double contact_plane__NEAR = 0.001;
 static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);

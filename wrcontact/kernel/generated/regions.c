@@ -98,10 +98,7 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
     double reach;
     int64_t i_end;
     int64_t i;
-    double gap;
-    int64_t row;
     double y;
-    bool own;
     double abscissa;
     double height;
     double slope;
@@ -110,28 +107,22 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
-    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach);
-    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST)));
-    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) + INT64_C(1); i < i_end; i += INT64_C(1))
+    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
+    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
     {
-        gap = (*cspan_at(&work, side + layout__SIDE_GAP + i));
-        if ((gap < reach) && (gap <= (*cspan_at(&work, side + layout__SIDE_GAP + i - INT64_C(1)))) && (gap < (*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1)))))
+        if (count < layout__REGION_LIMIT)
         {
-            row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
-            y = (*cspan_at(&tables, row + search__ROW_Y));
-            own = ((*cspan_at(&work, contact_plane__FRAME_Y)) > (*cspan_at(&tables, row - search__SCAN_ROW + search__ROW_Y))) && ((*cspan_at(&work, contact_plane__FRAME_Y)) < (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)));
-            if ((!own) && (count < layout__REGION_LIMIT))
+            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+            station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+            contact_plane__start_tracer(work, station, abscissa, y);
+            if (regions__open_region(tables, work, state, count, station) < level)
             {
-                abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
-                profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-                station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
-                contact_plane__start_tracer(work, station, abscissa, y);
-                if (regions__open_region(tables, work, state, count, station) < level)
+                if (regions__is_new(work, count) == INT64_C(1))
                 {
-                    if (regions__is_new(work, count) == INT64_C(1))
-                    {
-                        count += INT64_C(1);
-                    }
+                    count += INT64_C(1);
                 }
             }
         }

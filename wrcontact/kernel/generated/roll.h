@@ -26,7 +26,7 @@ static const int64_t roll__NEWTON_STEPS = INT64_C(25);
 static const double roll__LONGEST_TURN = 0.0005;
 static const double roll__LONGEST_MOVE = 0.0005;
 static const int64_t roll__LEFT = INT64_C(310);
-static const int64_t roll__RIGHT = INT64_C(1510);
+static const int64_t roll__RIGHT = INT64_C(710);
 static const int64_t roll__LEFT_PLACE = INT64_C(278);
 static const int64_t roll__RIGHT_PLACE = INT64_C(294);
 

@@ -74,8 +74,8 @@ static int64_t search__rail_row(array_double_1d tables, double abscissa)
     return result;
 }
 
-/* The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m]; from
- * ``level`` downwards, -1 if there is none.
+/* The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m], or
+ * with ``risen`` = 1 in which it only rises; from ``level`` downwards, -1 if there is none.
  *
  * abscissa : where the stretch begins on the rail [m].
  * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
@@ -83,7 +83,7 @@ static int64_t search__rail_row(array_double_1d tables, double abscissa)
  * Along the wheel the slope difference rises by no less than m = rail'' - wheel'', each but for its share, and the gap by
  * that slope times the outline's stretch 1 +- w.
  */
-static int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level)
+static int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level, int64_t risen)
 {
     int64_t scan;
     int64_t count;
@@ -144,11 +144,39 @@ static int64_t search__clear_level(array_double_1d tables, array_double_1d place
                 {
                     return level;
                 }
+                if ((risen == INT64_C(1)) && (slope >= 0.0) && (slope + bend * length >= 0.0))
+                {
+                    return level;
+                }
             }
         }
         level -= INT64_C(1);
     }
     return level;
+}
+
+/* ``clear_level`` from a minimum of the gap in ``cell``, at ``abscissa`` on the rail [m]: where the gap only rises.
+ *
+ * The stretch is counted from the cell's far node, so that it covers the whole cell.
+ */
+static int64_t search__leave_minimum(array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, int64_t direction, double abscissa)
+{
+    int64_t row;
+    double margin;
+    int64_t node;
+    double start;
+    int64_t result;
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
+    margin = (1.0 + search__WIDEST) * ((*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y)));
+    node = cell;
+    start = abscissa - margin;
+    if (direction < INT64_C(0))
+    {
+        node = cell + INT64_C(1);
+        start = abscissa + margin;
+    }
+    result = search__clear_level(tables, place, at, node, direction, start, 0.0, 0.0, search__LEVELS - INT64_C(1), INT64_C(0));
+    return result;
 }
 
 /* How far the gap can fall at most over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
@@ -219,8 +247,6 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
 static int64_t search__search_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t known)
 {
     int64_t cell;
-    int64_t row;
-    double margin;
     int64_t ahead;
     int64_t behind;
     int64_t node;
@@ -231,10 +257,8 @@ static int64_t search__search_side(array_double_1d tables, array_double_1d work,
     if (known == INT64_C(1))
     {
         cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
-        row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
-        margin = (1.0 + search__WIDEST) * ((*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y)));
-        ahead = search__clear_level(tables, place, at, cell, INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) - margin, 0.0, 0.0, search__LEVELS - INT64_C(1));
-        behind = search__clear_level(tables, place, at, cell + INT64_C(1), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) + margin, 0.0, 0.0, search__LEVELS - INT64_C(1));
+        ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)));
+        behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)));
         if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
         {
             search__march(tables, work, side, place, at, state, cell + (INT64_C(1) << ahead), INT64_C(1));
@@ -346,7 +370,7 @@ static int64_t search__march(array_double_1d tables, array_double_1d work, int64
         }
         gap_before = gap;
         abscissa_before = abscissa;
-        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_BEST)), (double)(direction) * mismatch, level);
+        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_BEST)), (double)(direction) * mismatch, level, INT64_C(0));
         skipped = INT64_C(1);
         if (level < INT64_C(0))
         {
@@ -445,46 +469,56 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
     return INT64_C(0);
 }
 
-/* Gap and rail abscissa at all scan nodes with a gap below ``reach`` [m] and at their neighbours; others read
- * LARGE_GAP.  The side's smallest gap is known.
+/* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours,
+ * below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+ *
+ * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
+ * by rising abscissa.
  */
-static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach)
+static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa)
 {
-    int64_t i_end;
-    int64_t i;
-    int64_t node;
-    double gap;
-    double mismatch;
-    double abscissa;
-    i_end = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t cell;
+    int64_t ahead;
+    int64_t behind;
+    cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+    (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(search__CANDIDATES);
+    (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(search__CANDIDATES - INT64_C(1));
+    ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), abscissa);
+    if (ahead < INT64_C(0))
     {
-        (*cspan_at(&work, side + layout__SIDE_GAP + i)) = search__LARGE_GAP;
+        ahead = INT64_C(0);
     }
-    node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
-    search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
-    if (gap__above_rail(tables, abscissa) == INT64_C(0))
+    search__scan_on(tables, work, side, place, at, state, reach, cell + (INT64_C(1) << ahead), INT64_C(1));
+    behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), abscissa);
+    if (behind < INT64_C(0))
     {
-        node += INT64_C(1);
+        behind = INT64_C(0);
     }
-    (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(node);
-    (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(node);
-    search__scan_on(tables, work, side, place, at, state, reach, node, INT64_C(1));
-    search__scan_on(tables, work, side, place, at, state, reach, node, -INT64_C(1));
+    search__scan_on(tables, work, side, place, at, state, reach, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
     return INT64_C(0);
 }
 
-/* ``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1). */
+/* ``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1).
+ *
+ * Stretches are skipped in which the gap only rises, or stays above ``reach``.
+ */
 static int64_t search__scan_on(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t direction)
 {
     int64_t count;
     int64_t level;
+    double before;
+    double abscissa_before;
+    int64_t fallen;
     double gap;
     double mismatch;
     double abscissa;
     int64_t cells;
     count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
     level = search__LEVELS - INT64_C(1);
+    /* the gap at the node before: after a rise it is smaller, coming from above it is larger */
+    before = -search__LARGE_GAP;
+    abscissa_before = 0.0;
+    fallen = INT64_C(0);
     while((node >= INT64_C(0)) && (node < count))
     {
         search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
@@ -493,23 +527,34 @@ static int64_t search__scan_on(array_double_1d tables, array_double_1d work, int
         {
             return INT64_C(0);
         }
-        (*cspan_at(&work, side + layout__SIDE_GAP + node)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_ABSCISSA + node)) = abscissa;
-        if (direction > INT64_C(0))
+        if ((fallen == INT64_C(1)) && (gap > before))
         {
-            (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(node);
+            search__list_candidate(work, side, node - direction, direction, abscissa_before);
         }
-        else
+        fallen = INT64_C(0);
+        if ((gap <= before) && (gap < reach))
         {
-            (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(node);
+            fallen = INT64_C(1);
         }
+        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
         cells = INT64_C(1);
-        if (gap >= reach)
+        before = gap;
+        abscissa_before = abscissa;
+        if (level > INT64_C(0))
         {
-            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level);
-            if (level > INT64_C(0))
+            cells = INT64_C(1) << level;
+            if (fallen == INT64_C(1))
             {
-                cells = INT64_C(1) << level;
+                /* the next node is higher; it counts if it is above the rail */
+                cells = INT64_C(1);
+            }
+            else if (gap < reach)
+            {
+                before = -search__LARGE_GAP;
+            }
+            else
+            {
+                before = search__LARGE_GAP;
             }
         }
         if (level < search__LEVELS - INT64_C(1))
@@ -517,6 +562,31 @@ static int64_t search__scan_on(array_double_1d tables, array_double_1d work, int
             level += INT64_C(1);
         }
         node += direction * cells;
+    }
+    return INT64_C(0);
+}
+
+/* Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning. */
+static int64_t search__list_candidate(array_double_1d work, int64_t side, int64_t node, int64_t direction, double abscissa)
+{
+    int64_t entry;
+    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
+    if (direction < INT64_C(0))
+    {
+        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) - INT64_C(1);
+    }
+    if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * search__CANDIDATES))
+    {
+        (*cspan_at(&work, side + layout__SIDE_NODE + entry)) = (double)(node);
+        (*cspan_at(&work, side + layout__SIDE_ABSCISSA + entry)) = abscissa;
+        if (direction < INT64_C(0))
+        {
+            (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(entry);
+        }
+        else
+        {
+            (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(entry);
+        }
     }
     return INT64_C(0);
 }

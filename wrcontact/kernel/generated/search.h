@@ -55,12 +55,14 @@ static const double search__NARROW = 3.2e-05;
 static const double search__SHARP = 1e-13;
 static const double search__END_SHARP = 1e-09;
 static const double search__LARGE_GAP = 1000.0;
+static const int64_t search__CANDIDATES = INT64_C(16);
 
 static int64_t search__node_below(array_double_1d tables, double y);
 static int64_t search__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, int64_t node);
 static int64_t search__rail_row(array_double_1d tables, double abscissa);
 static double search__largest_fall(double slope, double bend, double length, double stretch);
-static int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level);
+static int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level, int64_t risen);
+static int64_t search__leave_minimum(array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, int64_t direction, double abscissa);
 static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa);
 static int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
 static int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap);
@@ -71,7 +73,8 @@ static int64_t search__bound_cell(array_double_1d tables, array_double_1d work, 
 static int64_t search__march(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t direction);
 static int64_t search__probe(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t stride);
 static int64_t search__search_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t known);
+static int64_t search__list_candidate(array_double_1d work, int64_t side, int64_t node, int64_t direction, double abscissa);
 static int64_t search__scan_on(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t direction);
-static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach);
+static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa);
 
 #endif
