@@ -70,7 +70,7 @@ def test_hertz_stiffness(A, B):
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: written into its workspace by hand."""
-    tables = np.concatenate([np.zeros(layout.SETTING_COUNT), hertz_table(), [-0.05, 0.05, 1e3, 1, 6, 0, -0.05] + [0.0] * 6
+    tables = np.concatenate([np.zeros(layout.SETTING_COUNT), hertz_table(), [-0.05, 0.05, 1e3, 1, 6, 6, -0.05] + [0.0] * 6
                              + [np.nan] * 7])
     tables[layout.SET_CONTACT_MODULUS] = MODULUS
     tables[layout.SET_HERTZ] = layout.SETTING_COUNT

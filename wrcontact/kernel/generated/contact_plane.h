@@ -23,6 +23,10 @@ static const int64_t contact_plane__FRAME_COS = INT64_C(1113);
 static const int64_t contact_plane__FRAME_SIN = INT64_C(1114);
 static const int64_t contact_plane__FRAME_SHIFT = INT64_C(1115);
 static const int64_t contact_plane__FRAME_PLACE = INT64_C(1116);
+static const int64_t contact_plane__FRAME_Z = INT64_C(1117);
+static const int64_t contact_plane__FRAME_WHEEL_COS = INT64_C(1118);
+static const int64_t contact_plane__FRAME_WHEEL_SIN = INT64_C(1119);
+static const int64_t contact_plane__FRAME_LIFT = INT64_C(1127);
 static const int64_t contact_plane__TRACER_STATION = INT64_C(1120);
 static const int64_t contact_plane__TRACER_RAIL = INT64_C(1121);
 static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(1122);
@@ -38,8 +42,11 @@ static const double contact_plane__CURVATURE_FLOOR = 0.05;
 static int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y);
 static int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
 static double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
-static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
-static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* result_2, double* result_3, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
+static double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away);
+static int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);
+static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
+static int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance);
+static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
 static int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
 
 #endif
