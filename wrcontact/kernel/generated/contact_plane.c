@@ -11,7 +11,7 @@
 #include "contact_plane.h"
 
 /* Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there. */
-static int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
+static inline int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
 {
     double z;
     double slope;
@@ -47,7 +47,7 @@ static int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d
 }
 
 /* Let the tracer stand at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]. */
-static int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y)
+static inline int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y)
 {
     (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
     (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
@@ -66,7 +66,7 @@ static int64_t contact_plane__start_tracer(array_double_1d work, double station,
  * source's eq. (6.1).
  * basic: 1/r.
  */
-static double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend)
+static inline double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend)
 {
     double r;
     double sin_phi;
@@ -105,7 +105,7 @@ static double contact_plane__longitudinal_curvature(array_double_1d tables, arra
 }
 
 /* Profile abscissa ``away`` from the tracer's station [m]; ``tracer`` is TRACER_RAIL or TRACER_WHEEL. */
-static double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away)
+static inline double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away)
 {
     double u;
     u = (*cspan_at(&work, tracer)) + away * (*cspan_at(&work, tracer + INT64_C(1)));
@@ -123,7 +123,7 @@ static double contact_plane__first_abscissa(array_double_1d work, int64_t tracer
  * frame : where cosine and sine of the plane's angle against the profile stand.
  * origin, height_there : the profile's point at station zero [m].
  */
-static int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
+static inline int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
 {
     double cosine;
     double sine;
@@ -180,7 +180,7 @@ static int64_t contact_plane__trace_profile(double* result_0, double* rate, doub
 }
 
 /* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists. */
-static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
+static inline int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
 {
     double slope;
     double height;
@@ -193,7 +193,7 @@ static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double*
  *
  * Without yaw the outline is the profile, turned by the roll.
  */
-static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
+static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
 {
     int64_t at;
     double lift;
@@ -215,7 +215,7 @@ static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double
 }
 
 /* ``trace_wheel`` with yaw. */
-static int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance)
+static inline int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance)
 {
     int64_t wheel;
     double cosine;
@@ -301,7 +301,7 @@ static int64_t contact_plane__trace_outline(double* result_0, double* rate, doub
  *
  * NO_GAP where a profile has ended.
  */
-static int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
+static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
 {
     double rail_height;
     double rail_rate;

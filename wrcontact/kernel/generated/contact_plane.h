@@ -39,14 +39,14 @@ static const double contact_plane__NEAR = 0.001;
 static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);
 static const double contact_plane__CURVATURE_FLOOR = 0.05;
 
-static int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y);
-static int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
-static double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
-static double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away);
-static int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);
-static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
-static int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance);
-static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
-static int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
+static inline int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y);
+static inline int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
+static inline double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
+static inline double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away);
+static inline int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);
+static inline int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
+static inline int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance);
+static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
+static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
 
 #endif

@@ -9,7 +9,7 @@
  *
  * 1 if the profiles are parallel at the smallest gap, else 0.
  */
-static int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift)
+static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift)
 {
     int64_t side;
     int64_t at;

@@ -9,7 +9,7 @@
 #include "gap.h"
 
 /* 1 if the rail profile has a height at ``abscissa`` [m], else 0. */
-static int64_t gap__above_rail(array_double_1d tables, double abscissa)
+static inline int64_t gap__above_rail(array_double_1d tables, double abscissa)
 {
     int64_t rail;
     int64_t inside;
@@ -27,7 +27,7 @@ static int64_t gap__above_rail(array_double_1d tables, double abscissa)
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
  * difference reads FOLDED.
  */
-static int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
+static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
 {
     double z;
     double slope;
@@ -59,7 +59,7 @@ static int64_t gap__vertical_gap(double* result_0, double* mismatch, double* res
  * z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
  * dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
  */
-static double gap__gap_per_roll(array_double_1d tables, array_double_1d place, int64_t at, double y)
+static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d place, int64_t at, double y)
 {
     double z;
     double slope;
@@ -94,7 +94,7 @@ static double gap__gap_per_roll(array_double_1d tables, array_double_1d place, i
  *
  * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
  */
-static int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, double y)
+static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, double y)
 {
     double z;
     double slope;

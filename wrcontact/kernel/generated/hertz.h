@@ -25,8 +25,8 @@ static const int64_t hertz__TABLE_CELLS_PER_UNIT = INT64_C(2);
 static const int64_t hertz__TABLE_CELLS = INT64_C(4);
 static const int64_t hertz__TABLE_ROW = INT64_C(12);
 
-static double hertz__table_value(array_double_1d tables, int64_t base, int64_t column, double abscissa);
-static int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B);
-static double hertz__hertz_stiffness(array_double_1d tables, int64_t base, double A, double B, double contact_modulus);
+static inline double hertz__table_value(array_double_1d tables, int64_t base, int64_t column, double abscissa);
+static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B);
+static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t base, double A, double B, double contact_modulus);
 
 #endif

@@ -14,7 +14,7 @@
 #include "locus.h"
 
 /* Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]. */
-static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
+static inline int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
 {
     (*cspan_at(&place, at + locus__PLACE_SHIFT)) = lateral_shift;
     (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = 0.0;
@@ -33,7 +33,7 @@ static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double l
 }
 
 /* Give the wheelset at ``at`` another roll [rad]. */
-static int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double roll)
+static inline int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double roll)
 {
     double sin_roll;
     double cos_roll;
@@ -62,7 +62,7 @@ static int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double ro
 }
 
 /* The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign. */
-static int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to)
+static inline int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to)
 {
     (*cspan_at(&place, to + locus__PLACE_SHIFT)) = -(*cspan_at(&place, at + locus__PLACE_SHIFT));
     (*cspan_at(&place, to + locus__PLACE_SIN_YAW)) = -(*cspan_at(&place, at + locus__PLACE_SIN_YAW));
@@ -75,7 +75,7 @@ static int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to
 }
 
 /* What ``turn_wheelset`` has changed, mirrored. */
-static int64_t locus__mirror_roll(array_double_1d place, int64_t at, int64_t to)
+static inline int64_t locus__mirror_roll(array_double_1d place, int64_t at, int64_t to)
 {
     (*cspan_at(&place, to + locus__PLACE_SIN_ROLL)) = -(*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
     (*cspan_at(&place, to + locus__PLACE_COS_ROLL)) = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
@@ -89,7 +89,7 @@ static int64_t locus__mirror_roll(array_double_1d place, int64_t at, int64_t to)
  *
  * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
  */
-static int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope)
+static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope)
 {
     double w;
     double root;
@@ -116,7 +116,7 @@ static int64_t locus__around_wheel(double* result_0, double* result_1, array_dou
  *
  * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
  */
-static int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope)
+static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope)
 {
     double sin_roll;
     double cos_roll;
@@ -153,7 +153,7 @@ static int64_t locus__outline_point(double* y_track, double* z_track, double* ou
 }
 
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]. */
-static int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend)
+static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend)
 {
     double sin_roll;
     double cos_roll;

@@ -17,7 +17,7 @@
 #include "nodes.h"
 
 /* Offset of node 0 of a region's ``field`` in the workspace. */
-static int64_t nodes__node_field(int64_t region, int64_t field)
+static inline int64_t nodes__node_field(int64_t region, int64_t field)
 {
     return layout__WORK_NODES + (region * layout__NODE_FIELDS + field) * layout__NODE_LIMIT + layout__NODE_MIDDLE;
 }
@@ -25,7 +25,7 @@ static int64_t nodes__node_field(int64_t region, int64_t field)
 /* Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
  * ``window`` nodes further.
  */
-static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window)
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window)
 {
     int64_t block;
     int64_t gaps;
@@ -117,7 +117,7 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
 }
 
 /* Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back. */
-static int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station)
+static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station)
 {
     if (direction > INT64_C(0))
     {
@@ -134,7 +134,7 @@ static int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t di
 }
 
 /* Continue gap and A past an end, so that windows over it see the curvature before it. */
-static int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction)
+static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction)
 {
     int64_t one;
     one = gaps + at - direction;
@@ -152,7 +152,7 @@ static int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64
 }
 
 /* Half the second derivative [1/m] of the field at ``at``, averaged with a triangle of half-width window h. */
-static double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window)
+static inline double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window)
 {
     double width;
     double result;
@@ -162,7 +162,7 @@ static double nodes__second_difference(array_double_1d work, int64_t at, double 
 }
 
 /* B [1/m] at node ``k``: see the head of this file. */
-static double nodes__lateral_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window)
+static inline double nodes__lateral_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window)
 {
     int64_t gaps;
     double spacing;
@@ -212,7 +212,7 @@ static double nodes__lateral_curvature(array_double_1d work, int64_t region, int
 }
 
 /* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A. */
-static int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
+static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
 {
     int64_t block;
     int64_t gaps;

@@ -10,7 +10,7 @@
 #include "profile_table.h"
 
 /* Offset in ``tables`` of the piece that holds ``y`` [m]. */
-static int64_t profile_table__find_piece(array_double_1d tables, int64_t base, double y)
+static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t base, double y)
 {
     double u;
     double last;
@@ -34,7 +34,7 @@ static int64_t profile_table__find_piece(array_double_1d tables, int64_t base, d
 }
 
 /* Height [m] and slope [-] of the profile at ``y`` [m]. */
-static int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t base, double y)
+static inline int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t base, double y)
 {
     int64_t at;
     double u;
@@ -57,7 +57,7 @@ static int64_t profile_table__height_slope(double* result_0, double* slope, arra
 }
 
 /* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
-static int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double y)
+static inline int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double y)
 {
     int64_t at;
     double u;

@@ -20,8 +20,8 @@ static const int64_t profile_table__PIECE_OFFSET = INT64_C(4);
 static const int64_t profile_table__BINS = INT64_C(5);
 static const int64_t profile_table__PIECE_SIZE = INT64_C(7);
 
-static int64_t profile_table__find_piece(array_double_1d tables, int64_t base, double y);
-static int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t base, double y);
-static int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double y);
+static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t base, double y);
+static inline int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t base, double y);
+static inline int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double y);
 
 #endif

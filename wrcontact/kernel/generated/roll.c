@@ -13,7 +13,7 @@
 #include "roll.h"
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
-static int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
+static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
 {
     locus__place_wheelset(work, roll__RIGHT_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW)), roll, (*cspan_at(&tables, layout__SET_RADIUS)), (*cspan_at(&tables, layout__SET_ARM)));
     locus__mirror_place(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
@@ -21,7 +21,7 @@ static int64_t roll__place_both(array_double_1d tables, array_double_1d work, do
 }
 
 /* Both placed wheels at another ``roll``. */
-static int64_t roll__turn_both(array_double_1d work, double roll)
+static inline int64_t roll__turn_both(array_double_1d work, double roll)
 {
     locus__turn_wheelset(work, roll__RIGHT_PLACE, roll);
     locus__mirror_roll(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
@@ -29,7 +29,7 @@ static int64_t roll__turn_both(array_double_1d work, double roll)
 }
 
 /* Search both sides; 1 if both wheels are above their rails, else 0. */
-static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
+static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
 {
     int64_t result;
     if (search__search_side(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state, known) == INT64_C(0))
@@ -41,7 +41,7 @@ static int64_t roll__search_both(array_double_1d tables, array_double_1d work, a
 }
 
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
-static int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
 {
     double rate;
     (*difference) = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
@@ -60,7 +60,7 @@ static int64_t roll__newton_move(double* difference, double* move, array_double_
  * It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
  * a minimum can run away or vanish.
  */
-static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
+static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
 {
     double left;
     double right;
@@ -141,7 +141,7 @@ static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, arra
 }
 
 /* Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]. */
-static int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa)
+static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa)
 {
     (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
     (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
@@ -153,7 +153,7 @@ static int64_t roll__keep_known(array_double_1d work, int64_t side, double y, do
  *
  * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
  */
-static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
 {
     double low;
     double high;

@@ -30,12 +30,12 @@ static const int64_t roll__RIGHT = INT64_C(710);
 static const int64_t roll__LEFT_PLACE = INT64_C(278);
 static const int64_t roll__RIGHT_PLACE = INT64_C(294);
 
-static int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
-static int64_t roll__turn_both(array_double_1d work, double roll);
-static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);
-static int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work);
-static int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
-static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
-static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
+static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
+static inline int64_t roll__turn_both(array_double_1d work, double roll);
+static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work);
+static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
+static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
+static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
 
 #endif

@@ -13,7 +13,7 @@
 #include "search.h"
 
 /* The scan node at or below ``y`` [m]; the second last one at most. */
-static int64_t search__node_below(array_double_1d tables, double y)
+static inline int64_t search__node_below(array_double_1d tables, double y)
 {
     int64_t scan;
     double u;
@@ -37,7 +37,7 @@ static int64_t search__node_below(array_double_1d tables, double y)
 }
 
 /* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at scan node ``node``. */
-static int64_t search__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, int64_t node)
+static inline int64_t search__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, int64_t node)
 {
     int64_t row;
     double y_track;
@@ -55,7 +55,7 @@ static int64_t search__node_gap(double* result_0, double* result_1, double* absc
 }
 
 /* Offset in ``tables`` of the rail raster's cell that holds ``abscissa`` [m], or of the nearest. */
-static int64_t search__rail_row(array_double_1d tables, double abscissa)
+static inline int64_t search__rail_row(array_double_1d tables, double abscissa)
 {
     int64_t scan;
     double u;
@@ -83,7 +83,7 @@ static int64_t search__rail_row(array_double_1d tables, double abscissa)
  * Along the wheel the slope difference rises by no less than m = rail'' - wheel'', each but for its share, and the gap by
  * that slope times the outline's stretch 1 +- w.
  */
-static int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level, int64_t risen)
+static inline int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level, int64_t risen)
 {
     int64_t scan;
     int64_t count;
@@ -159,7 +159,7 @@ static int64_t search__clear_level(array_double_1d tables, array_double_1d place
  *
  * The stretch is counted from the cell's far node, so that it covers the whole cell.
  */
-static int64_t search__leave_minimum(array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, int64_t direction, double abscissa)
+static inline int64_t search__leave_minimum(array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, int64_t direction, double abscissa)
 {
     int64_t row;
     double margin;
@@ -182,7 +182,7 @@ static int64_t search__leave_minimum(array_double_1d tables, array_double_1d pla
 /* How far the gap can fall at most over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
  * than ``bend`` [1/m], on a wheel that is stretched by no more than the share ``stretch``.
  */
-static double search__largest_fall(double slope, double bend, double length, double stretch)
+static inline double search__largest_fall(double slope, double bend, double length, double stretch)
 {
     double fall;
     if (bend >= 0.0)
@@ -207,7 +207,7 @@ static double search__largest_fall(double slope, double bend, double length, dou
 /* Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
  * the rail's ``abscissa`` [m]: rail minus wheel.
  */
-static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa)
+static inline int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa)
 {
     int64_t rail;
     int64_t row;
@@ -244,7 +244,7 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
  * With ``known`` = 1 the two, and SIDE_BEST_RAIL, already hold a local minimum of this pose, and only a smaller one is
  * looked for.
  */
-static int64_t search__search_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t known)
+static inline int64_t search__search_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t known)
 {
     int64_t cell;
     int64_t ahead;
@@ -293,7 +293,7 @@ static int64_t search__search_side(array_double_1d tables, array_double_1d work,
 /* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best known; -1 if
  * there is none.
  */
-static int64_t search__probe(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t stride)
+static inline int64_t search__probe(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t stride)
 {
     int64_t node;
     int64_t count;
@@ -327,7 +327,7 @@ static int64_t search__probe(array_double_1d tables, array_double_1d work, int64
 }
 
 /* Search from scan node ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel. */
-static int64_t search__march(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t direction)
+static inline int64_t search__march(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t direction)
 {
     int64_t scan;
     int64_t count;
@@ -391,7 +391,7 @@ static int64_t search__march(array_double_1d tables, array_double_1d work, int64
  * gap_low, gap_high : at the two nodes [m].
  * abscissa : of the first one on the rail [m].
  */
-static int64_t search__bound_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t cell, double gap_low, double gap_high, double abscissa)
+static inline int64_t search__bound_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t cell, double gap_low, double gap_high, double abscissa)
 {
     int64_t row;
     double low;
@@ -416,7 +416,7 @@ static int64_t search__bound_cell(array_double_1d tables, array_double_1d work, 
 }
 
 /* Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail beyond it. */
-static int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa)
+static inline int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa)
 {
     int64_t scan;
     int64_t row;
@@ -475,7 +475,7 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
  * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
  * by rising abscissa.
  */
-static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa)
+static inline int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa)
 {
     int64_t cell;
     int64_t ahead;
@@ -502,7 +502,7 @@ static int64_t search__scan_side(array_double_1d tables, array_double_1d work, i
  *
  * Stretches are skipped in which the gap only rises, or stays above ``reach``.
  */
-static int64_t search__scan_on(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t direction)
+static inline int64_t search__scan_on(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t direction)
 {
     int64_t count;
     int64_t level;
@@ -567,7 +567,7 @@ static int64_t search__scan_on(array_double_1d tables, array_double_1d work, int
 }
 
 /* Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning. */
-static int64_t search__list_candidate(array_double_1d work, int64_t side, int64_t node, int64_t direction, double abscissa)
+static inline int64_t search__list_candidate(array_double_1d work, int64_t side, int64_t node, int64_t direction, double abscissa)
 {
     int64_t entry;
     entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
@@ -594,7 +594,7 @@ static int64_t search__list_candidate(array_double_1d work, int64_t side, int64_
 /* Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
  * turns.  ``least`` and ``most`` bound the second derivative.
  */
-static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last)
+static inline int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last)
 {
     int64_t stack;
     double gap_low;
@@ -660,7 +660,7 @@ static int64_t search__search_cell(array_double_1d tables, array_double_1d work,
 }
 
 /* Write a cell to the stack at ``top``. */
-static int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
+static inline int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
 {
     (*cspan_at(&work, top)) = low;
     (*cspan_at(&work, top + INT64_C(1))) = high;
@@ -672,7 +672,7 @@ static int64_t search__push_cell(array_double_1d work, int64_t top, double low, 
 }
 
 /* Keep (y, gap) if it is the side's best so far. */
-static int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
+static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
 {
     if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
     {
@@ -683,7 +683,7 @@ static int64_t search__keep_best(array_double_1d work, int64_t side, double y, d
 }
 
 /* Abscissa [m] and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed Newton. */
-static int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high)
+static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high)
 {
     int64_t i;
     double mismatch;
