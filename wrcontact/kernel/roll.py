@@ -25,9 +25,9 @@ ROLL_SHARP: Final[float] = 1e-14
 SEARCHES: Final[int] = 60
 NEWTON_STEPS: Final[int] = 25
 #: Largest move of the roll in one Newton step with followed minima [rad]; larger ones are searched anew.
-LONGEST_TURN: Final[float] = 5e-4
+LONGEST_TURN: Final[float] = 5e-3
 #: A known minimum that moves by more than this in a Newton step is looked for anew [m].
-LONGEST_MOVE: Final[float] = 5e-4
+LONGEST_MOVE: Final[float] = 5e-3
 
 # the two sides' blocks and placed wheels in the workspace
 LEFT: Final[int] = WORK_SIDE
