@@ -75,6 +75,7 @@ SET_NORMAL_MODEL: Final[int] = 10    # one of MODEL_...
 SET_LONGITUDINAL: Final[int] = 11    # one of LONGITUDINAL_...
 SET_PENETRATION_LEFT: Final[int] = 12   # prescribed penetration [m]; not a number: the force is prescribed
 SET_PENETRATION_RIGHT: Final[int] = 13
+SET_STARTS: Final[int] = 14          # offset of the table of starts
 SETTING_COUNT: Final[int] = 16
 
 MODEL_HERTZ: Final[int] = 0
@@ -92,6 +93,7 @@ STATE_NODE_COUNT: Final[int] = 5     # evaluations of the normal gap
 STATE_SOLVE_COUNT: Final[int] = 6    # iterations of the force solve
 STATE_Y_LEFT: Final[int] = 7         # wheel abscissae of the last contacts [m]
 STATE_Y_RIGHT: Final[int] = 8
+STATE_SHIFT: Final[int] = 9          # and the lateral shift [m]
 STATE_SIZE: Final[int] = 10
 
 # outcome of a step ---------------------------------------------------------------------------------

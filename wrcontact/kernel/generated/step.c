@@ -89,19 +89,35 @@ static inline int64_t step__step_side(array_double_1d tables, array_double_1d wo
     return status;
 }
 
-/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts where none is given. */
+/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has moved little,
+ * or at those known near its lateral shift.
+ */
 static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
 {
+    double shift;
     double guess;
     int64_t warm;
+    int64_t row;
+    shift = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
     guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL_GUESS));
     warm = INT64_C(0);
-    if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && (guess == 0.0))
+    if (guess == 0.0)
     {
-        guess = (*cspan_at(&state, layout__STATE_ROLL));
-        (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
-        (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
-        warm = INT64_C(1);
+        row = starts__nearest_start(tables, shift);
+        if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < step__NEAR_SHIFT)))
+        {
+            guess = (*cspan_at(&state, layout__STATE_ROLL));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
+            warm = INT64_C(1);
+        }
+        else if (row >= INT64_C(0))
+        {
+            guess = (*cspan_at(&tables, row + starts__START_ROLL));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, row + starts__START_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, row + starts__START_RIGHT));
+            warm = INT64_C(1);
+        }
     }
     roll__solve_roll(result_0, result_1, tables, work, state, guess, warm);
     return 0;
@@ -148,6 +164,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
         (*cspan_at(&state, layout__STATE_ROLL)) = roll;
         (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
         (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
+        (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
         (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
     }
     return status;

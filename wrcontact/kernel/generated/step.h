@@ -13,6 +13,9 @@
 #include "layout.h"
 #include "normal_contact.h"
 #include "roll.h"
+#include "starts.h"
+
+static const double step__NEAR_SHIFT = 0.0002;
 
 static inline int64_t step__inputs_valid(array_double_1d work);
 static inline int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work);
