@@ -9,10 +9,11 @@ residual is removed by the curve's own slope, which leaves an error of second or
 from math import fabs, sqrt
 from typing import Final
 
+from .gap import FOLDED
 from .layout import (LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT,
                      WORK_CONTACT)
 from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
-                    around_wheel, outline_jet, outline_point)
+                    around_wheel, outline_jet)
 from .profile_table import START, STOP, height_slope_bend
 
 # the contact frame, at WORK_CONTACT
@@ -27,6 +28,9 @@ FRAME_Z: Final[int] = WORK_CONTACT + 7           # wheel height [m]
 FRAME_WHEEL_COS: Final[int] = WORK_CONTACT + 8   # of the plane's angle in the wheelset's frame
 FRAME_WHEEL_SIN: Final[int] = WORK_CONTACT + 9
 FRAME_LIFT: Final[int] = WORK_CONTACT + 17       # of the wheel's point below the rail's [m]; zero but for rounding
+FRAME_RAIL_BEND: Final[int] = WORK_CONTACT + 18  # what the tracer starts with at the contact point
+FRAME_WHEEL_RATE: Final[int] = WORK_CONTACT + 19
+FRAME_WHEEL_BEND: Final[int] = WORK_CONTACT + 20
 # the tracer: the last station and the profile abscissae that belong to it
 TRACER_STATION: Final[int] = WORK_CONTACT + 10
 TRACER_RAIL: Final[int] = WORK_CONTACT + 11
@@ -46,26 +50,38 @@ CURVATURE_FLOOR: Final[float] = 0.05
 
 
 def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, shift: float):
-    """Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there."""
+    """Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there.
+
+    Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
+    much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
+    """
     z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
     abscissa = y_track - tables[SET_RAIL_Y]
     height, rail_slope, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
     cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope)
+    sine = rail_slope * cosine
     work[FRAME_ABSCISSA] = abscissa
     work[FRAME_HEIGHT] = height
     work[FRAME_Y] = y
-    sine = rail_slope * cosine
     work[FRAME_COS] = cosine
     work[FRAME_SIN] = sine
+    work[FRAME_SHIFT] = shift
+    work[FRAME_PLACE] = float(at)
     work[FRAME_Z] = z
     work[FRAME_WHEEL_COS] = work[at + PLACE_COS_ROLL] * cosine + work[at + PLACE_SIN_ROLL] * sine
     work[FRAME_WHEEL_SIN] = work[at + PLACE_COS_ROLL] * sine - work[at + PLACE_SIN_ROLL] * cosine
     work[FRAME_LIFT] = z_track + shift - height
-    work[FRAME_SHIFT] = shift
-    work[FRAME_PLACE] = float(at)
+    cube = cosine * cosine * cosine
+    per_stretch = 1.0 / stretch
+    work[FRAME_RAIL_BEND] = -rail_bend * sine * cube
+    work[FRAME_WHEEL_RATE] = cosine * per_stretch
+    work[FRAME_WHEEL_BEND] = -outline_rate * sine * cube * per_stretch * per_stretch
     start_tracer(work, 0.0, abscissa, y)
-    return 0
+    mismatch = rail_slope - outline_slope
+    if not stretch > 0.0:
+        mismatch = FOLDED
+    return z, slope, y_track, rail_slope, mismatch
 
 
 def start_tracer(work: 'float[:]', station: float, abscissa: float, y: float):
@@ -77,6 +93,10 @@ def start_tracer(work: 'float[:]', station: float, abscissa: float, y: float):
     work[TRACER_WHEEL] = y
     work[TRACER_WHEEL_RATE] = work[FRAME_COS]
     work[TRACER_WHEEL_BEND] = 0.0
+    if station == 0.0:
+        work[TRACER_RAIL_BEND] = work[FRAME_RAIL_BEND]
+        work[TRACER_WHEEL_RATE] = work[FRAME_WHEEL_RATE]
+        work[TRACER_WHEEL_BEND] = work[FRAME_WHEEL_BEND]
     return 0
 
 

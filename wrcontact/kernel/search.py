@@ -94,10 +94,15 @@ def node_gap(tables: 'float[:]', place: 'float[:]', at: int, node: int):
     return height - z_track, rail_slope - outline_slope, abscissa
 
 
-def rail_row(tables: 'float[:]', abscissa: float):
-    """Offset in ``tables`` of the rail raster's cell that holds ``abscissa`` [m], or of the nearest."""
+def rail_cell(tables: 'float[:]', abscissa: float):
+    """Place of ``abscissa`` [m] in the rail's raster, in cells."""
     scan = int(tables[SET_SCAN])
-    u = (abscissa - tables[scan + SCAN_RAIL_START]) * tables[scan + SCAN_RAIL_PER_METRE]
+    return (abscissa - tables[scan + SCAN_RAIL_START]) * tables[scan + SCAN_RAIL_PER_METRE]
+
+
+def rail_row(tables: 'float[:]', u: float):
+    """Offset in ``tables`` of the rail raster's cell at place ``u``, or of the nearest."""
+    scan = int(tables[SET_SCAN])
     if not u > 0.0:
         u = 0.0
     if u > tables[scan + SCAN_RAIL_COUNT] - 1.0:
@@ -127,6 +132,10 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
         widened += STEEP_STRETCH * square
         share += YAW_BEND * square
         per_bend = BEND_STRETCH * square * place[at + PLACE_RADIUS]
+    begin = rail_cell(tables, abscissa)
+    back = 0.0
+    if direction < 0:
+        back = (1.0 + WIDEST) * tables[scan + SCAN_RAIL_PER_METRE]
     while level >= 0:
         cells = 1 << level
         first = node
@@ -137,9 +146,7 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
             length = tables[row + SCAN_ROW * cells + ROW_Y] - tables[row + ROW_Y]
             stretch = widened + per_bend * tables[row + ROW_STEEPEST_BENDS + level]
             if stretch < WIDEST:
-                rail = rail_row(tables, abscissa)
-                if direction < 0:
-                    rail = rail_row(tables, abscissa - (1.0 + WIDEST) * length)
+                rail = rail_row(tables, begin - back * length)
                 bend = tables[rail + RAIL_LEAST_BENDS + level]
                 if length > FINE_CELL * float(cells):
                     bend = tables[rail + RAIL_LEAST_BENDS + level + 1]
@@ -185,7 +192,7 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
 def bend_bounds(tables: 'float[:]', place: 'float[:]', at: int, cell: int, abscissa: float):
     """Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
     the rail's ``abscissa`` [m]: rail minus wheel."""
-    rail = rail_row(tables, abscissa)
+    rail = rail_row(tables, rail_cell(tables, abscissa))
     row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
     share = ROLLED_SHARE
     if place[at + PLACE_YAWED] != 0.0:

@@ -11,6 +11,7 @@ COARSE_STEP = 1.0e-3  # [m]
 FINE_STEP = 0.5e-3    # [m]
 #: Where the wheel's second derivative stays below this the coarse step does [1/m]: 20 (1e-3)^2 / 8 = 2.5 um.
 STRAIGHT = 20.0
+TOO_STEEP = 1e9       # [1/m]
 SAMPLES = 17          # of the second derivative in a piece, a cubic there
 
 
@@ -39,7 +40,7 @@ def scan_table(wheel, rail):
 
 
 class BendRange:
-    """Smallest and largest second derivative [1/m] of a compiled profile between two abscissae.
+    """Range of the second derivative and the slope of a compiled profile between two abscissae.
 
     Every piece is sampled with both its ends, so that a jump of curvature counts with both its sides.
     """
@@ -50,31 +51,40 @@ class BendRange:
         pieces = table[int(table[profile_table.PIECE_OFFSET]):].reshape(-1, profile_table.PIECE_SIZE)[:-1]
         widths = np.diff(np.append(pieces[:, 0], self.stop))[:, None]
         u = widths * np.linspace(0.0, 1.0, SAMPLES)
-        c2, c3, c4, c5 = (column[:, None] for column in pieces[:, 3:].T)
+        c1, c2, c3, c4, c5 = (column[:, None] for column in pieces[:, 2:].T)
         self._y = (pieces[:, :1] + u).ravel()
+        self._slopes = (c1 + u * (2 * c2 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5)))).ravel()
         self._bends = (2 * c2 + u * (6 * c3 + u * (12 * c4 + u * 20 * c5))).ravel()
 
     def between(self, low, high):
-        """Smallest and largest value (n,) between ``low`` and ``high`` (n,), clipped to the profile."""
+        """Smallest and largest second derivative [1/m] and largest absolute slope [-], three arrays (n,), between ``low``
+        and ``high`` (n,), clipped to the profile."""
         low, high = np.clip(low, self.start, self.stop), np.clip(high, self.start, self.stop)
-        ends = np.stack([evaluate_table(self.table, y)[2] for y in (low, high)])
-        least, most = ends.min(axis=0), ends.max(axis=0)
-        first, last = np.searchsorted(self._y, low), np.searchsorted(self._y, high, side="right")
-        for k in np.flatnonzero(last > first):
-            inside = self._bends[first[k]:last[k]]
-            least[k], most[k] = min(least[k], inside.min()), max(most[k], inside.max())
-        return least, most
+        _, slopes, bends = evaluate_table(self.table, np.stack([low, high]))
+        samples = np.searchsorted(self._y, low), np.searchsorted(self._y, high, side="right")
+        return (np.minimum(bends.min(axis=0), _over(np.minimum, self._bends, *samples, np.inf)),
+                np.maximum(bends.max(axis=0), _over(np.maximum, self._bends, *samples, -np.inf)),
+                np.maximum(np.abs(slopes).max(axis=0), _over(np.maximum, np.abs(self._slopes), *samples, 0.0)))
+
+
+def _over(extreme, values, first, last, nothing):
+    """``extreme`` (n,) of values[first:last] for arrays (n,) of indices, and ``nothing`` where these are empty."""
+    ends = np.stack([first, last], axis=1).ravel()
+    return np.where(last > first, extreme.reduceat(np.append(values, nothing), ends)[::2], nothing)
 
 
 def _wheel_rows(wheel, bends, y):
-    """Rows of the nodes ``y`` (n,), see search.ROW_...; stretches end with the table."""
+    """Rows of the nodes ``y`` (n,), see search.ROW_...; stretches end with the table.
+
+    Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
+    """
     nodes = np.zeros((len(y), layout.SCAN_ROW))
     nodes[:, layout.ROW_Y] = y
     nodes[:, layout.ROW_HEIGHT], nodes[:, layout.ROW_SLOPE], _ = evaluate_table(wheel, y)
     last = len(y) - 1
     for level in range(layout.LEVELS):
-        least, most = bends.between(y, y[np.minimum(np.arange(len(y)) + 2**level, last)])
-        nodes[:, layout.ROW_MOST_BENDS + level] = most
+        least, most, steepest = bends.between(y, y[np.minimum(np.arange(len(y)) + 2**level, last)])
+        nodes[:, layout.ROW_MOST_BENDS + level] = np.where(steepest < layout.STEEP, most, TOO_STEEP)
         nodes[:, layout.ROW_STEEPEST_BENDS + level] = np.maximum(np.abs(least), np.abs(most))
         if level == 0:
             nodes[:, layout.ROW_LEAST_BEND] = least
@@ -91,7 +101,7 @@ def _rail_rows(bends):
     rows = np.zeros((count, layout.RAIL_ROW))
     # a wheel cell starts in a raster cell and is COARSE_STEP long, a quarter more when yawed
     rows[:, layout.RAIL_LEAST_BEND], rows[:, layout.RAIL_MOST_BEND] = bends.between(edges - FINE_STEP,
-                                                                                    edges + FINE_STEP + 1.5 * COARSE_STEP)
+                                                                                    edges + FINE_STEP + 1.5 * COARSE_STEP)[:2]
     for level in range(layout.LEVELS + 1):
         length = FINE_STEP * (1.01 + (1.0 + layout.WIDEST) * 1.01 * 2**level)
         rows[:, layout.RAIL_LEAST_BENDS + level] = bends.between(edges - 0.01 * FINE_STEP, edges + length)[0]
@@ -103,7 +113,7 @@ def _raster(bends):
     number of the first node in each coarse step."""
     count = int((bends.stop - bends.start) / COARSE_STEP)
     edges = bends.start + 0.5 * (bends.stop - bends.start - count * COARSE_STEP) + COARSE_STEP * np.arange(count + 1)
-    least, most = bends.between(edges[:-1], edges[1:])
+    least, most, _ = bends.between(edges[:-1], edges[1:])
     halved = np.maximum(np.abs(least), np.abs(most)) > STRAIGHT
     y = np.sort(np.concatenate([edges, edges[:-1][halved] + FINE_STEP]))
     return y, np.arange(count) + np.concatenate([[0], np.cumsum(halved)[:-1]])

@@ -10,40 +10,54 @@
 
 #include "contact_plane.h"
 
-/* Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there. */
-static inline int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
+/* Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there.
+ *
+ * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
+ * much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
+ */
+static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
 {
-    double z;
-    double slope;
     double bend;
-    double y_track;
     double z_track;
     double outline_slope;
+    double stretch;
+    double outline_rate;
     double abscissa;
     double height;
-    double rail_slope;
     double rail_bend;
     double cosine;
     double sine;
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    abscissa = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope_bend(&height, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-    cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope);
+    double cube;
+    double per_stretch;
+    profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, (*z), (*slope), bend);
+    abscissa = (*y_track) - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
+    sine = (*rail_slope) * cosine;
     (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) = abscissa;
     (*cspan_at(&work, contact_plane__FRAME_HEIGHT)) = height;
     (*cspan_at(&work, contact_plane__FRAME_Y)) = y;
-    sine = rail_slope * cosine;
     (*cspan_at(&work, contact_plane__FRAME_COS)) = cosine;
     (*cspan_at(&work, contact_plane__FRAME_SIN)) = sine;
-    (*cspan_at(&work, contact_plane__FRAME_Z)) = z;
+    (*cspan_at(&work, contact_plane__FRAME_SHIFT)) = shift;
+    (*cspan_at(&work, contact_plane__FRAME_PLACE)) = (double)(at);
+    (*cspan_at(&work, contact_plane__FRAME_Z)) = (*z);
     (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine;
     (*cspan_at(&work, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine;
     (*cspan_at(&work, contact_plane__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work, contact_plane__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work, contact_plane__FRAME_PLACE)) = (double)(at);
+    cube = cosine * cosine * cosine;
+    per_stretch = 1.0 / stretch;
+    (*cspan_at(&work, contact_plane__FRAME_RAIL_BEND)) = (-rail_bend) * sine * cube;
+    (*cspan_at(&work, contact_plane__FRAME_WHEEL_RATE)) = cosine * per_stretch;
+    (*cspan_at(&work, contact_plane__FRAME_WHEEL_BEND)) = (-outline_rate) * sine * cube * per_stretch * per_stretch;
     contact_plane__start_tracer(work, 0.0, abscissa, y);
-    return INT64_C(0);
+    (*mismatch) = (*rail_slope) - outline_slope;
+    if (!(stretch > 0.0))
+    {
+        (*mismatch) = gap__FOLDED;
+    }
+    return 0;
 }
 
 /* Let the tracer stand at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]. */
@@ -56,6 +70,12 @@ static inline int64_t contact_plane__start_tracer(array_double_1d work, double s
     (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = 0.0;
+    if (station == 0.0)
+    {
+        (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND)) = (*cspan_at(&work, contact_plane__FRAME_RAIL_BEND));
+        (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_WHEEL_RATE));
+        (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (*cspan_at(&work, contact_plane__FRAME_WHEEL_BEND));
+    }
     return INT64_C(0);
 }
 

@@ -12,6 +12,7 @@
 #define WRCONTACT_KERNEL_CONTACT_PLANE_H
 
 #include "../native/spans.h"
+#include "gap.h"
 #include "layout.h"
 #include "locus.h"
 #include "profile_table.h"
@@ -27,6 +28,9 @@ static const int64_t contact_plane__FRAME_Z = INT64_C(1117);
 static const int64_t contact_plane__FRAME_WHEEL_COS = INT64_C(1118);
 static const int64_t contact_plane__FRAME_WHEEL_SIN = INT64_C(1119);
 static const int64_t contact_plane__FRAME_LIFT = INT64_C(1127);
+static const int64_t contact_plane__FRAME_RAIL_BEND = INT64_C(1128);
+static const int64_t contact_plane__FRAME_WHEEL_RATE = INT64_C(1129);
+static const int64_t contact_plane__FRAME_WHEEL_BEND = INT64_C(1130);
 static const int64_t contact_plane__TRACER_STATION = INT64_C(1120);
 static const int64_t contact_plane__TRACER_RAIL = INT64_C(1121);
 static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(1122);
@@ -40,7 +44,7 @@ static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);
 static const double contact_plane__CURVATURE_FLOOR = 0.05;
 
 static inline int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y);
-static inline int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
+static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
 static inline double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
 static inline double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away);
 static inline int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);

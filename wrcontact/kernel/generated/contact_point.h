@@ -8,10 +8,8 @@
 
 #include "../native/spans.h"
 #include "contact_plane.h"
-#include "gap.h"
 #include "layout.h"
 #include "locus.h"
-#include "profile_table.h"
 #include "regions.h"
 
 static const double contact_point__PARALLEL = 1e-06;

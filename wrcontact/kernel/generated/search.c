@@ -54,14 +54,22 @@ static inline int64_t search__node_gap(double* result_0, double* result_1, doubl
     return 0;
 }
 
-/* Offset in ``tables`` of the rail raster's cell that holds ``abscissa`` [m], or of the nearest. */
-static inline int64_t search__rail_row(array_double_1d tables, double abscissa)
+/* Place of ``abscissa`` [m] in the rail's raster, in cells. */
+static inline double search__rail_cell(array_double_1d tables, double abscissa)
 {
     int64_t scan;
-    double u;
+    double result;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    result = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) * (*cspan_at(&tables, scan + search__SCAN_RAIL_PER_METRE));
+    return result;
+}
+
+/* Offset in ``tables`` of the rail raster's cell at place ``u``, or of the nearest. */
+static inline int64_t search__rail_row(array_double_1d tables, double u)
+{
+    int64_t scan;
     int64_t result;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    u = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) * (*cspan_at(&tables, scan + search__SCAN_RAIL_PER_METRE));
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -92,6 +100,8 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
     double share;
     double per_bend;
     double square;
+    double begin;
+    double back;
     int64_t cells;
     int64_t first;
     int64_t row;
@@ -113,6 +123,12 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
         share += search__YAW_BEND * square;
         per_bend = search__BEND_STRETCH * square * (*cspan_at(&place, at + locus__PLACE_RADIUS));
     }
+    begin = search__rail_cell(tables, abscissa);
+    back = 0.0;
+    if (direction < INT64_C(0))
+    {
+        back = (1.0 + search__WIDEST) * (*cspan_at(&tables, scan + search__SCAN_RAIL_PER_METRE));
+    }
     while(level >= INT64_C(0))
     {
         cells = INT64_C(1) << level;
@@ -128,11 +144,7 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
             stretch = widened + per_bend * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level));
             if (stretch < search__WIDEST)
             {
-                rail = search__rail_row(tables, abscissa);
-                if (direction < INT64_C(0))
-                {
-                    rail = search__rail_row(tables, abscissa - (1.0 + search__WIDEST) * length);
-                }
+                rail = search__rail_row(tables, begin - back * length);
                 bend = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level));
                 if (length > search__FINE_CELL * (double)(cells))
                 {
@@ -217,7 +229,7 @@ static inline int64_t search__bend_bounds(double* least, double* most, array_dou
     double most_rail;
     double least_wheel;
     double most_wheel;
-    rail = search__rail_row(tables, abscissa);
+    rail = search__rail_row(tables, search__rail_cell(tables, abscissa));
     row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
     share = search__ROLLED_SHARE;
     if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)

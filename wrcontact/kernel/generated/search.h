@@ -59,7 +59,8 @@ static const int64_t search__CANDIDATES = INT64_C(16);
 
 static inline int64_t search__node_below(array_double_1d tables, double y);
 static inline int64_t search__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, int64_t node);
-static inline int64_t search__rail_row(array_double_1d tables, double abscissa);
+static inline double search__rail_cell(array_double_1d tables, double abscissa);
+static inline int64_t search__rail_row(array_double_1d tables, double u);
 static inline double search__largest_fall(double slope, double bend, double length, double stretch);
 static inline int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level, int64_t risen);
 static inline int64_t search__leave_minimum(array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, int64_t direction, double abscissa);
