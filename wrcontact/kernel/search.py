@@ -45,13 +45,14 @@ RAIL_LEAST_BENDS: Final[int] = 2     # smallest one along a wheel's stretch of 1
 YAWED_SHARE: Final[float] = 0.3
 STRETCHED_SHARE: Final[float] = 10.0
 ROLLED_SHARE: Final[float] = 0.02
-#: Neither profile is steeper than this where they can meet [-]: 71.5 deg.  With it the outline is stretched by no more
-#: than the share STEEP sin(roll) + sin^2(yaw) (BEND_STRETCH r |r''| + STEEP_STRETCH), and its slope changes along the
-#: wheel's profile with r'' but for the share ROLL_BEND sin(roll) + YAW_BEND sin^2(yaw).
+#: Stretches of the wheel that are steeper than this somewhere are not skipped [-]; 71.5 deg.  On the others the outline is
+#: stretched by no more than the share ROLL_STRETCH sin(roll) + sin^2(yaw) (BEND_STRETCH r |r''| + STEEP_STRETCH), and its
+#: slope changes along the profile like r'' but for the share ROLL_BEND sin(roll) + YAW_BEND sin^2(yaw).
 STEEP: Final[float] = 3.0
+ROLL_STRETCH: Final[float] = 3.1
 BEND_STRETCH: Final[float] = 1.1
 STEEP_STRETCH: Final[float] = 10.0
-ROLL_BEND: Final[float] = 6.6
+ROLL_BEND: Final[float] = 9.5
 YAW_BEND: Final[float] = 18.0
 #: Stretches that the yawed outline stretches or folds by more than this share are not skipped.
 WIDEST: Final[float] = 0.25
@@ -124,7 +125,7 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
     scan = int(tables[SET_SCAN])
     count = int(tables[scan + SCAN_COUNT])
     roll = fabs(place[at + PLACE_SIN_ROLL])
-    widened = STEEP * roll
+    widened = ROLL_STRETCH * roll
     share = ROLL_BEND * roll
     per_bend = 0.0
     if place[at + PLACE_YAWED] != 0.0:

@@ -113,7 +113,7 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
     roll = fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
-    widened = search__STEEP * roll;
+    widened = search__ROLL_STRETCH * roll;
     share = search__ROLL_BEND * roll;
     per_bend = 0.0;
     if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
