@@ -119,32 +119,94 @@ def test_nothing_penetrates(system, shift, yaw):
         assert -1.3e-7 < smallest_distance(state, sign, wheel, rail) < 1e-6
 
 
+SEARCH_YAWS = (0.0, 0.02, 0.05, 0.105)   # [rad]
+PER_CELL = 8                             # samples of the gap in a cell of the search
+
+
+def sampled_placements(count, seed, largest_roll):
+    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of the search: tables, workspace,
+    abscissae, gaps, slope differences and whether the rail is below, (n,) each."""
+    rng = np.random.default_rng(seed)
+    tables = system_tables()
+    work, scan = np.zeros(layout.WORK_SIZE), int(tables[layout.SET_SCAN])
+    nodes = tables[scan + search.SCAN_NODES:][:search.SCAN_ROW * int(tables[scan])].reshape(-1, search.SCAN_ROW)
+    share = np.arange(PER_CELL) / PER_CELL
+    y = np.append((nodes[:-1, :1] + share * np.diff(nodes[:, 0])[:, None]).ravel(), nodes[-1, 0])
+    for trial in range(count):
+        work[layout.WORK_INPUTS] = rng.uniform(-0.01, 0.01)
+        work[layout.WORK_INPUTS + 1] = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
+        roll.place_both(tables, work, rng.uniform(-largest_roll, largest_roll))
+        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, work, roll.RIGHT_PLACE, place) for place in y]).T
+        below = np.array([on_rail(tables, work, [place]) for place in y])
+        yield tables, work, y, gaps, mismatches, below
+
+
 def test_no_cell_of_the_search_holds_more_than_its_bound_says():
     """The certificate of the global minimum, against dense sampling of the gap at random placements up to 6 deg."""
-    rng = np.random.default_rng(21)
-    tables = system_tables()
-    work, state = np.zeros(layout.WORK_SIZE), np.zeros(layout.STATE_SIZE)
-    scan, checked = int(tables[layout.SET_SCAN]), 0
-    for trial in range(12):
-        work[layout.WORK_INPUTS] = rng.uniform(-0.01, 0.01)
-        work[layout.WORK_INPUTS + 1] = (0.0, 0.02, 0.05, 0.105)[trial % 4]
-        roll.place_both(tables, work, rng.uniform(-0.01, 0.01))
-        search.scan_side(tables, work, roll.RIGHT, work, roll.RIGHT_PLACE, state)
-        for cell in range(int(work[roll.RIGHT + layout.SIDE_FIRST]), int(work[roll.RIGHT + layout.SIDE_LAST])):
-            row = scan + search.SCAN_NODES + search.SCAN_ROW * cell
-            y = np.linspace(tables[row], tables[row + search.SCAN_ROW], 9)
-            gaps = np.array([gap.vertical_gap(tables, work, roll.RIGHT_PLACE, place)[0] for place in y])
-            least, most = search.bend_bounds(tables, work, roll.RIGHT_PLACE, cell, work[roll.RIGHT + layout.SIDE_ABSCISSA + cell])
-            dips = np.linspace(gaps[0], gaps[-1], 9) - gaps
-            if not on_rail(tables, work, y):
+    checked = 0
+    for tables, work, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
+        for cell in range(len(y) // PER_CELL):
+            inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
+            if not np.all(below[inside]):
                 continue
             checked += 1
-            pose = (trial, cell, y[0])
-            assert dips.max() <= most * (y[-1] - y[0]) ** 2 / 8 + 1e-12, pose
-            assert dips.max() < search.DEEPEST, pose
-            if least > 0.0:
-                assert np.all(np.diff(gaps, 2) > -1e-12), pose
-    assert checked > 800
+            abscissa = search.node_gap(tables, work, roll.RIGHT_PLACE, cell)[2]
+            least, most = search.bend_bounds(tables, work, roll.RIGHT_PLACE, cell, abscissa)
+            dip = min(gaps[inside][0], gaps[inside][-1]) - gaps[inside].min()
+            where = (cell, y[inside][0], work[layout.WORK_INPUTS + 1])
+            assert dip <= most * np.ptp(y[inside])**2 / 8 + 1e-12, where
+            if least > 0.0 and mismatches[inside].max() < gap.FOLDED:
+                assert np.all(np.diff(mismatches[inside]) > -1e-12), where     # one place of contact at most
+    assert checked > 1200
+
+
+def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
+    """What roll and yaw make of a profile point, against the shares of ``clear_level``."""
+    rng = np.random.default_rng(23)
+    place, checked = np.zeros(layout.PLACE_BLOCK), 0
+    for _ in range(20000):
+        turn, yaw = rng.choice([0.02, 0.1]) * rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.12, 0.12)])
+        slope, bend = rng.uniform(-search.STEEP, search.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
+        z = rng.uniform(-0.02, 0.03)
+        locus.place_wheelset(place, 0, 0.0, yaw, turn, 0.46, 0.75)
+        _, _, _, stretch, rate = locus.outline_jet(place, 0, rng.uniform(-0.04, 0.03), z, slope, bend)
+        square = np.sin(yaw)**2
+        widened = (search.ROLL_STRETCH * abs(np.sin(turn))
+                   + square * (search.BEND_STRETCH * 0.46 * abs(bend) + search.STEEP_STRETCH))
+        if widened < search.WIDEST:
+            checked += 1
+            assert abs(stretch - 1.0) <= widened + 1e-12, (turn, yaw, slope, bend)
+            share = search.ROLL_BEND * abs(np.sin(turn)) + search.YAW_BEND * square
+            assert abs(rate - bend) <= (share + 1e-12) * abs(bend), (turn, yaw, slope, bend)
+    assert checked > 8000
+
+
+def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
+    """``clear_level`` may not clear a stretch in which the sampled gap falls further than allowed, nor call one rising that
+    is not; and it has to clear most of those far above."""
+    checked = cleared = 0
+    for tables, work, y, gaps, _, below in sampled_placements(16, 22, 0.013):
+        for node in np.flatnonzero(below[::PER_CELL]):
+            gap_there, mismatch, abscissa = search.node_gap(tables, work, roll.RIGHT_PLACE, node)
+            for direction in (1, -1):
+                for level in range(search.LEVELS):
+                    end = PER_CELL * (node + direction * 2**level)
+                    if not 0 <= end < len(y):
+                        continue
+                    inside = np.arange(PER_CELL * node, end + direction, direction)
+                    inside = inside[np.cumprod(below[inside]) == 1]      # up to the end of the rail
+                    fall = gap_there - gaps[inside].min()
+                    arguments = (tables, work, roll.RIGHT_PLACE, int(node), direction, abscissa)
+                    where = (work[layout.WORK_INPUTS:][:2], node, direction, level)
+                    checked += 1
+                    if fall > 1e-12:
+                        allowed = fall * (1 - 1e-9) - 1e-13
+                        assert search.clear_level(*arguments, allowed, direction * mismatch, level, 0) < level, where
+                    if len(inside) > 1 and np.diff(gaps[inside]).min() < -1e-13:
+                        assert search.clear_level(*arguments, -1.0, direction * mismatch, level, 1) < level, where
+                    if search.clear_level(*arguments, 2e-3, direction * mismatch, level, 0) == level:
+                        cleared += 1
+    assert checked > 10000 and cleared > checked / 2
 
 
 def system_tables():

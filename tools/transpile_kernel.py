@@ -214,8 +214,8 @@ def tidy_header(module, text, constants):
     headers = re.findall(r'^#include "(\w+\.h)"$', text, re.MULTILINE)
     includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers if name != "pyc_math_c.h"]
     definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
-    prototypes = [f"static {line};" for line in re.findall(rf"^(\w.* \*?{module.name}__\w+\(.*\));$", text, re.MULTILINE)]
-    prototypes.remove(f"static void {module.name}__init(void);")
+    prototypes = [f"static inline {line};" for line in re.findall(rf"^(\w.* \*?{module.name}__\w+\(.*\));$", text, re.MULTILINE)]
+    prototypes.remove(f"static inline void {module.name}__init(void);")
     parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes, ["#endif"]]
     return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
 
@@ -237,7 +237,7 @@ def tidy_code(module, text):
     for chunk in text.split(EDGE):
         signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk, re.MULTILINE | re.DOTALL)
         if signature and signature[2] != "init":
-            chunks[signature[2]] = f"static {signature[1]}\n{{\n{tidy_body(signature[3])}}}"
+            chunks[signature[2]] = f"static inline {signature[1]}\n{{\n{tidy_body(signature[3])}}}"
     if set(chunks) != set(module.functions):
         raise Refused(f"{module.path.name}: Pyccel renamed or dropped {sorted(set(chunks) ^ set(module.functions))}")
     documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]

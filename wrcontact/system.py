@@ -163,7 +163,7 @@ class Stepper:
     ----------
     inputs : (5,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1].
     outputs : (270,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.
-    state : (8,) where the next roll search starts, and counters; it never changes an answer.
+    state : (10,) where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is at work.
     """
 

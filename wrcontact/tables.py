@@ -4,13 +4,15 @@ import numpy as np
 
 from .hertz_table import hertz_table
 from .influence_table import influence_table
-from .kernel import layout
+from .kernel import layout, starts
+from .kernel.library import default_kernel
 from .profiles.compiled import compile_profile
 from .profiles.scan import scan_table
 
 #: Range of the inputs; beyond it the contact leaves the profiles' running surfaces.
 LATERAL_LIMIT = 0.015  # [m]
 YAW_LIMIT = 0.12       # [rad]
+START_STEP = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
 
 
 def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
@@ -26,6 +28,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
         layout.SET_SCAN: scan_table(wheel_table, rail_table),
         layout.SET_HERTZ: hertz_table(),
         layout.SET_INFLUENCE: influence_table(),
+        layout.SET_STARTS: empty_starts(),
     }
     settings = np.zeros(layout.SETTING_COUNT)
     settings[layout.SET_RADIUS] = nominal_radius
@@ -43,4 +46,32 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     for setting, table in parts.items():
         settings[setting] = offset
         offset += len(table)
-    return np.concatenate([settings, *parts.values()])
+    tables = np.concatenate([settings, *parts.values()])
+    fill_starts(tables)
+    return tables
+
+
+def empty_starts():
+    """Table of starts with nothing known; layout in wrcontact/kernel/starts.py."""
+    count = 2 * round(LATERAL_LIMIT / START_STEP) + 1
+    table = np.zeros(starts.START_ROWS + starts.START_ROW * count)
+    table[starts.START_COUNT] = count
+    table[starts.START_FIRST], table[starts.START_PER_METRE] = -LATERAL_LIMIT, 1.0 / START_STEP
+    return table
+
+
+def fill_starts(tables):
+    """Roll and contacts at the table of starts' lateral shifts, from the kernel itself, in one sweep without load."""
+    base = int(tables[layout.SET_STARTS])
+    count, first, per_metre = tables[base:base + starts.START_ROWS]
+    state, inputs, outputs = (np.zeros(size) for size in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
+    bound = default_kernel().bind(tables, state, np.zeros(layout.WORK_SIZE), inputs, outputs)
+    rows = tables[base + starts.START_ROWS:].reshape(-1, starts.START_ROW)[:int(count)]
+    found = np.zeros_like(rows)
+    for row, shift in zip(found, first + np.arange(count) / per_metre):
+        inputs[layout.IN_LATERAL_SHIFT] = shift
+        if bound.step() <= layout.UNLOADED:
+            row[[starts.START_KNOWN, starts.START_ROLL]] = 1.0, outputs[layout.OUT_ROLL]
+            row[starts.START_LEFT] = outputs[layout.OUT_LEFT + layout.SIDE_Y_WHEEL]
+            row[starts.START_RIGHT] = outputs[layout.OUT_RIGHT + layout.SIDE_Y_WHEEL]
+    rows[:] = found

@@ -9,10 +9,11 @@ residual is removed by the curve's own slope, which leaves an error of second or
 from math import fabs, sqrt
 from typing import Final
 
+from .gap import FOLDED
 from .layout import (LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT,
                      WORK_CONTACT)
 from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
-                    around_wheel, outline_jet, outline_point)
+                    around_wheel, outline_jet)
 from .profile_table import START, STOP, height_slope_bend
 
 # the contact frame, at WORK_CONTACT
@@ -23,6 +24,13 @@ FRAME_COS: Final[int] = WORK_CONTACT + 3         # of the plane's angle
 FRAME_SIN: Final[int] = WORK_CONTACT + 4
 FRAME_SHIFT: Final[int] = WORK_CONTACT + 5       # vertical shift of the wheelset [m]
 FRAME_PLACE: Final[int] = WORK_CONTACT + 6       # offset of the placed wheel in the workspace
+FRAME_Z: Final[int] = WORK_CONTACT + 7           # wheel height [m]
+FRAME_WHEEL_COS: Final[int] = WORK_CONTACT + 8   # of the plane's angle in the wheelset's frame
+FRAME_WHEEL_SIN: Final[int] = WORK_CONTACT + 9
+FRAME_LIFT: Final[int] = WORK_CONTACT + 17       # of the wheel's point below the rail's [m]; zero but for rounding
+FRAME_RAIL_BEND: Final[int] = WORK_CONTACT + 18  # what the tracer starts with at the contact point
+FRAME_WHEEL_RATE: Final[int] = WORK_CONTACT + 19
+FRAME_WHEEL_BEND: Final[int] = WORK_CONTACT + 20
 # the tracer: the last station and the profile abscissae that belong to it
 TRACER_STATION: Final[int] = WORK_CONTACT + 10
 TRACER_RAIL: Final[int] = WORK_CONTACT + 11
@@ -42,21 +50,38 @@ CURVATURE_FLOOR: Final[float] = 0.05
 
 
 def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, shift: float):
-    """Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there."""
+    """Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there.
+
+    Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
+    much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
+    """
     z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
     abscissa = y_track - tables[SET_RAIL_Y]
     height, rail_slope, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
     cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope)
+    sine = rail_slope * cosine
     work[FRAME_ABSCISSA] = abscissa
     work[FRAME_HEIGHT] = height
     work[FRAME_Y] = y
     work[FRAME_COS] = cosine
-    work[FRAME_SIN] = rail_slope * cosine
+    work[FRAME_SIN] = sine
     work[FRAME_SHIFT] = shift
     work[FRAME_PLACE] = float(at)
+    work[FRAME_Z] = z
+    work[FRAME_WHEEL_COS] = work[at + PLACE_COS_ROLL] * cosine + work[at + PLACE_SIN_ROLL] * sine
+    work[FRAME_WHEEL_SIN] = work[at + PLACE_COS_ROLL] * sine - work[at + PLACE_SIN_ROLL] * cosine
+    work[FRAME_LIFT] = z_track + shift - height
+    cube = cosine * cosine * cosine
+    per_stretch = 1.0 / stretch
+    work[FRAME_RAIL_BEND] = -rail_bend * sine * cube
+    work[FRAME_WHEEL_RATE] = cosine * per_stretch
+    work[FRAME_WHEEL_BEND] = -outline_rate * sine * cube * per_stretch * per_stretch
     start_tracer(work, 0.0, abscissa, y)
-    return 0
+    mismatch = rail_slope - outline_slope
+    if not stretch > 0.0:
+        mismatch = FOLDED
+    return z, slope, y_track, rail_slope, mismatch
 
 
 def start_tracer(work: 'float[:]', station: float, abscissa: float, y: float):
@@ -68,6 +93,10 @@ def start_tracer(work: 'float[:]', station: float, abscissa: float, y: float):
     work[TRACER_WHEEL] = y
     work[TRACER_WHEEL_RATE] = work[FRAME_COS]
     work[TRACER_WHEEL_BEND] = 0.0
+    if station == 0.0:
+        work[TRACER_RAIL_BEND] = work[FRAME_RAIL_BEND]
+        work[TRACER_WHEEL_RATE] = work[FRAME_WHEEL_RATE]
+        work[TRACER_WHEEL_BEND] = work[FRAME_WHEEL_BEND]
     return 0
 
 
@@ -98,56 +127,96 @@ def longitudinal_curvature(tables: 'float[:]', place: 'float[:]', at: int, z: fl
     return curvature
 
 
-def trace_rail(tables: 'float[:]', work: 'float[:]', station: float, tolerance: float):
-    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists."""
-    rail = int(tables[SET_RAIL])
-    cosine = work[FRAME_COS]
-    sine = work[FRAME_SIN]
-    away = station - work[TRACER_STATION]
-    u = work[TRACER_RAIL] + away * work[TRACER_RAIL_RATE]
+def first_abscissa(work: 'float[:]', tracer: int, away: float):
+    """Profile abscissa ``away`` from the tracer's station [m]; ``tracer`` is TRACER_RAIL or TRACER_WHEEL."""
+    u = work[tracer] + away * work[tracer + 1]
     if fabs(away) < NEAR:
-        u += 0.5 * away * away * work[TRACER_RAIL_BEND]
-    exists = 1
+        u += 0.5 * away * away * work[tracer + 2]
+    return u
+
+
+def trace_profile(tables: 'float[:]', work: 'float[:]', base: int, tracer: int, frame: int, station: float,
+                  tolerance: float, origin: float, height_there: float):
+    """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope there [-], its
+    height [m], and 1 if it exists.
+
+    tracer : TRACER_RAIL or TRACER_WHEEL.
+    frame : where cosine and sine of the plane's angle against the profile stand.
+    origin, height_there : the profile's point at station zero [m].
+    """
+    cosine = work[frame]
+    sine = work[frame + 1]
+    start = tables[base + START]
+    stop = tables[base + STOP]
+    u = first_abscissa(work, tracer, station - work[TRACER_STATION])
+    exists = 0
     offset = 0.0
     forward = 1.0
     height = 0.0
     slope = 0.0
     bend = 0.0
     for i in range(TRACE_ITERATIONS):
-        if u < tables[rail + START]:
-            u = tables[rail + START]
-        if u > tables[rail + STOP]:
-            u = tables[rail + STOP]
-        height, slope, bend = height_slope_bend(tables, rail, u)
+        if u < start:
+            u = start
+        if u > stop:
+            u = stop
+        height, slope, bend = height_slope_bend(tables, base, u)
         forward = cosine + slope * sine
-        offset = (u - work[FRAME_ABSCISSA]) * cosine + (height - work[FRAME_HEIGHT]) * sine - station
+        offset = (u - origin) * cosine + (height - height_there) * sine - station
         if fabs(offset) < tolerance:
+            if forward > 0.0:
+                exists = 1
             break
         u -= offset / forward
-    if not (fabs(offset) < tolerance and forward > 0.0):
-        exists = 0
-    rate = (sine - slope * cosine) / forward
-    ordinate = (u - work[FRAME_ABSCISSA]) * sine - (height - work[FRAME_HEIGHT]) * cosine - offset * rate
-    work[TRACER_RAIL] = u - offset / forward
-    work[TRACER_RAIL_RATE] = 1.0 / forward
-    work[TRACER_RAIL_BEND] = -bend * sine / (forward * forward * forward)
-    return ordinate, rate, -bend / (forward * forward * forward), exists
+    along = 1.0 / forward
+    rate = (sine - slope * cosine) * along
+    turn = -bend * along * along * along
+    work[tracer] = u - offset * along
+    work[tracer + 1] = along
+    work[tracer + 2] = turn * sine
+    return (u - origin) * sine - (height - height_there) * cosine - offset * rate, rate, turn, slope, height, exists
+
+
+def trace_rail(tables: 'float[:]', work: 'float[:]', station: float, tolerance: float):
+    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists."""
+    ordinate, rate, bend, slope, height, exists = trace_profile(tables, work, int(tables[SET_RAIL]), TRACER_RAIL, FRAME_COS,
+                                                                station, tolerance, work[FRAME_ABSCISSA],
+                                                                work[FRAME_HEIGHT])
+    return ordinate, rate, bend, exists
 
 
 def trace_wheel(tables: 'float[:]', work: 'float[:]', station: float, tolerance: float):
     """Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
-    ``station``; and 1 if it exists."""
-    wheel = int(tables[SET_WHEEL])
+    ``station``; and 1 if it exists.
+
+    Without yaw the outline is the profile, turned by the roll.
+    """
     at = int(work[FRAME_PLACE])
+    if work[at + PLACE_YAWED] == 0.0:
+        lift = work[FRAME_LIFT]
+        ordinate, rate, bend, slope, z, exists = trace_profile(tables, work, int(tables[SET_WHEEL]), TRACER_WHEEL,
+                                                               FRAME_WHEEL_COS, station - lift * work[FRAME_SIN], tolerance,
+                                                               work[FRAME_Y], work[FRAME_Z])
+        ordinate -= lift * work[FRAME_COS]
+        curvature = longitudinal_curvature(tables, work, at, z, slope, bend)
+    else:
+        ordinate, rate, bend, curvature, exists = trace_outline(tables, work, at, station, tolerance)
+    return ordinate, rate, bend, curvature, exists
+
+
+def trace_outline(tables: 'float[:]', work: 'float[:]', at: int, station: float, tolerance: float):
+    """``trace_wheel`` with yaw."""
+    wheel = int(tables[SET_WHEEL])
     cosine = work[FRAME_COS]
     sine = work[FRAME_SIN]
-    away = station - work[TRACER_STATION]
-    y = work[TRACER_WHEEL] + away * work[TRACER_WHEEL_RATE]
-    if fabs(away) < NEAR:
-        y += 0.5 * away * away * work[TRACER_WHEEL_BEND]
-    exists = 1
+    start = tables[wheel + START]
+    stop = tables[wheel + STOP]
+    left = tables[SET_RAIL_Y] + work[FRAME_ABSCISSA]
+    above = work[FRAME_SHIFT] - work[FRAME_HEIGHT]
+    y = first_abscissa(work, TRACER_WHEEL, station - work[TRACER_STATION])
+    exists = 0
     offset = 0.0
-    forward = 1.0
+    along = 1.0
     across = 0.0
     up = 0.0
     stretch = 1.0
@@ -157,29 +226,30 @@ def trace_wheel(tables: 'float[:]', work: 'float[:]', station: float, tolerance:
     outline_slope = 0.0
     outline_rate = 0.0
     for i in range(TRACE_ITERATIONS):
-        if y < tables[wheel + START]:
-            y = tables[wheel + START]
-        if y > tables[wheel + STOP]:
-            y = tables[wheel + STOP]
+        if y < start:
+            y = start
+        if y > stop:
+            y = stop
         z, slope, bend = height_slope_bend(tables, wheel, y)
         y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
-        across = y_track - tables[SET_RAIL_Y] - work[FRAME_ABSCISSA]
-        up = z_track + work[FRAME_SHIFT] - work[FRAME_HEIGHT]
-        forward = stretch * (cosine + outline_slope * sine)
+        across = y_track - left
+        up = z_track + above
+        along = cosine + outline_slope * sine
         offset = across * cosine + up * sine - station
         if fabs(offset) < tolerance:
+            if stretch * along > 0.0:
+                exists = 1
             break
-        y -= offset / forward
-    if not (fabs(offset) < tolerance and forward > 0.0):
-        exists = 0
-    along = cosine + outline_slope * sine
-    rate = (sine - outline_slope * cosine) / along
-    ordinate = across * sine - up * cosine - offset * rate
-    outline_bend = outline_rate / (stretch * along * along * along)
-    work[TRACER_WHEEL] = y - offset / forward
-    work[TRACER_WHEEL_RATE] = 1.0 / forward
-    work[TRACER_WHEEL_BEND] = -outline_bend * sine / stretch
-    return ordinate, rate, -outline_bend, longitudinal_curvature(tables, work, at, z, slope, bend), exists
+        y -= offset / (stretch * along)
+    per_along = 1.0 / along
+    per_stretch = 1.0 / stretch
+    rate = (sine - outline_slope * cosine) * per_along
+    turn = -outline_rate * per_stretch * per_along * per_along * per_along
+    work[TRACER_WHEEL] = y - offset * per_along * per_stretch
+    work[TRACER_WHEEL_RATE] = per_along * per_stretch
+    work[TRACER_WHEEL_BEND] = turn * sine * per_stretch
+    curvature = longitudinal_curvature(tables, work, at, z, slope, bend)
+    return across * sine - up * cosine - offset * rate, rate, turn, curvature, exists
 
 
 def normal_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):

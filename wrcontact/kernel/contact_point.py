@@ -3,14 +3,12 @@
 from math import atan, fabs
 from typing import Final
 
-from .contact_plane import open_frame
-from .gap import vertical_gap
-from .layout import (OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_RADIUS, SET_RAIL, SET_RAIL_Y, SET_WHEEL, SIDE_BEST_Y,
-                     SIDE_BLOCK, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS,
-                     SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL, SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK,
-                     SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE)
-from .locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel, outline_point
-from .profile_table import height_slope, height_slope_bend
+from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
+from .layout import (OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_RADIUS, SIDE_BEST_Y, SIDE_BLOCK, SIDE_CONTACT_ANGLE,
+                     SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
+                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE,
+                     WORK_SIDE)
+from .locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel
 from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
 
 #: The slopes of wheel and rail agree to this at a contact [-]; more means that the smallest gap lies at a profile's end.
@@ -26,27 +24,22 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
     at = WORK_PLACE + PLACE_BLOCK * index
     out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
     y = work[side + SIDE_BEST_Y]
-    gap, mismatch, rate = vertical_gap(tables, work, at, y)
-    z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-    abscissa = y_track - tables[SET_RAIL_Y]
-    z_rail, rail_slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+    z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, shift)
     sin_phi, cos_phi = around_wheel(work, at, slope)
     r = tables[SET_RADIUS] + z
     lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
     work[out + SIDE_X_WHEEL] = r * sin_phi
     work[out + SIDE_Y_WHEEL] = y
     work[out + SIDE_Z_WHEEL] = r * cos_phi - tables[SET_RADIUS]
-    work[out + SIDE_Y_RAIL] = abscissa
-    work[out + SIDE_Z_RAIL] = z_rail
+    work[out + SIDE_Y_RAIL] = work[FRAME_ABSCISSA]
+    work[out + SIDE_Z_RAIL] = work[FRAME_HEIGHT]
     work[out + SIDE_X_TRACK] = work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral
     work[out + SIDE_Y_TRACK] = y_track
     if index == 0:
         work[out + SIDE_Y_TRACK] = -y_track
-    work[out + SIDE_Z_TRACK] = z_rail
+    work[out + SIDE_Z_TRACK] = work[FRAME_HEIGHT]
     work[out + SIDE_CONTACT_ANGLE] = -atan(rail_slope)
     work[out + SIDE_ROLLING_RADIUS] = r
-    open_frame(tables, work, at, y, shift)
     open_contact_region(tables, work, state)
     work[out + SIDE_CURVATURE_X] = work[region_block(0) + REGION_CURVATURE]
     work[out + SIDE_CURVATURE_Y] = work[region_block(0) + REGION_BEND]

@@ -80,6 +80,7 @@ SET_STRIDE: Final[int] = 15          # every so many of them are traced on the p
 SET_STRIPS: Final[int] = 16          # strips of the strip correction
 SET_SWEEPS: Final[int] = 17          # and how often it is made
 SET_INFLUENCE: Final[int] = 18       # offset of its table
+SET_STARTS: Final[int] = 19          # offset of the table of starts
 SETTING_COUNT: Final[int] = 20
 
 MODEL_HERTZ: Final[int] = 0
@@ -98,8 +99,9 @@ STATE_NODE_COUNT: Final[int] = 5     # evaluations of the normal gap
 STATE_SOLVE_COUNT: Final[int] = 6    # iterations of the force solve
 STATE_Y_LEFT: Final[int] = 7         # wheel abscissae of the last contacts [m]
 STATE_Y_RIGHT: Final[int] = 8
-STATE_STRIP_COUNT: Final[int] = 9    # systems of strips solved
-STATE_SIZE: Final[int] = 10
+STATE_SHIFT: Final[int] = 9          # and the lateral shift [m]
+STATE_STRIP_COUNT: Final[int] = 10   # systems of strips solved
+STATE_SIZE: Final[int] = 11
 
 # outcome of a step ---------------------------------------------------------------------------------
 VALID: Final[int] = 0
@@ -116,7 +118,7 @@ NODE_FIELDS: Final[int] = 13          # node arrays of each
 NODE_LIMIT: Final[int] = 256         # their length
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
 PLACE_BLOCK: Final[int] = 16         # a placed wheel
-SIDE_BLOCK: Final[int] = 1200        # search data of one side
+SIDE_BLOCK: Final[int] = 400         # search data of one side
 CONTACT_BLOCK: Final[int] = 32       # contact frame and tracer
 ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
 STRIP_FIELDS: Final[int] = 16        # strip arrays
@@ -137,10 +139,11 @@ WORK_SYSTEM: Final[int] = WORK_INFLUENCE + STRIP_LIMIT * STRIP_LIMIT        # th
 WORK_SIZE: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
 
 # search data of one side, relative to its block
-SIDE_GAP: Final[int] = 0             # vertical gap at the scan nodes
-SIDE_ABSCISSA: Final[int] = SIDE_GAP + SCAN_LIMIT             # rail abscissa of the scan nodes
-SIDE_FIRST: Final[int] = SIDE_ABSCISSA + SCAN_LIMIT           # first and last scan node above the rail
-SIDE_LAST: Final[int] = SIDE_FIRST + 1
-SIDE_BEST: Final[int] = SIDE_FIRST + 2                        # smallest gap found
-SIDE_BEST_Y: Final[int] = SIDE_FIRST + 3                      # and its wheel abscissa
-SIDE_STACK: Final[int] = SIDE_FIRST + 8                       # cells still to be searched
+SIDE_BEST: Final[int] = 0            # smallest gap found [m]
+SIDE_BEST_Y: Final[int] = 1          # its wheel abscissa
+SIDE_BEST_RAIL: Final[int] = 2       # and its rail abscissa, while the roll is sought
+SIDE_FIRST: Final[int] = 3           # first and last of the scan nodes listed as candidates for further regions:
+SIDE_LAST: Final[int] = 4
+SIDE_NODE: Final[int] = 8            # their numbers
+SIDE_ABSCISSA: Final[int] = 48       # their places on the rail [m]
+SIDE_STACK: Final[int] = 88          # cells still to be searched

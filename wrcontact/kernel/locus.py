@@ -30,33 +30,58 @@ PLACE_SIZE: Final[int] = 11
 
 def place_wheelset(place: 'float[:]', at: int, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
     """Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]."""
-    sin_yaw = sin(yaw)
-    cos_yaw = cos(yaw)
+    place[at + PLACE_SHIFT] = lateral_shift
+    place[at + PLACE_SIN_YAW] = 0.0
+    place[at + PLACE_COS_YAW] = 1.0
+    place[at + PLACE_YAWED] = 0.0
+    if yaw != 0.0:
+        place[at + PLACE_SIN_YAW] = sin(yaw)
+        place[at + PLACE_COS_YAW] = cos(yaw)
+        place[at + PLACE_YAWED] = 1.0
+    place[at + PLACE_RADIUS] = radius
+    place[at + PLACE_ARM] = arm
+    turn_wheelset(place, at, roll)
+    return 0
+
+
+def turn_wheelset(place: 'float[:]', at: int, roll: float):
+    """Give the wheelset at ``at`` another roll [rad]."""
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    t = sin_yaw / cos_yaw * sin_roll
-    cos_t = 1.0 / sqrt(1.0 + t * t)
-    place[at + PLACE_SHIFT] = lateral_shift
-    place[at + PLACE_SIN_YAW] = sin_yaw
-    place[at + PLACE_COS_YAW] = cos_yaw
+    t = 0.0
+    cos_t = 1.0
+    w_per_slope = 0.0
+    if place[at + PLACE_YAWED] != 0.0:
+        tan_yaw = place[at + PLACE_SIN_YAW] / place[at + PLACE_COS_YAW]
+        t = tan_yaw * sin_roll
+        cos_t = 1.0 / sqrt(1.0 + t * t)
+        w_per_slope = tan_yaw * cos_roll * cos_t
     place[at + PLACE_SIN_ROLL] = sin_roll
     place[at + PLACE_COS_ROLL] = cos_roll
     place[at + PLACE_T] = t
     place[at + PLACE_COS_T] = cos_t
-    place[at + PLACE_W_PER_SLOPE] = sin_yaw / cos_yaw * cos_roll * cos_t
-    place[at + PLACE_RADIUS] = radius
-    place[at + PLACE_ARM] = arm
-    place[at + PLACE_YAWED] = 0.0 if yaw == 0.0 else 1.0
+    place[at + PLACE_W_PER_SLOPE] = w_per_slope
     return 0
 
 
 def mirror_place(place: 'float[:]', at: int, to: int):
     """The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign."""
-    for i in range(PLACE_SIZE):
-        place[to + i] = place[at + i]
     place[to + PLACE_SHIFT] = -place[at + PLACE_SHIFT]
     place[to + PLACE_SIN_YAW] = -place[at + PLACE_SIN_YAW]
+    place[to + PLACE_COS_YAW] = place[at + PLACE_COS_YAW]
+    place[to + PLACE_RADIUS] = place[at + PLACE_RADIUS]
+    place[to + PLACE_ARM] = place[at + PLACE_ARM]
+    place[to + PLACE_YAWED] = place[at + PLACE_YAWED]
+    mirror_roll(place, at, to)
+    return 0
+
+
+def mirror_roll(place: 'float[:]', at: int, to: int):
+    """What ``turn_wheelset`` has changed, mirrored."""
     place[to + PLACE_SIN_ROLL] = -place[at + PLACE_SIN_ROLL]
+    place[to + PLACE_COS_ROLL] = place[at + PLACE_COS_ROLL]
+    place[to + PLACE_T] = place[at + PLACE_T]
+    place[to + PLACE_COS_T] = place[at + PLACE_COS_T]
     place[to + PLACE_W_PER_SLOPE] = -place[at + PLACE_W_PER_SLOPE]
     return 0
 

@@ -1,7 +1,7 @@
 """A profile as the kernel reads it: quintic pieces found through uniform bins.
 
-Table at ``base``: start, stop, bins per metre, bin count, offset of the pieces, then for each bin the first piece that
-reaches into it, then per piece its start and six coefficients; the piece after the last starts at not-a-number, which no
+Table at ``base``: start, stop, bins per metre, bin count, offset of the pieces, then for each bin the offset of the first
+piece that reaches into it, then per piece its start and six coefficients; the piece after the last starts at not-a-number, which no
 abscissa reaches.  An abscissa that is not a number, infinite or far outside reads an end piece: nothing leaves the table.
 """
 
@@ -24,8 +24,7 @@ def find_piece(tables: 'float[:]', base: int, y: float):
         u = 0.0
     if u > last:
         u = last
-    piece = int(tables[base + BINS + int(u)])
-    at = base + int(tables[base + PIECE_OFFSET]) + PIECE_SIZE * piece
+    at = base + int(tables[base + BINS + int(u)])
     while y >= tables[at + PIECE_SIZE]:
         at += PIECE_SIZE
     return at
@@ -35,26 +34,28 @@ def height_slope(tables: 'float[:]', base: int, y: float):
     """Height [m] and slope [-] of the profile at ``y`` [m]."""
     at = find_piece(tables, base, y)
     u = y - tables[at]
-    c1 = tables[at + 2]
-    c2 = tables[at + 3]
-    c3 = tables[at + 4]
-    c4 = tables[at + 5]
+    # Horner's scheme, and again on the quotient that it leaves
     c5 = tables[at + 6]
-    z = tables[at + 1] + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5))))
-    slope = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * (5.0 * c5))))
-    return z, slope
+    p4 = tables[at + 5] + u * c5
+    p3 = tables[at + 4] + u * p4
+    p2 = tables[at + 3] + u * p3
+    p1 = tables[at + 2] + u * p2
+    slope = p1 + u * (p2 + u * (p3 + u * (p4 + u * c5)))
+    return tables[at + 1] + u * p1, slope
 
 
 def height_slope_bend(tables: 'float[:]', base: int, y: float):
     """Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]."""
     at = find_piece(tables, base, y)
     u = y - tables[at]
-    c1 = tables[at + 2]
-    c2 = tables[at + 3]
-    c3 = tables[at + 4]
-    c4 = tables[at + 5]
+    # Horner's scheme, and twice again on the quotient that it leaves
     c5 = tables[at + 6]
-    z = tables[at + 1] + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5))))
-    slope = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * (5.0 * c5))))
-    bend = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * (20.0 * c5)))
-    return z, slope, bend
+    p4 = tables[at + 5] + u * c5
+    p3 = tables[at + 4] + u * p4
+    p2 = tables[at + 3] + u * p3
+    p1 = tables[at + 2] + u * p2
+    q4 = p4 + u * c5
+    q3 = p3 + u * q4
+    q2 = p2 + u * q3
+    half_bend = q2 + u * (q3 + u * (q4 + u * c5))
+    return tables[at + 1] + u * p1, p1 + u * q2, 2.0 * half_bend

@@ -7,12 +7,12 @@ between them stays below MERGE of the penetration; otherwise the hump bounds bot
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_SIN, FRAME_Y, TRACER_RAIL, TRACER_WHEEL,
-                            normal_gap, start_tracer)
-from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_GAP,
-                     SIDE_LAST, WORK_REGION)
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_SIN, FRAME_Y, TRACER_RAIL,
+                            TRACER_WHEEL, normal_gap, start_tracer)
+from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
+                     SIDE_NODE, WORK_REGION)
 from .profile_table import height_slope
-from .search import ROW_Y, SCAN_NODES, SCAN_ROW
+from .search import ROW_Y, SCAN_NODES, SCAN_ROW, scan_side
 
 # a region block
 REGION_STATION: Final[int] = 0       # of the minimum [m]
@@ -117,21 +117,18 @@ def find_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     scan = int(tables[SET_SCAN])
     count = 1
     reach = work[side + SIDE_BEST] + 2.0 * level / work[FRAME_COS]
-    for i in range(int(work[side + SIDE_FIRST]) + 1, int(work[side + SIDE_LAST])):
-        gap = work[side + SIDE_GAP + i]
-        if gap < reach and gap <= work[side + SIDE_GAP + i - 1] and gap < work[side + SIDE_GAP + i + 1]:
-            row = scan + SCAN_NODES + SCAN_ROW * i
-            y = tables[row + ROW_Y]
-            own = work[FRAME_Y] > tables[row - SCAN_ROW + ROW_Y] and work[FRAME_Y] < tables[row + SCAN_ROW + ROW_Y]
-            if not own and count < REGION_LIMIT:
-                abscissa = work[side + SIDE_ABSCISSA + i]
-                height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
-                station = ((abscissa - work[FRAME_ABSCISSA]) * work[FRAME_COS]
-                           + (height - work[FRAME_HEIGHT]) * work[FRAME_SIN])
-                start_tracer(work, station, abscissa, y)
-                if open_region(tables, work, state, count, station) < level:
-                    if is_new(work, count) == 1:
-                        count += 1
+    scan_side(tables, work, side, work, int(work[FRAME_PLACE]), state, reach, work[FRAME_ABSCISSA])
+    for i in range(int(work[side + SIDE_FIRST]), int(work[side + SIDE_LAST]) + 1):
+        if count < REGION_LIMIT:
+            y = tables[scan + SCAN_NODES + SCAN_ROW * int(work[side + SIDE_NODE + i]) + ROW_Y]
+            abscissa = work[side + SIDE_ABSCISSA + i]
+            height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+            station = ((abscissa - work[FRAME_ABSCISSA]) * work[FRAME_COS]
+                       + (height - work[FRAME_HEIGHT]) * work[FRAME_SIN])
+            start_tracer(work, station, abscissa, y)
+            if open_region(tables, work, state, count, station) < level:
+                if is_new(work, count) == 1:
+                    count += 1
     return count
 
 

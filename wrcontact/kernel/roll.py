@@ -3,19 +3,20 @@
 D(roll) = gap_right - gap_left falls strictly while flanges are less steep than atan(2 arm / radius) (73 deg for
 750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.
 
-Solve first, certify then: with the two minima at hand Newton finds the roll that makes them equal, following each one;
-at that roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
+Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
+roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
 take over, within a bracket that every search narrows.
 """
 
 from math import fabs
 from typing import Final
 
-from .gap import gap_per_roll
+from .gap import gap_jet, gap_per_roll
 from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST,
-                     SIDE_BEST_Y, SIDE_BLOCK, STATE_ROLL_COUNT, VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE)
-from .locus import mirror_place, place_wheelset
-from .search import follow_minimum, search_side
+                     SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS,
+                     WORK_PLACE, WORK_SIDE)
+from .locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
+from .search import SHARP, search_side
 
 #: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
 ROLL_LIMIT: Final[float] = 0.12
@@ -24,7 +25,9 @@ ROLL_SHARP: Final[float] = 1e-14
 SEARCHES: Final[int] = 60
 NEWTON_STEPS: Final[int] = 25
 #: Largest move of the roll in one Newton step with followed minima [rad]; larger ones are searched anew.
-LONGEST_TURN: Final[float] = 5e-4
+LONGEST_TURN: Final[float] = 5e-3
+#: A known minimum that moves by more than this in a Newton step is looked for anew [m].
+LONGEST_MOVE: Final[float] = 5e-3
 
 # the two sides' blocks and placed wheels in the workspace
 LEFT: Final[int] = WORK_SIDE
@@ -41,18 +44,18 @@ def place_both(tables: 'float[:]', work: 'float[:]', roll: float):
     return 0
 
 
+def turn_both(work: 'float[:]', roll: float):
+    """Both placed wheels at another ``roll``."""
+    turn_wheelset(work, RIGHT_PLACE, roll)
+    mirror_roll(work, RIGHT_PLACE, LEFT_PLACE)
+    return 0
+
+
 def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', known: int):
     """Search both sides; 1 if both wheels are above their rails, else 0."""
     if search_side(tables, work, LEFT, work, LEFT_PLACE, state, known) == 0:
         return 0
     return search_side(tables, work, RIGHT, work, RIGHT_PLACE, state, known)
-
-
-def follow_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Refine the known minima of both sides; 1 if both were found again, else 0."""
-    if follow_minimum(tables, work, LEFT, work, LEFT_PLACE, state) == 0:
-        return 0
-    return follow_minimum(tables, work, RIGHT, work, RIGHT_PLACE, state)
 
 
 def newton_move(tables: 'float[:]', work: 'float[:]'):
@@ -69,22 +72,51 @@ def newton_move(tables: 'float[:]', work: 'float[:]'):
 def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, low: float, high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
 
-    Starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
+    Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
+    It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
+    a minimum can run away or vanish.
     """
+    left = work[LEFT + SIDE_BEST_Y]
+    right = work[RIGHT + SIDE_BEST_Y]
     for i in range(NEWTON_STEPS):
         state[STATE_ROLL_COUNT] += 1.0
-        place_both(tables, work, roll)
-        if follow_both(tables, work, state) == 0:
+        state[STATE_GAP_COUNT] += 2.0
+        turn_both(work, roll)
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work, LEFT_PLACE, left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work, RIGHT_PLACE,
+                                                                                             right)
+        if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
-        difference, move = newton_move(tables, work)
-        if fabs(move) < ROLL_SHARP:
+        move_left = -mismatch_left / rate_left
+        move_right = -mismatch_right / rate_right
+        # gaps and levers at the minima next to these places, to second and first order
+        difference = gap_right - gap_left + 0.5 * (mismatch_right * move_right - mismatch_left * move_left)
+        lever = lever_right + lever_left + turn_right * move_right + turn_left * move_left
+        if not lever < 0.0:
+            return roll, 0
+        move = -difference / lever
+        move_left += turn_left * move / rate_left
+        move_right -= turn_right * move / rate_right
+        if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
+            keep_known(work, LEFT, left, gap_left, rail_left)
+            keep_known(work, RIGHT, right, gap_right, rail_right)
             return roll, 1
-        if fabs(move) > LONGEST_TURN:
+        if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE and fabs(move_right) < LONGEST_MOVE):
             return roll, 0
+        left += move_left
+        right += move_right
         roll += move
         if not (roll > low and roll < high):
             return roll, 0
     return roll, 0
+
+
+def keep_known(work: 'float[:]', side: int, y: float, gap: float, abscissa: float):
+    """Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]."""
+    work[side + SIDE_BEST] = gap
+    work[side + SIDE_BEST_Y] = y
+    work[side + SIDE_BEST_RAIL] = abscissa
+    return 0
 
 
 def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
@@ -99,13 +131,14 @@ def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: f
         roll = 0.0
     width = high - low
     known = 0
+    place_both(tables, work, roll)
     if warm == 1:
         balanced, known = balance(tables, work, state, roll, low, high)
         if known == 1:
             roll = balanced
     for i in range(SEARCHES):
         if known == 0:
-            place_both(tables, work, roll)
+            turn_both(work, roll)
         before_left = work[LEFT + SIDE_BEST_Y]
         before_right = work[RIGHT + SIDE_BEST_Y]
         if search_both(tables, work, state, known) == 0:

@@ -1,124 +1,211 @@
-"""The smallest vertical gap of one side: scan, bound, refine.
+"""The smallest vertical gap of one side: march, bound, refine.
 
-The gap has up to three local minima (tread, flange root, flange) that exchange rank.  The scan nodes lie on a fixed
-raster of the wheel profile.  Between two nodes the gap lies above its chord by no less than -M h^2 / 8, where M bounds
-its second derivative from above; where a lower bound of the second derivative is positive the cell is convex and holds
-one minimum at most.  Cells that could hold a value below the best one known are halved until neither is left open, so
-the global minimum is bounded and not assumed.
+The gap has up to three local minima (tread, flange root, flange) that exchange rank.  From a known place the search
+marches outwards over a fixed raster of the wheel profile.  Gap, slope and a lower bound of the second derivative tell how
+far the gap cannot have fallen below the best one known; that stretch, of up to 32 cells, is skipped.  Where not even one
+cell can be, the gap between its two nodes lies above its chord by no less than -M h^2 / 8, where M bounds its second
+derivative from above, and a cell that could still hold a smaller value is halved until that is settled.  So the global
+minimum is bounded and not assumed.
 """
 
 from math import fabs
 from typing import Final
 
 from .gap import FOLDED, above_rail, vertical_gap
-from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_Y, SIDE_FIRST,
-                     SIDE_GAP, SIDE_LAST, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
-from .locus import PLACE_ARM, PLACE_RADIUS, PLACE_SHIFT, PLACE_SIN_YAW, PLACE_YAWED, outline_point
-from .profile_table import START, STOP, find_piece, height_slope
+from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y,
+                     SIDE_FIRST, SIDE_LAST, SIDE_NODE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
+from .locus import PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED, outline_point
+from .profile_table import START, STOP, height_slope
 
-# the scan table: sizes, then the nodes, then the raster of the rail's bounds
+# the scan table: sizes, then the nodes, then the raster of the rail's bounds, then the first node of each bin
 SCAN_COUNT: Final[int] = 0           # nodes
 SCAN_RAIL_COUNT: Final[int] = 1      # cells of the rail's raster
 SCAN_RAIL_START: Final[int] = 2      # [m]
-SCAN_RAIL_STEP: Final[int] = 3       # [m]
+SCAN_RAIL_PER_METRE: Final[int] = 3
 SCAN_RAIL_OFFSET: Final[int] = 4
+SCAN_BIN_OFFSET: Final[int] = 5
+SCAN_BIN_COUNT: Final[int] = 6
+SCAN_BINS_PER_METRE: Final[int] = 7
 SCAN_NODES: Final[int] = 8
-SCAN_ROW: Final[int] = 5             # of a node:
+LEVELS: Final[int] = 6               # stretches of 1, 2, 4 ... 32 cells
+SCAN_ROW: Final[int] = 16            # of a node:
 ROW_Y: Final[int] = 0                # abscissa [m]
 ROW_HEIGHT: Final[int] = 1           # [m]
 ROW_SLOPE: Final[int] = 2
-ROW_LEAST_BEND: Final[int] = 3       # smallest and largest second derivative up to the next node [1/m]
-ROW_MOST_BEND: Final[int] = 4
-RAIL_ROW: Final[int] = 2             # smallest and largest second derivative around a cell of the rail's raster
+ROW_LEAST_BEND: Final[int] = 3       # smallest second derivative up to the next node [1/m]
+ROW_MOST_BENDS: Final[int] = 4       # largest one up to the node 1, 2, 4 ... further
+ROW_STEEPEST_BENDS: Final[int] = 10  # largest absolute value, likewise
+RAIL_ROW: Final[int] = 9             # of a cell of the rail's raster:
+RAIL_LEAST_BEND: Final[int] = 0      # smallest and largest second derivative around it [1/m]
+RAIL_MOST_BEND: Final[int] = 1
+RAIL_LEAST_BENDS: Final[int] = 2     # smallest one along a wheel's stretch of 1, 2, 4 ... 64 fine cells that starts in it
 
 #: Share by which roll and yaw change the second derivative of either profile, as seen along the track; with yaw also in
 #: proportion to how much the outline is stretched or folded.  Held against dense sampling in tests/test_rigid.py.
 YAWED_SHARE: Final[float] = 0.3
 STRETCHED_SHARE: Final[float] = 10.0
 ROLLED_SHARE: Final[float] = 0.02
-#: No cell dips further below its ends than this [m]: a flange root at 6 deg of yaw, 2.3 mm.  Bounds of higher cells are
-#: not looked up.
-DEEPEST: Final[float] = 4e-3
+#: Stretches of the wheel that are steeper than this somewhere are not skipped [-]; 71.5 deg.  On the others the outline is
+#: stretched by no more than the share ROLL_STRETCH sin(roll) + sin^2(yaw) (BEND_STRETCH r |r''| + STEEP_STRETCH), and its
+#: slope changes along the profile like r'' but for the share ROLL_BEND sin(roll) + YAW_BEND sin^2(yaw).
+STEEP: Final[float] = 3.0
+ROLL_STRETCH: Final[float] = 3.1
+BEND_STRETCH: Final[float] = 1.1
+STEEP_STRETCH: Final[float] = 10.0
+ROLL_BEND: Final[float] = 9.5
+YAW_BEND: Final[float] = 18.0
+#: Stretches that the yawed outline stretches or folds by more than this share are not skipped.
+WIDEST: Final[float] = 0.25
+#: A stretch of no more than this times its number of cells consists of fine cells only [m].
+FINE_CELL: Final[float] = 0.501e-3
+#: Without a known place the search begins at the best of every eighth node.
+PROBE_STRIDE: Final[int] = 8
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (3e-5 m)^2 / 8, 2e-9 m at worst.
 NARROW: Final[float] = 3.2e-5
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
-#: A known minimum that moves by more than this in a Newton step is looked for anew [m].
-LONGEST_MOVE: Final[float] = 5e-4
-FOLLOW_ITERATIONS: Final[int] = 12
 #: The end of the rail is located to this [m].
 END_SHARP: Final[float] = 1e-9
-#: The scan starts this far before the first wheel point that can be above the rail [m]: yaw and roll shift the outline.
-SCAN_LEAD: Final[float] = 0.03
 LARGE_GAP: Final[float] = 1e3
+#: Candidates for other regions that are listed to either side of the smallest gap; two or three occur.
+CANDIDATES: Final[int] = 16
 
 
-def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]'):
-    """Gap and rail abscissa at all scan nodes above the rail; the node with the smallest gap, -1 if there are not two."""
+def node_below(tables: 'float[:]', y: float):
+    """The scan node at or below ``y`` [m]; the second last one at most."""
     scan = int(tables[SET_SCAN])
-    rail = int(tables[SET_RAIL])
-    start = tables[rail + START]
-    stop = tables[rail + STOP]
-    lead = tables[SET_RAIL_Y] + start - place[at + PLACE_SHIFT] - place[at + PLACE_ARM] - SCAN_LEAD
-    first = -1
-    last = -1
-    node = -1
-    best = LARGE_GAP
-    for i in range(int(tables[scan + SCAN_COUNT])):
-        row = scan + SCAN_NODES + SCAN_ROW * i
-        if tables[row + ROW_Y] > lead:
-            y_track, z_track, outline_slope = outline_point(place, at, tables[row + ROW_Y], tables[row + ROW_HEIGHT],
-                                                            tables[row + ROW_SLOPE])
-            abscissa = y_track - tables[SET_RAIL_Y]
-            if abscissa >= start and abscissa <= stop:
-                piece = find_piece(tables, rail, abscissa)
-                u = abscissa - tables[piece]
-                height = tables[piece + 1] + u * (tables[piece + 2] + u * (tables[piece + 3] + u * (
-                    tables[piece + 4] + u * (tables[piece + 5] + u * tables[piece + 6]))))
-                gap = height - z_track
-                if first < 0:
-                    first = i
-                last = i
-                if gap < best:
-                    best = gap
-                    node = i
-                work[side + SIDE_GAP + i] = gap
-                work[side + SIDE_ABSCISSA + i] = abscissa
-            elif abscissa > stop and first >= 0:
-                break
-            else:
-                work[side + SIDE_GAP + i] = LARGE_GAP
-    work[side + SIDE_FIRST] = float(first)
-    work[side + SIDE_LAST] = float(last)
-    state[STATE_GAP_COUNT] += float(last - first + 1)
-    state[STATE_SCAN_COUNT] += 1.0
-    if last <= first:
-        node = -1
+    u = (y - tables[scan + SCAN_NODES + ROW_Y]) * tables[scan + SCAN_BINS_PER_METRE]
+    if not u > 0.0:
+        u = 0.0
+    if u > tables[scan + SCAN_BIN_COUNT] - 1.0:
+        u = tables[scan + SCAN_BIN_COUNT] - 1.0
+    node = int(tables[scan + int(tables[scan + SCAN_BIN_OFFSET]) + int(u)])
+    if node + 2 < int(tables[scan + SCAN_COUNT]) and tables[scan + SCAN_NODES + SCAN_ROW * (node + 1) + ROW_Y] <= y:
+        node += 1
     return node
+
+
+def node_gap(tables: 'float[:]', place: 'float[:]', at: int, node: int):
+    """Gap [m], slope difference rail - outline [-] and rail abscissa [m] at scan node ``node``."""
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node
+    y_track, z_track, outline_slope = outline_point(place, at, tables[row + ROW_Y], tables[row + ROW_HEIGHT],
+                                                    tables[row + ROW_SLOPE])
+    abscissa = y_track - tables[SET_RAIL_Y]
+    height, rail_slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+    return height - z_track, rail_slope - outline_slope, abscissa
+
+
+def rail_cell(tables: 'float[:]', abscissa: float):
+    """Place of ``abscissa`` [m] in the rail's raster, in cells."""
+    scan = int(tables[SET_SCAN])
+    return (abscissa - tables[scan + SCAN_RAIL_START]) * tables[scan + SCAN_RAIL_PER_METRE]
+
+
+def rail_row(tables: 'float[:]', u: float):
+    """Offset in ``tables`` of the rail raster's cell at place ``u``, or of the nearest."""
+    scan = int(tables[SET_SCAN])
+    if not u > 0.0:
+        u = 0.0
+    if u > tables[scan + SCAN_RAIL_COUNT] - 1.0:
+        u = tables[scan + SCAN_RAIL_COUNT] - 1.0
+    return scan + int(tables[scan + SCAN_RAIL_OFFSET]) + RAIL_ROW * int(u)
+
+
+def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direction: int, abscissa: float, excess: float,
+                slope: float, level: int, risen: int):
+    """The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m], or
+    with ``risen`` = 1 in which it only rises; from ``level`` downwards, -1 if there is none.
+
+    abscissa : where the stretch begins on the rail [m].
+    slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+
+    Along the wheel the slope difference rises by no less than m = rail'' - wheel'', each but for its share, and the gap by
+    that slope times the outline's stretch 1 +- w.
+    """
+    scan = int(tables[SET_SCAN])
+    count = int(tables[scan + SCAN_COUNT])
+    roll = fabs(place[at + PLACE_SIN_ROLL])
+    widened = ROLL_STRETCH * roll
+    share = ROLL_BEND * roll
+    per_bend = 0.0
+    if place[at + PLACE_YAWED] != 0.0:
+        square = place[at + PLACE_SIN_YAW] * place[at + PLACE_SIN_YAW]
+        widened += STEEP_STRETCH * square
+        share += YAW_BEND * square
+        per_bend = BEND_STRETCH * square * place[at + PLACE_RADIUS]
+    begin = rail_cell(tables, abscissa)
+    back = 0.0
+    if direction < 0:
+        back = (1.0 + WIDEST) * tables[scan + SCAN_RAIL_PER_METRE]
+    while level >= 0:
+        cells = 1 << level
+        first = node
+        if direction < 0:
+            first = node - cells
+        if first >= 0 and first + cells < count:
+            row = scan + SCAN_NODES + SCAN_ROW * first
+            length = tables[row + SCAN_ROW * cells + ROW_Y] - tables[row + ROW_Y]
+            stretch = widened + per_bend * tables[row + ROW_STEEPEST_BENDS + level]
+            if stretch < WIDEST:
+                rail = rail_row(tables, begin - back * length)
+                bend = tables[rail + RAIL_LEAST_BENDS + level]
+                if length > FINE_CELL * float(cells):
+                    bend = tables[rail + RAIL_LEAST_BENDS + level + 1]
+                wheel = tables[row + ROW_MOST_BENDS + level]
+                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
+                if largest_fall(slope, bend, length, stretch) <= excess:
+                    return level
+                if risen == 1 and slope >= 0.0 and slope + bend * length >= 0.0:
+                    return level
+        level -= 1
+    return level
+
+
+def leave_minimum(tables: 'float[:]', place: 'float[:]', at: int, cell: int, direction: int, abscissa: float):
+    """``clear_level`` from a minimum of the gap in ``cell``, at ``abscissa`` on the rail [m]: where the gap only rises.
+
+    The stretch is counted from the cell's far node, so that it covers the whole cell.
+    """
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
+    margin = (1.0 + WIDEST) * (tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y])
+    node = cell
+    start = abscissa - margin
+    if direction < 0:
+        node = cell + 1
+        start = abscissa + margin
+    return clear_level(tables, place, at, node, direction, start, 0.0, 0.0, LEVELS - 1, 0)
+
+
+def largest_fall(slope: float, bend: float, length: float, stretch: float):
+    """How far the gap can fall at most over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
+    than ``bend`` [1/m], on a wheel that is stretched by no more than the share ``stretch``."""
+    if bend >= 0.0:
+        if slope >= 0.0:
+            return 0.0
+        if -slope < bend * length:
+            return 0.5 * (1.0 + stretch) * slope * slope / bend
+    fall = -slope * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length
+    if fall < 0.0:
+        fall = 0.0
+    return fall
 
 
 def bend_bounds(tables: 'float[:]', place: 'float[:]', at: int, cell: int, abscissa: float):
     """Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
     the rail's ``abscissa`` [m]: rail minus wheel."""
-    scan = int(tables[SET_SCAN])
-    u = (abscissa - tables[scan + SCAN_RAIL_START]) / tables[scan + SCAN_RAIL_STEP]
-    if not u > 0.0:
-        u = 0.0
-    if u > tables[scan + SCAN_RAIL_COUNT] - 1.0:
-        u = tables[scan + SCAN_RAIL_COUNT] - 1.0
-    rail = scan + int(tables[scan + SCAN_RAIL_OFFSET]) + RAIL_ROW * int(u)
-    row = scan + SCAN_NODES + SCAN_ROW * cell
+    rail = rail_row(tables, rail_cell(tables, abscissa))
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
     share = ROLLED_SHARE
     if place[at + PLACE_YAWED] != 0.0:
         # how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''|
-        steepest = fabs(tables[row + ROW_MOST_BEND])
-        if fabs(tables[row + ROW_LEAST_BEND]) > steepest:
-            steepest = fabs(tables[row + ROW_LEAST_BEND])
         sine = place[at + PLACE_SIN_YAW]
-        share = YAWED_SHARE + STRETCHED_SHARE * sine * sine * place[at + PLACE_RADIUS] * steepest
-    least = tables[rail] - tables[row + ROW_MOST_BEND] - share * (fabs(tables[rail]) + fabs(tables[row + ROW_MOST_BEND]))
-    most = (tables[rail + 1] - tables[row + ROW_LEAST_BEND]
-            + share * (fabs(tables[rail + 1]) + fabs(tables[row + ROW_LEAST_BEND])))
+        share = YAWED_SHARE + STRETCHED_SHARE * sine * sine * place[at + PLACE_RADIUS] * tables[row + ROW_STEEPEST_BENDS]
+    least_rail = tables[rail + RAIL_LEAST_BEND]
+    most_rail = tables[rail + RAIL_MOST_BEND]
+    least_wheel = tables[row + ROW_LEAST_BEND]
+    most_wheel = tables[row + ROW_MOST_BENDS]
+    least = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel))
+    most = most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel))
     if not most > 0.0:
         most = 0.0
     return least, most
@@ -128,49 +215,112 @@ def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
                 known: int):
     """Put the smallest gap of the side and its abscissa into SIDE_BEST, SIDE_BEST_Y; 1 if there is one, else 0.
 
-    With ``known`` = 1 the two already hold a local minimum of this pose, and only a smaller one is looked for.
+    With ``known`` = 1 the two, and SIDE_BEST_RAIL, already hold a local minimum of this pose, and only a smaller one is
+    looked for.
     """
-    node = scan_side(tables, work, side, place, at, state)
-    if node < 0:
-        return 0
-    scan = int(tables[SET_SCAN])
-    if known == 0:
-        work[side + SIDE_BEST] = work[side + SIDE_GAP + node]
-        work[side + SIDE_BEST_Y] = tables[scan + SCAN_NODES + SCAN_ROW * node + ROW_Y]
-    first = int(work[side + SIDE_FIRST])
-    last = int(work[side + SIDE_LAST])
-    for i in range(first, last):
-        lowest = work[side + SIDE_GAP + i]
-        if work[side + SIDE_GAP + i + 1] < lowest:
-            lowest = work[side + SIDE_GAP + i + 1]
-        # most cells are far above; the bounds are looked up for the others only
-        if lowest < work[side + SIDE_BEST] + DEEPEST:
-            least, most = bend_bounds(tables, place, at, i, work[side + SIDE_ABSCISSA + i])
-            row = scan + SCAN_NODES + SCAN_ROW * i
-            low = tables[row + ROW_Y]
-            high = tables[row + SCAN_ROW + ROW_Y]
-            if lowest - most * (high - low) * (high - low) / 8.0 < work[side + SIDE_BEST]:
-                own = known == 1 and work[side + SIDE_BEST_Y] >= low and work[side + SIDE_BEST_Y] <= high
-                if not (own and least > 0.0):
-                    search_cell(tables, work, side, place, at, state, least, most, low, high)
-    search_ends(tables, work, side, place, at, state, first, last)
+    state[STATE_SCAN_COUNT] += 1.0
+    if known == 1:
+        cell = node_below(tables, work[side + SIDE_BEST_Y])
+        ahead = leave_minimum(tables, place, at, cell, 1, work[side + SIDE_BEST_RAIL])
+        behind = leave_minimum(tables, place, at, cell, -1, work[side + SIDE_BEST_RAIL])
+        if ahead >= 0 and behind >= 0:
+            march(tables, work, side, place, at, state, cell + (1 << ahead), 1)
+            march(tables, work, side, place, at, state, cell + 1 - (1 << behind), -1)
+            return 1
+        node = cell
+        gap, mismatch, abscissa = node_gap(tables, place, at, node)
+        if above_rail(tables, abscissa) == 0:
+            node = cell + 1
+    else:
+        work[side + SIDE_BEST] = LARGE_GAP
+        node = probe(tables, work, side, place, at, state, PROBE_STRIDE)
+        if node < 0:
+            node = probe(tables, work, side, place, at, state, 1)
+        if node < 0:
+            return 0
+    march(tables, work, side, place, at, state, node, 1)
+    march(tables, work, side, place, at, state, node, -1)
     return 1
 
 
-def search_ends(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
-                first: int, last: int):
-    """Search between the outermost scan nodes and the rail's ends, where the gap falls outwards."""
+def probe(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', stride: int):
+    """The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best known; -1 if
+    there is none."""
+    found = -1
+    node = 0
+    count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
+    while node < count:
+        gap, mismatch, abscissa = node_gap(tables, place, at, node)
+        state[STATE_GAP_COUNT] += 1.0
+        if above_rail(tables, abscissa) == 1:
+            if gap < work[side + SIDE_BEST]:
+                work[side + SIDE_BEST] = gap
+                work[side + SIDE_BEST_Y] = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
+                found = node
+        elif found >= 0:
+            return found
+        node += stride
+    return found
+
+
+def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', node: int,
+          direction: int):
+    """Search from scan node ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel."""
     scan = int(tables[SET_SCAN])
-    if first > 0 and work[side + SIDE_GAP + first] < work[side + SIDE_GAP + first + 1]:
-        search_end(tables, work, side, place, at, state, first, -1)
-    if last + 1 < int(tables[scan + SCAN_COUNT]) and work[side + SIDE_GAP + last] < work[side + SIDE_GAP + last - 1]:
-        search_end(tables, work, side, place, at, state, last, 1)
+    count = int(tables[scan + SCAN_COUNT])
+    level = LEVELS - 1
+    gap_before = LARGE_GAP
+    abscissa_before = 0.0
+    skipped = 1
+    while node >= 0 and node < count:
+        gap, mismatch, abscissa = node_gap(tables, place, at, node)
+        state[STATE_GAP_COUNT] += 1.0
+        if above_rail(tables, abscissa) == 0:
+            if skipped == 0:
+                search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before)
+            return 0
+        keep_best(work, side, tables[scan + SCAN_NODES + SCAN_ROW * node + ROW_Y], gap)
+        if skipped == 0:
+            if direction > 0:
+                bound_cell(tables, work, side, place, at, state, node - 1, gap_before, gap, abscissa_before)
+            else:
+                bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa)
+        gap_before = gap
+        abscissa_before = abscissa
+        level = clear_level(tables, place, at, node, direction, abscissa, gap - work[side + SIDE_BEST],
+                            float(direction) * mismatch, level, 0)
+        skipped = 1
+        if level < 0:
+            level = 0
+            skipped = 0
+        node += direction * (1 << level)
+        if level < LEVELS - 1:
+            level += 1
+    return 0
+
+
+def bound_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', cell: int,
+               gap_low: float, gap_high: float, abscissa: float):
+    """Search between the scan nodes ``cell`` and ``cell`` + 1 if the gap can be smaller there than the best one known.
+
+    gap_low, gap_high : at the two nodes [m].
+    abscissa : of the first one on the rail [m].
+    """
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
+    low = tables[row + ROW_Y]
+    high = tables[row + SCAN_ROW + ROW_Y]
+    least, most = bend_bounds(tables, place, at, cell, abscissa)
+    lowest = gap_low
+    if gap_high < lowest:
+        lowest = gap_high
+    if lowest - most * (high - low) * (high - low) / 8.0 < work[side + SIDE_BEST]:
+        search_cell(tables, work, side, place, at, state, least, most, low, high)
     return 0
 
 
 def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', node: int,
-               outward: int):
-    """Search between scan node ``node`` and the end of the rail beyond it."""
+               outward: int, abscissa: float):
+    """Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail beyond it."""
     scan = int(tables[SET_SCAN])
     row = scan + SCAN_NODES + SCAN_ROW * node
     inner = tables[row + ROW_Y]
@@ -185,7 +335,6 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
         else:
             outside = middle
     cell = node
-    abscissa = work[side + SIDE_ABSCISSA + node]
     if outward < 0:
         cell = node - 1
         abscissa = tables[int(tables[SET_RAIL]) + START]
@@ -194,6 +343,84 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
         search_cell(tables, work, side, place, at, state, -1.0, most, inside, inner)
     elif inside > inner:
         search_cell(tables, work, side, place, at, state, -1.0, most, inner, inside)
+    return 0
+
+
+def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
+              reach: float, abscissa: float):
+    """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours,
+    below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+
+    SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
+    by rising abscissa.
+    """
+    cell = node_below(tables, work[side + SIDE_BEST_Y])
+    work[side + SIDE_FIRST] = float(CANDIDATES)
+    work[side + SIDE_LAST] = float(CANDIDATES - 1)
+    ahead = leave_minimum(tables, place, at, cell, 1, abscissa)
+    if ahead < 0:
+        ahead = 0
+    scan_on(tables, work, side, place, at, state, reach, cell + (1 << ahead), 1)
+    behind = leave_minimum(tables, place, at, cell, -1, abscissa)
+    if behind < 0:
+        behind = 0
+    scan_on(tables, work, side, place, at, state, reach, cell + 1 - (1 << behind), -1)
+    return 0
+
+
+def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
+            node: int, direction: int):
+    """``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1).
+
+    Stretches are skipped in which the gap only rises, or stays above ``reach``.
+    """
+    count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
+    level = LEVELS - 1
+    # the gap at the node before: after a rise it is smaller, coming from above it is larger
+    before = -LARGE_GAP
+    abscissa_before = 0.0
+    fallen = 0
+    while node >= 0 and node < count:
+        gap, mismatch, abscissa = node_gap(tables, place, at, node)
+        state[STATE_GAP_COUNT] += 1.0
+        if above_rail(tables, abscissa) == 0:
+            return 0
+        if fallen == 1 and gap > before:
+            list_candidate(work, side, node - direction, direction, abscissa_before)
+        fallen = 0
+        if gap <= before and gap < reach:
+            fallen = 1
+        level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level, 1)
+        cells = 1
+        before = gap
+        abscissa_before = abscissa
+        if level > 0:
+            cells = 1 << level
+            if fallen == 1:
+                # the next node is higher; it counts if it is above the rail
+                cells = 1
+            elif gap < reach:
+                before = -LARGE_GAP
+            else:
+                before = LARGE_GAP
+        if level < LEVELS - 1:
+            level += 1
+        node += direction * cells
+    return 0
+
+
+def list_candidate(work: 'float[:]', side: int, node: int, direction: int, abscissa: float):
+    """Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning."""
+    entry = int(work[side + SIDE_LAST]) + 1
+    if direction < 0:
+        entry = int(work[side + SIDE_FIRST]) - 1
+    if entry >= 0 and entry < 2 * CANDIDATES:
+        work[side + SIDE_NODE + entry] = float(node)
+        work[side + SIDE_ABSCISSA + entry] = abscissa
+        if direction < 0:
+            work[side + SIDE_FIRST] = float(entry)
+        else:
+            work[side + SIDE_LAST] = float(entry)
     return 0
 
 
@@ -280,25 +507,3 @@ def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float
             break
         y = following
     return y, gap
-
-
-def follow_minimum(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]'):
-    """Refine the side's known minimum after a small change of pose; 1 if it is found again close by, else 0.
-
-    Between nearly conformal profiles it can run away or vanish.
-    """
-    y = work[side + SIDE_BEST_Y]
-    for k in range(FOLLOW_ITERATIONS):
-        gap, mismatch, rate = vertical_gap(tables, place, at, y)
-        state[STATE_GAP_COUNT] += 1.0
-        if not rate > 0.0:
-            return 0
-        move = -mismatch / rate
-        if fabs(move) < SHARP:
-            work[side + SIDE_BEST] = gap
-            work[side + SIDE_BEST_Y] = y
-            return 1
-        if not fabs(move) < LONGEST_MOVE:
-            return 0
-        y += move
-    return 0

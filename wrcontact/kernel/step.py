@@ -4,15 +4,20 @@ The recipe: check the inputs, find the roll at which both wheels touch, describe
 """
 
 from math import fabs, isfinite
+from typing import Final
 
 from .contact_point import describe_contact
 from .layout import (INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL_GUESS,
                      IN_YAW, NOT_CONVERGED, OFF_PROFILE, OUTPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUT_ROLL,
                      OUT_VERTICAL_SHIFT, SET_LATERAL_LIMIT, SET_PENETRATION_LEFT, SET_YAW_LIMIT, SIDE_BEST,
-                     SIDE_BEST_Y, SIDE_BLOCK, SIDE_SIZE, STATE_ROLL, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, UNLOADED,
-                     VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE)
+                     SIDE_BEST_Y, SIDE_BLOCK, SIDE_SIZE, STATE_ROLL, STATE_SHIFT, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT,
+                     UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE)
 from .normal_contact import solve_normal
 from .roll import solve_roll
+from .starts import START_LEFT, START_RIGHT, START_ROLL, nearest_start
+
+#: After a longer lateral move the search does not start at the last contacts [m].
+NEAR_SHIFT: Final[float] = 2e-4
 
 
 def inputs_valid(work: 'float[:]'):
@@ -60,14 +65,23 @@ def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
 
 
 def find_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts where none is given."""
+    """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has moved little,
+    or at those known near its lateral shift."""
+    shift = work[WORK_INPUTS + IN_LATERAL_SHIFT]
     guess = work[WORK_INPUTS + IN_ROLL_GUESS]
     warm = 0
-    if state[STATE_WARM] == 1.0 and guess == 0.0:
-        guess = state[STATE_ROLL]
-        work[WORK_SIDE + SIDE_BEST_Y] = state[STATE_Y_LEFT]
-        work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y] = state[STATE_Y_RIGHT]
-        warm = 1
+    if guess == 0.0:
+        row = nearest_start(tables, shift)
+        if state[STATE_WARM] == 1.0 and (row < 0 or fabs(shift - state[STATE_SHIFT]) < NEAR_SHIFT):
+            guess = state[STATE_ROLL]
+            work[WORK_SIDE + SIDE_BEST_Y] = state[STATE_Y_LEFT]
+            work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y] = state[STATE_Y_RIGHT]
+            warm = 1
+        elif row >= 0:
+            guess = tables[row + START_ROLL]
+            work[WORK_SIDE + SIDE_BEST_Y] = tables[row + START_LEFT]
+            work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y] = tables[row + START_RIGHT]
+            warm = 1
     return solve_roll(tables, work, state, guess, warm)
 
 
@@ -93,6 +107,7 @@ def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
         state[STATE_ROLL] = roll
         state[STATE_Y_LEFT] = work[WORK_SIDE + SIDE_BEST_Y]
         state[STATE_Y_RIGHT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y]
+        state[STATE_SHIFT] = work[WORK_INPUTS + IN_LATERAL_SHIFT]
         state[STATE_WARM] = 1.0
     return status
 

@@ -130,4 +130,4 @@ def _table(pieces, stop):
     for row, (low, coefficients) in zip(body, pieces):
         row[0] = low * MM
         row[1:] = np.asarray(coefficients) * scale
-    return np.concatenate([head, first.astype(float), body.ravel()])
+    return np.concatenate([head, head[layout.PIECE_OFFSET] + layout.PIECE_SIZE * first, body.ravel()])

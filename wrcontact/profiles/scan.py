@@ -11,51 +11,109 @@ COARSE_STEP = 1.0e-3  # [m]
 FINE_STEP = 0.5e-3    # [m]
 #: Where the wheel's second derivative stays below this the coarse step does [1/m]: 20 (1e-3)^2 / 8 = 2.5 um.
 STRAIGHT = 20.0
-SAMPLES = 33          # of the second derivative in a raster cell
+TOO_STEEP = 1e9       # [1/m]
+SAMPLES = 17          # of the second derivative in a piece, a cubic there
 
 
 def scan_table(wheel, rail):
-    """Scan nodes on the wheel (height, slope, smallest second derivative up to the next node) and the rail's largest
-    second derivative around each cell of its raster, from both compiled profile tables.
+    """Scan nodes on the wheel and raster of the rail, each with bounds of the second derivative over stretches of 1, 2, 4
+    ... cells, from both compiled profile tables.
 
     Raises
     ------
     ValueError
         when the wheel is wider than the raster.
     """
-    wheel_start, wheel_stop = wheel[[profile_table.START, profile_table.STOP]]
-    rail_start, rail_stop = rail[[profile_table.START, profile_table.STOP]]
-    y = _raster(wheel, wheel_start, wheel_stop)
+    wheel_bends, rail_bends = BendRange(wheel), BendRange(rail)
+    y, first = _raster(wheel_bends)
     if len(y) > SCAN_LIMIT:
-        raise ValueError(f"the wheel profile is {wheel_stop - wheel_start:.4g} m wide; permitted are at most "
+        raise ValueError(f"the wheel profile is {wheel_bends.stop - wheel_bends.start:.4g} m wide; permitted are at most "
                          f"{SCAN_LIMIT * FINE_STEP:.4g} m")
+    nodes, bounds = _wheel_rows(wheel, wheel_bends, y), _rail_rows(rail_bends)
+    head = np.zeros(layout.SCAN_NODES)
+    head[layout.SCAN_COUNT], head[layout.SCAN_RAIL_COUNT] = len(y), len(bounds)
+    head[layout.SCAN_RAIL_START], head[layout.SCAN_RAIL_PER_METRE] = rail_bends.start, 1.0 / FINE_STEP
+    head[layout.SCAN_RAIL_OFFSET] = layout.SCAN_NODES + nodes.size
+    head[layout.SCAN_BIN_OFFSET] = head[layout.SCAN_RAIL_OFFSET] + bounds.size
+    head[layout.SCAN_BIN_COUNT], head[layout.SCAN_BINS_PER_METRE] = len(first), 1.0 / COARSE_STEP
+    return np.concatenate([head, nodes.ravel(), bounds.ravel(), first.astype(float)])
+
+
+class BendRange:
+    """Range of the second derivative and the slope of a compiled profile between two abscissae.
+
+    Every piece is sampled with both its ends, so that a jump of curvature counts with both its sides.
+    """
+
+    def __init__(self, table):
+        self.table = table
+        self.start, self.stop = table[[profile_table.START, profile_table.STOP]]
+        pieces = table[int(table[profile_table.PIECE_OFFSET]):].reshape(-1, profile_table.PIECE_SIZE)[:-1]
+        widths = np.diff(np.append(pieces[:, 0], self.stop))[:, None]
+        u = widths * np.linspace(0.0, 1.0, SAMPLES)
+        c1, c2, c3, c4, c5 = (column[:, None] for column in pieces[:, 2:].T)
+        self._y = (pieces[:, :1] + u).ravel()
+        self._slopes = (c1 + u * (2 * c2 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5)))).ravel()
+        self._bends = (2 * c2 + u * (6 * c3 + u * (12 * c4 + u * 20 * c5))).ravel()
+
+    def between(self, low, high):
+        """Smallest and largest second derivative [1/m] and largest absolute slope [-], three arrays (n,), between ``low``
+        and ``high`` (n,), clipped to the profile."""
+        low, high = np.clip(low, self.start, self.stop), np.clip(high, self.start, self.stop)
+        _, slopes, bends = evaluate_table(self.table, np.stack([low, high]))
+        samples = np.searchsorted(self._y, low), np.searchsorted(self._y, high, side="right")
+        return (np.minimum(bends.min(axis=0), _over(np.minimum, self._bends, *samples, np.inf)),
+                np.maximum(bends.max(axis=0), _over(np.maximum, self._bends, *samples, -np.inf)),
+                np.maximum(np.abs(slopes).max(axis=0), _over(np.maximum, np.abs(self._slopes), *samples, 0.0)))
+
+
+def _over(extreme, values, first, last, nothing):
+    """``extreme`` (n,) of values[first:last] for arrays (n,) of indices, and ``nothing`` where these are empty."""
+    ends = np.stack([first, last], axis=1).ravel()
+    return np.where(last > first, extreme.reduceat(np.append(values, nothing), ends)[::2], nothing)
+
+
+def _wheel_rows(wheel, bends, y):
+    """Rows of the nodes ``y`` (n,), see search.ROW_...; stretches end with the table.
+
+    Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
+    """
     nodes = np.zeros((len(y), layout.SCAN_ROW))
     nodes[:, layout.ROW_Y] = y
     nodes[:, layout.ROW_HEIGHT], nodes[:, layout.ROW_SLOPE], _ = evaluate_table(wheel, y)
-    nodes[:-1, layout.ROW_LEAST_BEND], nodes[:-1, layout.ROW_MOST_BEND] = _bend_range(wheel, y[:-1], y[1:])
-    rail_count = int(np.ceil((rail_stop - rail_start) / FINE_STEP))
-    edges = rail_start + FINE_STEP * np.arange(rail_count)
+    last = len(y) - 1
+    for level in range(layout.LEVELS):
+        least, most, steepest = bends.between(y, y[np.minimum(np.arange(len(y)) + 2**level, last)])
+        nodes[:, layout.ROW_MOST_BENDS + level] = np.where(steepest < layout.STEEP, most, TOO_STEEP)
+        nodes[:, layout.ROW_STEEPEST_BENDS + level] = np.maximum(np.abs(least), np.abs(most))
+        if level == 0:
+            nodes[:, layout.ROW_LEAST_BEND] = least
+    return nodes
+
+
+def _rail_rows(bends):
+    """Rows of the rail's raster, see search.RAIL_...
+
+    A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
+    """
+    count = int(np.ceil((bends.stop - bends.start) / FINE_STEP))
+    edges = bends.start + FINE_STEP * np.arange(count)
+    rows = np.zeros((count, layout.RAIL_ROW))
     # a wheel cell starts in a raster cell and is COARSE_STEP long, a quarter more when yawed
-    bounds = np.stack(_bend_range(rail, edges - FINE_STEP, edges + FINE_STEP + 1.5 * COARSE_STEP), axis=1)
-    head = np.zeros(layout.SCAN_NODES)
-    head[layout.SCAN_COUNT], head[layout.SCAN_RAIL_COUNT] = len(y), rail_count
-    head[layout.SCAN_RAIL_START], head[layout.SCAN_RAIL_STEP] = rail_start, FINE_STEP
-    head[layout.SCAN_RAIL_OFFSET] = layout.SCAN_NODES + nodes.size
-    return np.concatenate([head, nodes.ravel(), bounds.ravel()])
+    rows[:, layout.RAIL_LEAST_BEND], rows[:, layout.RAIL_MOST_BEND] = bends.between(edges - FINE_STEP,
+                                                                                    edges + FINE_STEP + 1.5 * COARSE_STEP)[:2]
+    for level in range(layout.LEVELS + 1):
+        length = FINE_STEP * (1.01 + (1.0 + layout.WIDEST) * 1.01 * 2**level)
+        rows[:, layout.RAIL_LEAST_BENDS + level] = bends.between(edges - 0.01 * FINE_STEP, edges + length)[0]
+    return rows
 
 
-def _raster(wheel, start, stop):
-    """Abscissae (n,) of the scan nodes: COARSE_STEP apart where the wheel is nearly straight, else FINE_STEP."""
-    count = int((stop - start) / COARSE_STEP)
-    edges = start + 0.5 * (stop - start - count * COARSE_STEP) + COARSE_STEP * np.arange(count + 1)
-    least, most = _bend_range(wheel, edges[:-1], edges[1:])
+def _raster(bends):
+    """Abscissae (n,) of the scan nodes, COARSE_STEP apart where the wheel is nearly straight, else FINE_STEP; and the
+    number of the first node in each coarse step."""
+    count = int((bends.stop - bends.start) / COARSE_STEP)
+    edges = bends.start + 0.5 * (bends.stop - bends.start - count * COARSE_STEP) + COARSE_STEP * np.arange(count + 1)
+    least, most, _ = bends.between(edges[:-1], edges[1:])
     halved = np.maximum(np.abs(least), np.abs(most)) > STRAIGHT
-    return np.sort(np.concatenate([edges, edges[:-1][halved] + FINE_STEP]))
-
-
-def _bend_range(table, low, high):
-    """Smallest and largest second derivative (n,) between ``low`` and ``high`` (n,), clipped to the profile."""
-    share = np.linspace(0.0, 1.0, SAMPLES)
-    y = np.clip(low[:, None] + (high - low)[:, None] * share, table[profile_table.START], table[profile_table.STOP])
-    bends = evaluate_table(table, y)[2]
-    return bends.min(axis=1), bends.max(axis=1)
+    y = np.sort(np.concatenate([edges, edges[:-1][halved] + FINE_STEP]))
+    return y, np.arange(count) + np.concatenate([[0], np.cumsum(halved)[:-1]])

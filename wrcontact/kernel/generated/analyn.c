@@ -19,7 +19,7 @@
  *
  * Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
  */
-static double analyn__bend_of(double before, double low, double high)
+static inline double analyn__bend_of(double before, double low, double high)
 {
     double limit;
     double bend;
@@ -37,7 +37,7 @@ static double analyn__bend_of(double before, double low, double high)
 }
 
 /* The loaded part [from, to] of a cell, as shares of it counted from its inner node. */
-static int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high)
+static inline int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high)
 {
     double bend;
     double slope;
@@ -76,7 +76,7 @@ static int64_t analyn__cell_part(double* start, double* stop, double d_before, d
 }
 
 /* Integral over [start, stop] of the quadratic of ``bend_of``. */
-static double analyn__quadratic_integral(double before, double low, double high, double start, double stop)
+static inline double analyn__quadratic_integral(double before, double low, double high, double start, double stop)
 {
     double bend;
     double slope;
@@ -90,7 +90,7 @@ static double analyn__quadratic_integral(double before, double low, double high,
 }
 
 /* ``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell. */
-static double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop)
+static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop)
 {
     double spacing;
     double reach;
@@ -112,7 +112,7 @@ static double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t
 }
 
 /* Load [N] of ``region`` at local penetration ``level`` [m] and its derivative [N/m]. */
-static int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level)
+static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level)
 {
     int64_t block;
     double spacing;
@@ -192,7 +192,7 @@ static int64_t analyn__region_load(double* result_0, double* result_1, array_dou
 }
 
 /* What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself. */
-static double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
+static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
 {
     double distance;
     double result;
@@ -206,7 +206,7 @@ static double analyn__influence(array_double_1d tables, array_double_1d work, in
 }
 
 /* Loads and stiffnesses of all regions at their levels; the total load [N]. */
-static double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count)
+static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count)
 {
     int64_t i;
     int64_t block;
@@ -228,7 +228,7 @@ static double analyn__load_regions(array_double_1d tables, array_double_1d work,
 /* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
  * all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
  */
-static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp)
+static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp)
 {
     int64_t i;
     double low;
@@ -312,7 +312,7 @@ static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_000
  * Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
  * Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
  */
-static int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration)
+static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration)
 {
     int64_t i;
     int64_t block;
@@ -377,7 +377,7 @@ static int64_t analyn__level_residuals(double* largest, double* slope, double* r
 }
 
 /* Move the levels with the penetration by ``move`` [m] and close their residuals. */
-static int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move)
+static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move)
 {
     int64_t i;
     int64_t block;

@@ -28,15 +28,15 @@ static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
 static const double analyn__HIGHEST = 1000.0;
 
-static double analyn__bend_of(double before, double low, double high);
-static int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
-static double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
-static double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
-static int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
-static double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second);
-static double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
-static int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);
-static int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
-static int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp);
+static inline double analyn__bend_of(double before, double low, double high);
+static inline int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
+static inline double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
+static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
+static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
+static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second);
+static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
+static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);
+static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
+static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp);
 
 #endif

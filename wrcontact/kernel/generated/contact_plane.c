@@ -10,38 +10,58 @@
 
 #include "contact_plane.h"
 
-/* Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there. */
-static int64_t contact_plane__open_frame(array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
+/* Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there.
+ *
+ * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
+ * much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
+ */
+static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
 {
-    double z;
-    double slope;
     double bend;
-    double y_track;
     double z_track;
     double outline_slope;
+    double stretch;
+    double outline_rate;
     double abscissa;
     double height;
-    double rail_slope;
     double rail_bend;
     double cosine;
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    abscissa = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope_bend(&height, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-    cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope);
+    double sine;
+    double cube;
+    double per_stretch;
+    profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, (*z), (*slope), bend);
+    abscissa = (*y_track) - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
+    sine = (*rail_slope) * cosine;
     (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) = abscissa;
     (*cspan_at(&work, contact_plane__FRAME_HEIGHT)) = height;
     (*cspan_at(&work, contact_plane__FRAME_Y)) = y;
     (*cspan_at(&work, contact_plane__FRAME_COS)) = cosine;
-    (*cspan_at(&work, contact_plane__FRAME_SIN)) = rail_slope * cosine;
+    (*cspan_at(&work, contact_plane__FRAME_SIN)) = sine;
     (*cspan_at(&work, contact_plane__FRAME_SHIFT)) = shift;
     (*cspan_at(&work, contact_plane__FRAME_PLACE)) = (double)(at);
+    (*cspan_at(&work, contact_plane__FRAME_Z)) = (*z);
+    (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine;
+    (*cspan_at(&work, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine;
+    (*cspan_at(&work, contact_plane__FRAME_LIFT)) = z_track + shift - height;
+    cube = cosine * cosine * cosine;
+    per_stretch = 1.0 / stretch;
+    (*cspan_at(&work, contact_plane__FRAME_RAIL_BEND)) = (-rail_bend) * sine * cube;
+    (*cspan_at(&work, contact_plane__FRAME_WHEEL_RATE)) = cosine * per_stretch;
+    (*cspan_at(&work, contact_plane__FRAME_WHEEL_BEND)) = (-outline_rate) * sine * cube * per_stretch * per_stretch;
     contact_plane__start_tracer(work, 0.0, abscissa, y);
-    return INT64_C(0);
+    (*mismatch) = (*rail_slope) - outline_slope;
+    if (!(stretch > 0.0))
+    {
+        (*mismatch) = gap__FOLDED;
+    }
+    return 0;
 }
 
 /* Let the tracer stand at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]. */
-static int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y)
+static inline int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y)
 {
     (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
     (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
@@ -50,6 +70,12 @@ static int64_t contact_plane__start_tracer(array_double_1d work, double station,
     (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = 0.0;
+    if (station == 0.0)
+    {
+        (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND)) = (*cspan_at(&work, contact_plane__FRAME_RAIL_BEND));
+        (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_WHEEL_RATE));
+        (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (*cspan_at(&work, contact_plane__FRAME_WHEEL_BEND));
+    }
     return INT64_C(0);
 }
 
@@ -60,7 +86,7 @@ static int64_t contact_plane__start_tracer(array_double_1d work, double station,
  * source's eq. (6.1).
  * basic: 1/r.
  */
-static double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend)
+static inline double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend)
 {
     double r;
     double sin_phi;
@@ -98,80 +124,129 @@ static double contact_plane__longitudinal_curvature(array_double_1d tables, arra
     return curvature;
 }
 
-/* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists. */
-static int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
+/* Profile abscissa ``away`` from the tracer's station [m]; ``tracer`` is TRACER_RAIL or TRACER_WHEEL. */
+static inline double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away)
 {
-    int64_t rail;
+    double u;
+    u = (*cspan_at(&work, tracer)) + away * (*cspan_at(&work, tracer + INT64_C(1)));
+    if (fabs(away) < contact_plane__NEAR)
+    {
+        u += 0.5 * away * away * (*cspan_at(&work, tracer + INT64_C(2)));
+    }
+    return u;
+}
+
+/* Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope there [-], its
+ * height [m], and 1 if it exists.
+ *
+ * tracer : TRACER_RAIL or TRACER_WHEEL.
+ * frame : where cosine and sine of the plane's angle against the profile stand.
+ * origin, height_there : the profile's point at station zero [m].
+ */
+static inline int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
+{
     double cosine;
     double sine;
-    double away;
+    double start;
+    double stop;
     double u;
     double offset;
     double forward;
-    double height;
-    double slope;
     double bend;
     int64_t i;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-    sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
-    away = station - (*cspan_at(&work, contact_plane__TRACER_STATION));
-    u = (*cspan_at(&work, contact_plane__TRACER_RAIL)) + away * (*cspan_at(&work, contact_plane__TRACER_RAIL_RATE));
-    if (fabs(away) < contact_plane__NEAR)
-    {
-        u += 0.5 * away * away * (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND));
-    }
-    (*exists) = INT64_C(1);
+    double along;
+    cosine = (*cspan_at(&work, frame));
+    sine = (*cspan_at(&work, frame + INT64_C(1)));
+    start = (*cspan_at(&tables, base + profile_table__START));
+    stop = (*cspan_at(&tables, base + profile_table__STOP));
+    u = contact_plane__first_abscissa(work, tracer, station - (*cspan_at(&work, contact_plane__TRACER_STATION)));
+    (*exists) = INT64_C(0);
     offset = 0.0;
     forward = 1.0;
-    height = 0.0;
-    slope = 0.0;
+    (*height) = 0.0;
+    (*slope) = 0.0;
     bend = 0.0;
     for (i = INT64_C(0); i < contact_plane__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (u < (*cspan_at(&tables, rail + profile_table__START)))
+        if (u < start)
         {
-            u = (*cspan_at(&tables, rail + profile_table__START));
+            u = start;
         }
-        if (u > (*cspan_at(&tables, rail + profile_table__STOP)))
+        if (u > stop)
         {
-            u = (*cspan_at(&tables, rail + profile_table__STOP));
+            u = stop;
         }
-        profile_table__height_slope_bend(&height, &slope, &bend, tables, rail, u);
-        forward = cosine + slope * sine;
-        offset = (u - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * cosine + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * sine - station;
+        profile_table__height_slope_bend(height, slope, &bend, tables, base, u);
+        forward = cosine + (*slope) * sine;
+        offset = (u - origin) * cosine + ((*height) - height_there) * sine - station;
         if (fabs(offset) < tolerance)
         {
+            if (forward > 0.0)
+            {
+                (*exists) = INT64_C(1);
+            }
             break;
         }
         u -= offset / forward;
     }
-    if (!((fabs(offset) < tolerance) && (forward > 0.0)))
-    {
-        (*exists) = INT64_C(0);
-    }
-    (*rate) = (sine - slope * cosine) / forward;
-    (*ordinate) = (u - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * sine - (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * cosine - offset * (*rate);
-    (*cspan_at(&work, contact_plane__TRACER_RAIL)) = u - offset / forward;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL_RATE)) = 1.0 / forward;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND)) = (-bend) * sine / (forward * forward * forward);
-    (*result_2) = (-bend) / (forward * forward * forward);
+    along = 1.0 / forward;
+    (*rate) = (sine - (*slope) * cosine) * along;
+    (*turn) = (-bend) * along * along * along;
+    (*cspan_at(&work, tracer)) = u - offset * along;
+    (*cspan_at(&work, tracer + INT64_C(1))) = along;
+    (*cspan_at(&work, tracer + INT64_C(2))) = (*turn) * sine;
+    (*result_0) = (u - origin) * sine - ((*height) - height_there) * cosine - offset * (*rate);
+    return 0;
+}
+
+/* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists. */
+static inline int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
+{
+    double slope;
+    double height;
+    contact_plane__trace_profile(ordinate, rate, bend, &slope, &height, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), contact_plane__TRACER_RAIL, contact_plane__FRAME_COS, station, tolerance, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), (*cspan_at(&work, contact_plane__FRAME_HEIGHT)));
     return 0;
 }
 
 /* Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
  * ``station``; and 1 if it exists.
+ *
+ * Without yaw the outline is the profile, turned by the roll.
  */
-static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* result_2, double* result_3, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
+static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance)
+{
+    int64_t at;
+    double lift;
+    double slope;
+    double z;
+    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
+    if ((*cspan_at(&work, at + locus__PLACE_YAWED)) == 0.0)
+    {
+        lift = (*cspan_at(&work, contact_plane__FRAME_LIFT));
+        contact_plane__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), contact_plane__TRACER_WHEEL, contact_plane__FRAME_WHEEL_COS, station - lift * (*cspan_at(&work, contact_plane__FRAME_SIN)), tolerance, (*cspan_at(&work, contact_plane__FRAME_Y)), (*cspan_at(&work, contact_plane__FRAME_Z)));
+        (*ordinate) -= lift * (*cspan_at(&work, contact_plane__FRAME_COS));
+        (*curvature) = contact_plane__longitudinal_curvature(tables, work, at, z, slope, (*bend));
+    }
+    else
+    {
+        contact_plane__trace_outline(ordinate, rate, bend, curvature, exists, tables, work, at, station, tolerance);
+    }
+    return 0;
+}
+
+/* ``trace_wheel`` with yaw. */
+static inline int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance)
 {
     int64_t wheel;
-    int64_t at;
     double cosine;
     double sine;
-    double away;
+    double start;
+    double stop;
+    double left;
+    double above;
     double y;
     double offset;
-    double forward;
+    double along;
     double across;
     double up;
     double stretch;
@@ -183,21 +258,19 @@ static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double
     int64_t i;
     double y_track;
     double z_track;
-    double along;
-    double outline_bend;
+    double per_along;
+    double per_stretch;
     wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
     cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
     sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
-    away = station - (*cspan_at(&work, contact_plane__TRACER_STATION));
-    y = (*cspan_at(&work, contact_plane__TRACER_WHEEL)) + away * (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE));
-    if (fabs(away) < contact_plane__NEAR)
-    {
-        y += 0.5 * away * away * (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND));
-    }
-    (*exists) = INT64_C(1);
+    start = (*cspan_at(&tables, wheel + profile_table__START));
+    stop = (*cspan_at(&tables, wheel + profile_table__STOP));
+    left = (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+    above = (*cspan_at(&work, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
+    y = contact_plane__first_abscissa(work, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, contact_plane__TRACER_STATION)));
+    (*exists) = INT64_C(0);
     offset = 0.0;
-    forward = 1.0;
+    along = 1.0;
     across = 0.0;
     up = 0.0;
     stretch = 1.0;
@@ -208,39 +281,39 @@ static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double
     outline_rate = 0.0;
     for (i = INT64_C(0); i < contact_plane__TRACE_ITERATIONS; i += INT64_C(1))
     {
-        if (y < (*cspan_at(&tables, wheel + profile_table__START)))
+        if (y < start)
         {
-            y = (*cspan_at(&tables, wheel + profile_table__START));
+            y = start;
         }
-        if (y > (*cspan_at(&tables, wheel + profile_table__STOP)))
+        if (y > stop)
         {
-            y = (*cspan_at(&tables, wheel + profile_table__STOP));
+            y = stop;
         }
         profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, z, slope, bend);
-        across = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-        up = z_track + (*cspan_at(&work, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-        forward = stretch * (cosine + outline_slope * sine);
+        across = y_track - left;
+        up = z_track + above;
+        along = cosine + outline_slope * sine;
         offset = across * cosine + up * sine - station;
         if (fabs(offset) < tolerance)
         {
+            if (stretch * along > 0.0)
+            {
+                (*exists) = INT64_C(1);
+            }
             break;
         }
-        y -= offset / forward;
+        y -= offset / (stretch * along);
     }
-    if (!((fabs(offset) < tolerance) && (forward > 0.0)))
-    {
-        (*exists) = INT64_C(0);
-    }
-    along = cosine + outline_slope * sine;
-    (*rate) = (sine - outline_slope * cosine) / along;
-    (*ordinate) = across * sine - up * cosine - offset * (*rate);
-    outline_bend = outline_rate / (stretch * along * along * along);
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y - offset / forward;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = 1.0 / forward;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (-outline_bend) * sine / stretch;
-    (*result_2) = -outline_bend;
-    (*result_3) = contact_plane__longitudinal_curvature(tables, work, at, z, slope, bend);
+    per_along = 1.0 / along;
+    per_stretch = 1.0 / stretch;
+    (*rate) = (sine - outline_slope * cosine) * per_along;
+    (*turn) = (-outline_rate) * per_stretch * per_along * per_along * per_along;
+    (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y - offset * per_along * per_stretch;
+    (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = per_along * per_stretch;
+    (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (*turn) * sine * per_stretch;
+    (*curvature) = contact_plane__longitudinal_curvature(tables, work, at, z, slope, bend);
+    (*result_0) = across * sine - up * cosine - offset * (*rate);
     return 0;
 }
 
@@ -248,7 +321,7 @@ static int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double
  *
  * NO_GAP where a profile has ended.
  */
-static int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
+static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
 {
     double rail_height;
     double rail_rate;

@@ -9,24 +9,17 @@
  *
  * 1 if the profiles are parallel at the smallest gap, else 0.
  */
-static int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift)
+static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift)
 {
     int64_t side;
     int64_t at;
     int64_t out;
     double y;
-    double gap;
-    double mismatch;
-    double rate;
     double z;
     double slope;
-    double bend;
     double y_track;
-    double z_track;
-    double outline_slope;
-    double abscissa;
-    double z_rail;
     double rail_slope;
+    double mismatch;
     double sin_phi;
     double cos_phi;
     double r;
@@ -36,29 +29,24 @@ static int64_t contact_point__describe_contact(array_double_1d tables, array_dou
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
     y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
-    gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    abscissa = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, shift);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
     r = (*cspan_at(&tables, layout__SET_RADIUS)) + z;
     lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
     (*cspan_at(&work, out + layout__SIDE_X_WHEEL)) = r * sin_phi;
     (*cspan_at(&work, out + layout__SIDE_Y_WHEEL)) = y;
     (*cspan_at(&work, out + layout__SIDE_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__SET_RADIUS));
-    (*cspan_at(&work, out + layout__SIDE_Y_RAIL)) = abscissa;
-    (*cspan_at(&work, out + layout__SIDE_Z_RAIL)) = z_rail;
+    (*cspan_at(&work, out + layout__SIDE_Y_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+    (*cspan_at(&work, out + layout__SIDE_Z_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
     (*cspan_at(&work, out + layout__SIDE_X_TRACK)) = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
     (*cspan_at(&work, out + layout__SIDE_Y_TRACK)) = y_track;
     if (index == INT64_C(0))
     {
         (*cspan_at(&work, out + layout__SIDE_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work, out + layout__SIDE_Z_TRACK)) = z_rail;
+    (*cspan_at(&work, out + layout__SIDE_Z_TRACK)) = (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
     (*cspan_at(&work, out + layout__SIDE_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work, out + layout__SIDE_ROLLING_RADIUS)) = r;
-    contact_plane__open_frame(tables, work, at, y, shift);
     regions__open_contact_region(tables, work, state);
     (*cspan_at(&work, out + layout__SIDE_CURVATURE_X)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_CURVATURE));
     (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_BEND));

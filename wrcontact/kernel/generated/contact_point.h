@@ -8,14 +8,12 @@
 
 #include "../native/spans.h"
 #include "contact_plane.h"
-#include "gap.h"
 #include "layout.h"
 #include "locus.h"
-#include "profile_table.h"
 #include "regions.h"
 
 static const double contact_point__PARALLEL = 1e-06;
 
-static int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift);
+static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift);
 
 #endif

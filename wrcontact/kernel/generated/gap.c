@@ -9,7 +9,7 @@
 #include "gap.h"
 
 /* 1 if the rail profile has a height at ``abscissa`` [m], else 0. */
-static int64_t gap__above_rail(array_double_1d tables, double abscissa)
+static inline int64_t gap__above_rail(array_double_1d tables, double abscissa)
 {
     int64_t rail;
     int64_t inside;
@@ -27,7 +27,7 @@ static int64_t gap__above_rail(array_double_1d tables, double abscissa)
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
  * difference reads FOLDED.
  */
-static int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
+static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d place, int64_t at, double y)
 {
     double z;
     double slope;
@@ -59,7 +59,7 @@ static int64_t gap__vertical_gap(double* result_0, double* mismatch, double* res
  * z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
  * dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
  */
-static double gap__gap_per_roll(array_double_1d tables, array_double_1d place, int64_t at, double y)
+static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d place, int64_t at, double y)
 {
     double z;
     double slope;
@@ -87,4 +87,49 @@ static double gap__gap_per_roll(array_double_1d tables, array_double_1d place, i
     lateral = (-(*cspan_at(&place, at + locus__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
     vertical = arm * cos_roll - height * sin_roll;
     return rail_slope * lateral - vertical;
+}
+
+/* ``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed wheel point, and
+ * the rail abscissa [m].
+ *
+ * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
+ */
+static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, double y)
+{
+    double z;
+    double slope;
+    double bend;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double stretch;
+    double outline_rate;
+    double z_rail;
+    double rail_slope;
+    double rail_bend;
+    double lateral;
+    double vertical;
+    double sin_phi;
+    double cos_phi;
+    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, place, at, y, z, slope, bend);
+    (*abscissa) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*abscissa));
+    (*mismatch) = rail_slope - outline_slope;
+    if (!(stretch > 0.0))
+    {
+        (*mismatch) = gap__FOLDED;
+    }
+    lateral = (-(*cspan_at(&place, at + locus__PLACE_COS_YAW))) * (z_track + (*cspan_at(&place, at + locus__PLACE_RADIUS)));
+    vertical = y_track - (*cspan_at(&place, at + locus__PLACE_SHIFT));
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    {
+        locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
+        vertical = ((*cspan_at(&place, at + locus__PLACE_ARM)) + y) * (*cspan_at(&place, at + locus__PLACE_COS_ROLL)) - ((*cspan_at(&place, at + locus__PLACE_RADIUS)) + z) * cos_phi * (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+    }
+    (*result_0) = z_rail - z_track;
+    (*result_2) = rail_bend * stretch - outline_rate;
+    (*result_3) = rail_slope * lateral - vertical;
+    (*result_4) = rail_bend * lateral - 1.0 - outline_slope * outline_slope;
+    return 0;
 }

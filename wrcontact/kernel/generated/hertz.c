@@ -17,7 +17,7 @@
 #include "hertz.h"
 
 /* Value of table column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
-static double hertz__table_value(array_double_1d tables, int64_t base, int64_t column, double abscissa)
+static inline double hertz__table_value(array_double_1d tables, int64_t base, int64_t column, double abscissa)
 {
     double u;
     double last;
@@ -46,7 +46,7 @@ static double hertz__table_value(array_double_1d tables, int64_t base, int64_t c
 }
 
 /* 1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive. */
-static int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B)
+static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B)
 {
     double ratio;
     ratio = log(B / A);
@@ -62,7 +62,7 @@ static int64_t hertz__hertz_coefficients(double* result_0, double* result_1, dou
  * again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
  * half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
  */
-static int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B, double slant)
+static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B, double slant)
 {
     double cross;
     double diagonal;
@@ -104,7 +104,7 @@ static int64_t hertz__skewed_coefficients(double* result_0, double* result_1, do
  * Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows from that of
  * the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
  */
-static int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t base, double length, double width, double nr)
+static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t base, double length, double width, double nr)
 {
     double target;
     double before;
@@ -150,7 +150,7 @@ static int64_t hertz__upright_coefficients(double* result_0, double* result_1, d
  * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's closed
  * form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
  */
-static double hertz__hertz_stiffness(array_double_1d tables, int64_t base, double A, double B, double contact_modulus)
+static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t base, double A, double B, double contact_modulus)
 {
     double one_alpha;
     double one_beta;

@@ -14,45 +14,73 @@
 #include "locus.h"
 
 /* Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]. */
-static int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
+static inline int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
 {
-    double sin_yaw;
-    double cos_yaw;
+    (*cspan_at(&place, at + locus__PLACE_SHIFT)) = lateral_shift;
+    (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = 0.0;
+    (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = 1.0;
+    (*cspan_at(&place, at + locus__PLACE_YAWED)) = 0.0;
+    if (yaw != 0.0)
+    {
+        (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&place, at + locus__PLACE_YAWED)) = 1.0;
+    }
+    (*cspan_at(&place, at + locus__PLACE_RADIUS)) = radius;
+    (*cspan_at(&place, at + locus__PLACE_ARM)) = arm;
+    locus__turn_wheelset(place, at, roll);
+    return INT64_C(0);
+}
+
+/* Give the wheelset at ``at`` another roll [rad]. */
+static inline int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double roll)
+{
     double sin_roll;
     double cos_roll;
     double t;
     double cos_t;
-    sin_yaw = sin(yaw);
-    cos_yaw = cos(yaw);
+    double w_per_slope;
+    double tan_yaw;
     sin_roll = sin(roll);
     cos_roll = cos(roll);
-    t = sin_yaw / cos_yaw * sin_roll;
-    cos_t = 1.0 / sqrt(1.0 + t * t);
-    (*cspan_at(&place, at + locus__PLACE_SHIFT)) = lateral_shift;
-    (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) = sin_yaw;
-    (*cspan_at(&place, at + locus__PLACE_COS_YAW)) = cos_yaw;
+    t = 0.0;
+    cos_t = 1.0;
+    w_per_slope = 0.0;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    {
+        tan_yaw = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) / (*cspan_at(&place, at + locus__PLACE_COS_YAW));
+        t = tan_yaw * sin_roll;
+        cos_t = 1.0 / sqrt(1.0 + t * t);
+        w_per_slope = tan_yaw * cos_roll * cos_t;
+    }
     (*cspan_at(&place, at + locus__PLACE_SIN_ROLL)) = sin_roll;
     (*cspan_at(&place, at + locus__PLACE_COS_ROLL)) = cos_roll;
     (*cspan_at(&place, at + locus__PLACE_T)) = t;
     (*cspan_at(&place, at + locus__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) = sin_yaw / cos_yaw * cos_roll * cos_t;
-    (*cspan_at(&place, at + locus__PLACE_RADIUS)) = radius;
-    (*cspan_at(&place, at + locus__PLACE_ARM)) = arm;
-    (*cspan_at(&place, at + locus__PLACE_YAWED)) = (yaw == 0.0 ? 0.0 : 1.0);
+    (*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE)) = w_per_slope;
     return INT64_C(0);
 }
 
 /* The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign. */
-static int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to)
+static inline int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to)
 {
-    int64_t i;
-    for (i = INT64_C(0); i < locus__PLACE_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&place, to + i)) = (*cspan_at(&place, at + i));
-    }
     (*cspan_at(&place, to + locus__PLACE_SHIFT)) = -(*cspan_at(&place, at + locus__PLACE_SHIFT));
     (*cspan_at(&place, to + locus__PLACE_SIN_YAW)) = -(*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+    (*cspan_at(&place, to + locus__PLACE_COS_YAW)) = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
+    (*cspan_at(&place, to + locus__PLACE_RADIUS)) = (*cspan_at(&place, at + locus__PLACE_RADIUS));
+    (*cspan_at(&place, to + locus__PLACE_ARM)) = (*cspan_at(&place, at + locus__PLACE_ARM));
+    (*cspan_at(&place, to + locus__PLACE_YAWED)) = (*cspan_at(&place, at + locus__PLACE_YAWED));
+    locus__mirror_roll(place, at, to);
+    return INT64_C(0);
+}
+
+/* What ``turn_wheelset`` has changed, mirrored. */
+static inline int64_t locus__mirror_roll(array_double_1d place, int64_t at, int64_t to)
+{
     (*cspan_at(&place, to + locus__PLACE_SIN_ROLL)) = -(*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+    (*cspan_at(&place, to + locus__PLACE_COS_ROLL)) = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
+    (*cspan_at(&place, to + locus__PLACE_T)) = (*cspan_at(&place, at + locus__PLACE_T));
+    (*cspan_at(&place, to + locus__PLACE_COS_T)) = (*cspan_at(&place, at + locus__PLACE_COS_T));
     (*cspan_at(&place, to + locus__PLACE_W_PER_SLOPE)) = -(*cspan_at(&place, at + locus__PLACE_W_PER_SLOPE));
     return INT64_C(0);
 }
@@ -61,7 +89,7 @@ static int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to
  *
  * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
  */
-static int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope)
+static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope)
 {
     double w;
     double root;
@@ -88,7 +116,7 @@ static int64_t locus__around_wheel(double* result_0, double* result_1, array_dou
  *
  * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
  */
-static int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope)
+static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope)
 {
     double sin_roll;
     double cos_roll;
@@ -125,7 +153,7 @@ static int64_t locus__outline_point(double* y_track, double* z_track, double* ou
 }
 
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]. */
-static int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend)
+static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend)
 {
     double sin_roll;
     double cos_roll;

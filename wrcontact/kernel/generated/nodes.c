@@ -17,7 +17,7 @@
 #include "nodes.h"
 
 /* Offset of node 0 of a region's ``field`` in the workspace. */
-static int64_t nodes__node_field(int64_t region, int64_t field)
+static inline int64_t nodes__node_field(int64_t region, int64_t field)
 {
     return layout__WORK_NODES + (region * layout__NODE_FIELDS + field) * layout__NODE_LIMIT + layout__NODE_MIDDLE;
 }
@@ -27,7 +27,7 @@ static int64_t nodes__node_field(int64_t region, int64_t field)
  *
  * Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
  */
-static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window, int64_t stride)
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window, int64_t stride)
 {
     int64_t block;
     int64_t gaps;
@@ -152,7 +152,7 @@ static int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, ar
 }
 
 /* 1 if the wheel of the open frame is yawed, else 0. */
-static int64_t nodes__is_yawed(array_double_1d work)
+static inline int64_t nodes__is_yawed(array_double_1d work)
 {
     int64_t result;
     result = (int64_t)((*cspan_at(&work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))) + locus__PLACE_YAWED)));
@@ -160,7 +160,7 @@ static int64_t nodes__is_yawed(array_double_1d work)
 }
 
 /* Track coordinate x [m] of the wheel's outline where the tracer stands. */
-static double nodes__ridge_place(array_double_1d tables, array_double_1d work)
+static inline double nodes__ridge_place(array_double_1d tables, array_double_1d work)
 {
     int64_t at;
     double y;
@@ -182,7 +182,7 @@ static double nodes__ridge_place(array_double_1d tables, array_double_1d work)
 }
 
 /* ``field`` at the ``count`` - 1 nodes between two, on a straight line. */
-static int64_t nodes__fill_straight(array_double_1d work, int64_t field, int64_t start, int64_t stop, int64_t count)
+static inline int64_t nodes__fill_straight(array_double_1d work, int64_t field, int64_t start, int64_t stop, int64_t count)
 {
     int64_t inward;
     double rise;
@@ -201,7 +201,7 @@ static int64_t nodes__fill_straight(array_double_1d work, int64_t field, int64_t
 }
 
 /* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes. */
-static int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
+static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
 {
     double low;
     double rise;
@@ -233,7 +233,7 @@ static int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t l
 }
 
 /* Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back. */
-static int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station)
+static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station)
 {
     if (direction > INT64_C(0))
     {
@@ -250,7 +250,7 @@ static int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t di
 }
 
 /* Continue gap and A past an end, so that windows over it see the curvature before it. */
-static int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction)
+static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction)
 {
     int64_t one;
     one = gaps + at - direction;
@@ -268,7 +268,7 @@ static int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64
 }
 
 /* Half the second derivative [1/m] of the field at ``at``, averaged with a triangle of half-width window h. */
-static double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window)
+static inline double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window)
 {
     double width;
     double result;
@@ -278,7 +278,7 @@ static double nodes__second_difference(array_double_1d work, int64_t at, double 
 }
 
 /* B [1/m] at node ``k``: see the head of this file. */
-static double nodes__lateral_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window)
+static inline double nodes__lateral_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window)
 {
     int64_t gaps;
     double spacing;
@@ -328,7 +328,7 @@ static double nodes__lateral_curvature(array_double_1d work, int64_t region, int
 }
 
 /* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A. */
-static int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
+static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
 {
     int64_t block;
     int64_t gaps;

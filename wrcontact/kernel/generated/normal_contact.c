@@ -13,7 +13,7 @@
 #include "normal_contact.h"
 
 /* ((3 N / 4 E*)^2 (A + B))^(1/3) [m], Hertz's eq. (2.8) with r = 1 and a typical B. */
-static double normal_contact__guess_penetration(double force, double A, double contact_modulus)
+static inline double normal_contact__guess_penetration(double force, double A, double contact_modulus)
 {
     double share;
     share = 0.75 * force / contact_modulus;
@@ -21,7 +21,7 @@ static double normal_contact__guess_penetration(double force, double A, double c
 }
 
 /* Half-widths of the region's interpenetration at ``level`` [m], and the station its load is thought to act at. */
-static int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level)
+static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level)
 {
     int64_t block;
     double low;
@@ -50,7 +50,7 @@ static int64_t normal_contact__measure_widths(array_double_1d tables, array_doub
 }
 
 /* Widths, nodes and coefficients of all regions at their levels times ``enlarge``. */
-static int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge)
+static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge)
 {
     int64_t window;
     int64_t stride;
@@ -91,7 +91,7 @@ static int64_t normal_contact__prepare_regions(array_double_1d tables, array_dou
 }
 
 /* Levels before any interaction is known; a region that is hardly reached still gets nodes for a tenth of it. */
-static int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration)
+static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration)
 {
     int64_t i;
     int64_t block;
@@ -110,7 +110,7 @@ static int64_t normal_contact__start_levels(array_double_1d work, int64_t count,
 }
 
 /* 1 if no region is loaded at an end of its nodes other than its bound, else 0. */
-static int64_t normal_contact__covered(array_double_1d work, int64_t count)
+static inline int64_t normal_contact__covered(array_double_1d work, int64_t count)
 {
     int64_t i;
     int64_t block;
@@ -139,7 +139,7 @@ static int64_t normal_contact__covered(array_double_1d work, int64_t count)
  *
  * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
  */
-static double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
+static inline double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
 {
     int64_t block;
     double A;
@@ -166,7 +166,7 @@ static double normal_contact__estimate_penetration(array_double_1d tables, array
 }
 
 /* Open the regions that ``penetration`` [m] reaches, with their bounds and first levels; their number. */
-static int64_t normal_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration)
+static inline int64_t normal_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration)
 {
     int64_t i;
     int64_t count;
@@ -184,7 +184,7 @@ static int64_t normal_contact__gather_regions(array_double_1d tables, array_doub
 /* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
  * number; third value 1 when met.
  */
-static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
 {
     int64_t by_penetration;
     int64_t repeat;
@@ -227,7 +227,7 @@ static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count,
 /* Penetration [m] on fine nodes laid over the regions' levels, laid again where the patch outgrows them; and 1 when
  * met, else 0.
  */
-static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration)
+static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration)
 {
     double start;
     double enlarge;
@@ -266,7 +266,7 @@ static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result
  *
  * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
  */
-static double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed)
+static inline double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed)
 {
     int64_t base;
     double A;
@@ -330,7 +330,7 @@ static double normal_contact__solve_hertz(array_double_1d tables, array_double_1
 }
 
 /* Normal contact of the side whose frame is open, into the outputs at ``outputs``; 1 when met, else 0. */
-static int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
+static inline int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
 {
     double penetration;
     int64_t count;

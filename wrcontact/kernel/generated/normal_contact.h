@@ -32,16 +32,16 @@ static const int64_t normal_contact__COVER_REPEATS = INT64_C(6);
 static const double normal_contact__NARROWEST = 0.01;
 static const double normal_contact__WIDEST = 110.0;
 
-static double normal_contact__guess_penetration(double force, double A, double contact_modulus);
-static int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level);
-static int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
-static int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration);
-static int64_t normal_contact__covered(array_double_1d work, int64_t count);
-static double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
-static int64_t normal_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration);
-static int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration);
-static int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed);
-static double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed);
-static int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed);
+static inline double normal_contact__guess_penetration(double force, double A, double contact_modulus);
+static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level);
+static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
+static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration);
+static inline int64_t normal_contact__covered(array_double_1d work, int64_t count);
+static inline double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
+static inline int64_t normal_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration);
+static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration);
+static inline int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed);
+static inline double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed);
 
 #endif

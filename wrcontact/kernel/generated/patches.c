@@ -9,7 +9,7 @@
 #include "patches.h"
 
 /* Integral over [start, stop] of x times the quadratic of ``bend_of``. */
-static double patches__quadratic_moment(double before, double low, double high, double start, double stop)
+static inline double patches__quadratic_moment(double before, double low, double high, double start, double stop)
 {
     double bend;
     double slope;
@@ -23,7 +23,7 @@ static double patches__quadratic_moment(double before, double low, double high, 
 }
 
 /* A primitive of sqrt(low + slope x + bend x^2) for bend < 0. */
-static double patches__root_primitive(double low, double slope, double bend, double x)
+static inline double patches__root_primitive(double low, double slope, double bend, double x)
 {
     double value;
     double spread;
@@ -56,7 +56,7 @@ static double patches__root_primitive(double low, double slope, double bend, dou
  * In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values and the
  * width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q + q^2)/(p + q)^3].
  */
-static double patches__root_integral(double before, double low, double high, double start, double stop)
+static inline double patches__root_integral(double before, double low, double high, double start, double stop)
 {
     double bend;
     double slope;
@@ -96,7 +96,7 @@ static double patches__root_integral(double before, double low, double high, dou
 }
 
 /* Line load, square of half-length and of pressure at the region's nodes for its ``level`` [m]. */
-static int64_t patches__load_nodes(array_double_1d work, int64_t region, double level)
+static inline int64_t patches__load_nodes(array_double_1d work, int64_t region, double level)
 {
     int64_t block;
     int64_t rises;
@@ -132,7 +132,7 @@ static int64_t patches__load_nodes(array_double_1d work, int64_t region, double 
 /* Square of the largest value of the parabola through the roots at nodes ``k`` - 1, ``k``, ``k`` + 1 of a field of
  * squares, where node ``k`` is a peak and both neighbours are loaded; else the node's own.
  */
-static double patches__peak_square(array_double_1d work, int64_t field, int64_t k)
+static inline double patches__peak_square(array_double_1d work, int64_t field, int64_t k)
 {
     double before;
     double after;
@@ -160,7 +160,7 @@ static double patches__peak_square(array_double_1d work, int64_t field, int64_t 
 }
 
 /* Begin island ``count`` at station ``start``. */
-static int64_t patches__open_island(array_double_1d work, int64_t count, double start, double angle)
+static inline int64_t patches__open_island(array_double_1d work, int64_t count, double start, double angle)
 {
     int64_t at;
     int64_t i;
@@ -176,7 +176,7 @@ static int64_t patches__open_island(array_double_1d work, int64_t count, double 
 }
 
 /* Walk over all regions by rising station and collect the islands; their number. */
-static int64_t patches__gather_islands(array_double_1d tables, array_double_1d work, int64_t count)
+static inline int64_t patches__gather_islands(array_double_1d tables, array_double_1d work, int64_t count)
 {
     int64_t region;
     int64_t block;
@@ -208,7 +208,7 @@ static int64_t patches__gather_islands(array_double_1d tables, array_double_1d w
 }
 
 /* Add the cell between nodes ``k`` and ``k`` + 1 to the last island, or to a new one; the number of islands. */
-static int64_t patches__gather_cell(array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, double angle)
+static inline int64_t patches__gather_cell(array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, double angle)
 {
     int64_t block;
     double spacing;
@@ -272,7 +272,7 @@ static int64_t patches__gather_cell(array_double_1d work, int64_t region, double
 }
 
 /* Add load, moment and area of a cell's loaded part to the island at ``at``, and its inner node's extremes. */
-static int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step)
+static inline int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step)
 {
     int64_t loads;
     int64_t squares;
@@ -303,7 +303,7 @@ static int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t b
 }
 
 /* The side's totals and its heaviest patches, from the islands, into the outputs at ``side``. */
-static int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands)
+static inline int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands)
 {
     double load;
     double area;
@@ -374,7 +374,7 @@ static int64_t patches__write_patches(array_double_1d work, int64_t side, int64_
 }
 
 /* One patch from the island at ``at`` to the outputs at ``to``. */
-static int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at)
+static inline int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at)
 {
     (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, at + patches__ISLAND_LOAD));
     (*cspan_at(&work, to + layout__PATCH_AREA)) = (*cspan_at(&work, at + patches__ISLAND_AREA));
@@ -387,7 +387,7 @@ static int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at
 }
 
 /* Half-length and pressure at STATION_COUNT stations from the first loaded station to the last. */
-static int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands)
+static inline int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands)
 {
     double start;
     double stop;
@@ -426,7 +426,7 @@ static int64_t patches__write_outline(array_double_1d work, int64_t side, int64_
 }
 
 /* Half-length [m] and pressure [Pa] of ``region`` at ``station``; zeros where it is not loaded. */
-static int64_t patches__strip_at(double* half, double* pressure, array_double_1d work, int64_t region, double station)
+static inline int64_t patches__strip_at(double* half, double* pressure, array_double_1d work, int64_t region, double station)
 {
     int64_t block;
     double level;
@@ -470,7 +470,7 @@ static int64_t patches__strip_at(double* half, double* pressure, array_double_1d
 }
 
 /* The quadratic of ``bend_of`` at x. */
-static double patches__quadratic_value(double before, double low, double high, double x)
+static inline double patches__quadratic_value(double before, double low, double high, double x)
 {
     double bend;
     bend = analyn__bend_of(before, low, high);

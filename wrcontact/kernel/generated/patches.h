@@ -29,19 +29,19 @@ static const int64_t patches__ISLAND_ANGLE = INT64_C(7);
 static const double patches__STRAIGHT = 0.0001;
 static const double patches__JOINED = 1e-09;
 
-static double patches__quadratic_moment(double before, double low, double high, double start, double stop);
-static double patches__root_primitive(double low, double slope, double bend, double x);
-static double patches__root_integral(double before, double low, double high, double start, double stop);
-static int64_t patches__load_nodes(array_double_1d work, int64_t region, double level);
-static double patches__peak_square(array_double_1d work, int64_t field, int64_t k);
-static int64_t patches__open_island(array_double_1d work, int64_t count, double start, double angle);
-static int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step);
-static int64_t patches__gather_cell(array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, double angle);
-static int64_t patches__gather_islands(array_double_1d tables, array_double_1d work, int64_t count);
-static int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at);
-static int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands);
-static double patches__quadratic_value(double before, double low, double high, double x);
-static int64_t patches__strip_at(double* half, double* pressure, array_double_1d work, int64_t region, double station);
-static int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands);
+static inline double patches__quadratic_moment(double before, double low, double high, double start, double stop);
+static inline double patches__root_primitive(double low, double slope, double bend, double x);
+static inline double patches__root_integral(double before, double low, double high, double start, double stop);
+static inline int64_t patches__load_nodes(array_double_1d work, int64_t region, double level);
+static inline double patches__peak_square(array_double_1d work, int64_t field, int64_t k);
+static inline int64_t patches__open_island(array_double_1d work, int64_t count, double start, double angle);
+static inline int64_t patches__add_cell(array_double_1d work, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, int64_t at, double inner, double step);
+static inline int64_t patches__gather_cell(array_double_1d work, int64_t region, double level, int64_t k, int64_t islands, double angle);
+static inline int64_t patches__gather_islands(array_double_1d tables, array_double_1d work, int64_t count);
+static inline int64_t patches__write_patch(array_double_1d work, int64_t to, int64_t at);
+static inline int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands);
+static inline double patches__quadratic_value(double before, double low, double high, double x);
+static inline int64_t patches__strip_at(double* half, double* pressure, array_double_1d work, int64_t region, double station);
+static inline int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands);
 
 #endif

@@ -9,13 +9,13 @@
 #include "regions.h"
 
 /* Offset of region ``index`` in the workspace. */
-static int64_t regions__region_block(int64_t index)
+static inline int64_t regions__region_block(int64_t index)
 {
     return layout__WORK_REGION + layout__REGION_BLOCK * index;
 }
 
 /* Start region ``index`` at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
-static double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station)
+static inline double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station)
 {
     int64_t block;
     double start;
@@ -68,7 +68,7 @@ static double regions__open_region(array_double_1d tables, array_double_1d work,
 }
 
 /* Region 0: the rigid contact point itself, station and gap zero. */
-static int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state)
+static inline int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     int64_t block;
     double gap;
@@ -92,16 +92,13 @@ static int64_t regions__open_contact_region(array_double_1d tables, array_double
  *
  * They are sought at the local minima of the vertical gap over the scan nodes.
  */
-static int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
+static inline int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
 {
     int64_t scan;
     double reach;
     int64_t i_end;
     int64_t i;
-    double gap;
-    int64_t row;
     double y;
-    bool own;
     double abscissa;
     double height;
     double slope;
@@ -110,27 +107,22 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
-    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST)));
-    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) + INT64_C(1); i < i_end; i += INT64_C(1))
+    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
+    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
     {
-        gap = (*cspan_at(&work, side + layout__SIDE_GAP + i));
-        if ((gap < reach) && (gap <= (*cspan_at(&work, side + layout__SIDE_GAP + i - INT64_C(1)))) && (gap < (*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1)))))
+        if (count < layout__REGION_LIMIT)
         {
-            row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
-            y = (*cspan_at(&tables, row + search__ROW_Y));
-            own = ((*cspan_at(&work, contact_plane__FRAME_Y)) > (*cspan_at(&tables, row - search__SCAN_ROW + search__ROW_Y))) && ((*cspan_at(&work, contact_plane__FRAME_Y)) < (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)));
-            if ((!own) && (count < layout__REGION_LIMIT))
+            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+            station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+            contact_plane__start_tracer(work, station, abscissa, y);
+            if (regions__open_region(tables, work, state, count, station) < level)
             {
-                abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
-                profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-                station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
-                contact_plane__start_tracer(work, station, abscissa, y);
-                if (regions__open_region(tables, work, state, count, station) < level)
+                if (regions__is_new(work, count) == INT64_C(1))
                 {
-                    if (regions__is_new(work, count) == INT64_C(1))
-                    {
-                        count += INT64_C(1);
-                    }
+                    count += INT64_C(1);
                 }
             }
         }
@@ -139,7 +131,7 @@ static int64_t regions__find_regions(array_double_1d tables, array_double_1d wor
 }
 
 /* 1 if region ``count`` is away from all before it, else 0. */
-static int64_t regions__is_new(array_double_1d work, int64_t count)
+static inline int64_t regions__is_new(array_double_1d work, int64_t count)
 {
     int64_t i;
     double distance;
@@ -157,7 +149,7 @@ static int64_t regions__is_new(array_double_1d work, int64_t count)
 }
 
 /* Order the regions by station, set the humps between them as bounds, and join those with a low hump; the count. */
-static int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level)
+static inline int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level)
 {
     int64_t i;
     int64_t j;
@@ -210,7 +202,7 @@ static int64_t regions__bound_regions(array_double_1d tables, array_double_1d wo
 }
 
 /* Exchange two region blocks. */
-static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second)
+static inline int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second)
 {
     int64_t i;
     double kept;
@@ -224,7 +216,7 @@ static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_
 }
 
 /* Station and gap [m] of the hump between two regions: best of HUMP_SAMPLES, then Newton on the rate. */
-static int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high)
+static inline int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high)
 {
     double left;
     double right;
@@ -282,7 +274,7 @@ static int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, 
  *
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
  */
-static double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess)
+static inline double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess)
 {
     double limit;
     double tolerance;

@@ -52,14 +52,14 @@ static const double regions__WIDTH_SHARP = 0.02;
 static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(12);
 
-static int64_t regions__region_block(int64_t index);
-static double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station);
-static int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state);
-static int64_t regions__is_new(array_double_1d work, int64_t count);
-static int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level);
-static int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second);
-static int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high);
-static int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level);
-static double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess);
+static inline int64_t regions__region_block(int64_t index);
+static inline double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station);
+static inline int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t regions__is_new(array_double_1d work, int64_t count);
+static inline int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level);
+static inline int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second);
+static inline int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high);
+static inline int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level);
+static inline double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess);
 
 #endif

@@ -5,23 +5,31 @@
  * D(roll) = gap_right - gap_left falls strictly while flanges are less steep than atan(2 arm / radius) (73 deg for
  * 750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.
  *
- * Solve first, certify then: with the two minima at hand Newton finds the roll that makes them equal, following each one;
- * at that roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
+ * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
+ * roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
  * take over, within a bracket that every search narrows.
  */
 
 #include "roll.h"
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
-static int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
+static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
 {
     locus__place_wheelset(work, roll__RIGHT_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW)), roll, (*cspan_at(&tables, layout__SET_RADIUS)), (*cspan_at(&tables, layout__SET_ARM)));
     locus__mirror_place(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
     return INT64_C(0);
 }
 
+/* Both placed wheels at another ``roll``. */
+static inline int64_t roll__turn_both(array_double_1d work, double roll)
+{
+    locus__turn_wheelset(work, roll__RIGHT_PLACE, roll);
+    locus__mirror_roll(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+    return INT64_C(0);
+}
+
 /* Search both sides; 1 if both wheels are above their rails, else 0. */
-static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
+static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
 {
     int64_t result;
     if (search__search_side(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state, known) == INT64_C(0))
@@ -32,20 +40,8 @@ static int64_t roll__search_both(array_double_1d tables, array_double_1d work, a
     return result;
 }
 
-/* Refine the known minima of both sides; 1 if both were found again, else 0. */
-static int64_t roll__follow_both(array_double_1d tables, array_double_1d work, array_double_1d state)
-{
-    int64_t result;
-    if (search__follow_minimum(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state) == INT64_C(0))
-    {
-        return INT64_C(0);
-    }
-    result = search__follow_minimum(tables, work, roll__RIGHT, work, roll__RIGHT_PLACE, state);
-    return result;
-}
-
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
-static int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
 {
     double rate;
     (*difference) = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
@@ -60,36 +56,77 @@ static int64_t roll__newton_move(double* difference, double* move, array_double_
 
 /* Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
  *
- * Starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
+ * Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
+ * It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
+ * a minimum can run away or vanish.
  */
-static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
+static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
 {
+    double left;
+    double right;
     int64_t i;
+    double gap_left;
+    double mismatch_left;
+    double rate_left;
+    double lever_left;
+    double turn_left;
+    double rail_left;
+    double gap_right;
+    double mismatch_right;
+    double rate_right;
+    double lever_right;
+    double turn_right;
+    double rail_right;
+    double move_left;
+    double move_right;
     double difference;
+    double lever;
     double move;
+    left = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
+    right = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));
     for (i = INT64_C(0); i < roll__NEWTON_STEPS; i += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-        roll__place_both(tables, work, roll);
-        if (roll__follow_both(tables, work, state) == INT64_C(0))
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
+        roll__turn_both(work, roll);
+        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, tables, work, roll__LEFT_PLACE, left);
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, roll__RIGHT_PLACE, right);
+        if (!((rate_left > 0.0) && (rate_right > 0.0)))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = INT64_C(0);
             return 0;
         }
-        roll__newton_move(&difference, &move, tables, work);
-        if (fabs(move) < roll__ROLL_SHARP)
+        move_left = (-mismatch_left) / rate_left;
+        move_right = (-mismatch_right) / rate_right;
+        /* gaps and levers at the minima next to these places, to second and first order */
+        difference = gap_right - gap_left + 0.5 * (mismatch_right * move_right - mismatch_left * move_left);
+        lever = lever_right + lever_left + turn_right * move_right + turn_left * move_left;
+        if (!(lever < 0.0))
         {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = INT64_C(0);
+            return 0;
+        }
+        move = (-difference) / lever;
+        move_left += turn_left * move / rate_left;
+        move_right -= turn_right * move / rate_right;
+        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < search__SHARP) && (fabs(move_right) < search__SHARP))
+        {
+            roll__keep_known(work, roll__LEFT, left, gap_left, rail_left);
+            roll__keep_known(work, roll__RIGHT, right, gap_right, rail_right);
             (*result_0_0001) = roll;
             (*result_1_0001) = INT64_C(1);
             return 0;
         }
-        if (fabs(move) > roll__LONGEST_TURN)
+        if (!((fabs(move) < roll__LONGEST_TURN) && (fabs(move_left) < roll__LONGEST_MOVE) && (fabs(move_right) < roll__LONGEST_MOVE)))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = INT64_C(0);
             return 0;
         }
+        left += move_left;
+        right += move_right;
         roll += move;
         if (!((roll > low) && (roll < high)))
         {
@@ -103,11 +140,20 @@ static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, arra
     return 0;
 }
 
+/* Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]. */
+static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa)
+{
+    (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
+    (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+    (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) = abscissa;
+    return INT64_C(0);
+}
+
 /* Roll [rad] and outcome; the sides' smallest gaps stay in the workspace.
  *
  * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
  */
-static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
 {
     double low;
     double high;
@@ -130,6 +176,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     }
     width = high - low;
     known = INT64_C(0);
+    roll__place_both(tables, work, roll);
     if (warm == INT64_C(1))
     {
         roll__balance(&balanced, &known, tables, work, state, roll, low, high);
@@ -142,7 +189,7 @@ static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_
     {
         if (known == INT64_C(0))
         {
-            roll__place_both(tables, work, roll);
+            roll__turn_both(work, roll);
         }
         before_left = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
         before_right = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));

@@ -5,8 +5,8 @@
  * D(roll) = gap_right - gap_left falls strictly while flanges are less steep than atan(2 arm / radius) (73 deg for
  * 750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.
  *
- * Solve first, certify then: with the two minima at hand Newton finds the roll that makes them equal, following each one;
- * at that roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
+ * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
+ * roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
  * take over, within a bracket that every search narrows.
  */
 
@@ -23,17 +23,19 @@ static const double roll__ROLL_LIMIT = 0.12;
 static const double roll__ROLL_SHARP = 1e-14;
 static const int64_t roll__SEARCHES = INT64_C(60);
 static const int64_t roll__NEWTON_STEPS = INT64_C(25);
-static const double roll__LONGEST_TURN = 0.0005;
+static const double roll__LONGEST_TURN = 0.005;
+static const double roll__LONGEST_MOVE = 0.005;
 static const int64_t roll__LEFT = INT64_C(310);
-static const int64_t roll__RIGHT = INT64_C(1510);
+static const int64_t roll__RIGHT = INT64_C(710);
 static const int64_t roll__LEFT_PLACE = INT64_C(278);
 static const int64_t roll__RIGHT_PLACE = INT64_C(294);
 
-static int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
-static int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);
-static int64_t roll__follow_both(array_double_1d tables, array_double_1d work, array_double_1d state);
-static int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work);
-static int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
-static int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
+static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
+static inline int64_t roll__turn_both(array_double_1d work, double roll);
+static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work);
+static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
+static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
+static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
 
 #endif

@@ -1,110 +1,75 @@
 /* Generated from search.py by tools/transpile_kernel.py; change that one.
  *
- * The smallest vertical gap of one side: scan, bound, refine.
+ * The smallest vertical gap of one side: march, bound, refine.
  *
- * The gap has up to three local minima (tread, flange root, flange) that exchange rank.  The scan nodes lie on a fixed
- * raster of the wheel profile.  Between two nodes the gap lies above its chord by no less than -M h^2 / 8, where M bounds
- * its second derivative from above; where a lower bound of the second derivative is positive the cell is convex and holds
- * one minimum at most.  Cells that could hold a value below the best one known are halved until neither is left open, so
- * the global minimum is bounded and not assumed.
+ * The gap has up to three local minima (tread, flange root, flange) that exchange rank.  From a known place the search
+ * marches outwards over a fixed raster of the wheel profile.  Gap, slope and a lower bound of the second derivative tell how
+ * far the gap cannot have fallen below the best one known; that stretch, of up to 32 cells, is skipped.  Where not even one
+ * cell can be, the gap between its two nodes lies above its chord by no less than -M h^2 / 8, where M bounds its second
+ * derivative from above, and a cell that could still hold a smaller value is halved until that is settled.  So the global
+ * minimum is bounded and not assumed.
  */
 
 #include "search.h"
 
-/* Gap and rail abscissa at all scan nodes above the rail; the node with the smallest gap, -1 if there are not two. */
-static int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state)
+/* The scan node at or below ``y`` [m]; the second last one at most. */
+static inline int64_t search__node_below(array_double_1d tables, double y)
 {
     int64_t scan;
-    int64_t rail;
-    double start;
-    double stop;
-    double lead;
-    int64_t first;
-    int64_t last;
-    double best;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double abscissa;
-    int64_t piece;
     double u;
-    double height;
-    double gap;
     int64_t node;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    start = (*cspan_at(&tables, rail + profile_table__START));
-    stop = (*cspan_at(&tables, rail + profile_table__STOP));
-    lead = (*cspan_at(&tables, layout__SET_RAIL_Y)) + start - (*cspan_at(&place, at + locus__PLACE_SHIFT)) - (*cspan_at(&place, at + locus__PLACE_ARM)) - search__SCAN_LEAD;
-    first = -INT64_C(1);
-    last = -INT64_C(1);
-    node = -INT64_C(1);
-    best = search__LARGE_GAP;
-    i_end = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    u = (y - (*cspan_at(&tables, scan + search__SCAN_NODES + search__ROW_Y))) * (*cspan_at(&tables, scan + search__SCAN_BINS_PER_METRE));
+    if (!(u > 0.0))
     {
-        row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
-        if ((*cspan_at(&tables, row + search__ROW_Y)) > lead)
-        {
-            locus__outline_point(&y_track, &z_track, &outline_slope, place, at, (*cspan_at(&tables, row + search__ROW_Y)), (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
-            abscissa = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-            if ((abscissa >= start) && (abscissa <= stop))
-            {
-                piece = profile_table__find_piece(tables, rail, abscissa);
-                u = abscissa - (*cspan_at(&tables, piece));
-                height = (*cspan_at(&tables, piece + INT64_C(1))) + u * ((*cspan_at(&tables, piece + INT64_C(2))) + u * ((*cspan_at(&tables, piece + INT64_C(3))) + u * ((*cspan_at(&tables, piece + INT64_C(4))) + u * ((*cspan_at(&tables, piece + INT64_C(5))) + u * (*cspan_at(&tables, piece + INT64_C(6)))))));
-                gap = height - z_track;
-                if (first < INT64_C(0))
-                {
-                    first = i;
-                }
-                last = i;
-                if (gap < best)
-                {
-                    best = gap;
-                    node = i;
-                }
-                (*cspan_at(&work, side + layout__SIDE_GAP + i)) = gap;
-                (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i)) = abscissa;
-            }
-            else if ((abscissa > stop) && (first >= INT64_C(0)))
-            {
-                break;
-            }
-            else
-            {
-                (*cspan_at(&work, side + layout__SIDE_GAP + i)) = search__LARGE_GAP;
-            }
-        }
+        u = 0.0;
     }
-    (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(first);
-    (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(last);
-    (*cspan_at(&state, layout__STATE_GAP_COUNT)) += (double)(last - first + INT64_C(1));
-    (*cspan_at(&state, layout__STATE_SCAN_COUNT)) += 1.0;
-    if (last <= first)
+    if (u > (*cspan_at(&tables, scan + search__SCAN_BIN_COUNT)) - 1.0)
     {
-        node = -INT64_C(1);
+        u = (*cspan_at(&tables, scan + search__SCAN_BIN_COUNT)) - 1.0;
+    }
+    node = (int64_t)((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + search__SCAN_BIN_OFFSET))) + (int64_t)(u))));
+    if ((node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)))) && ((*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (node + INT64_C(1)) + search__ROW_Y)) <= y))
+    {
+        node += INT64_C(1);
     }
     return node;
 }
 
-/* Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
- * the rail's ``abscissa`` [m]: rail minus wheel.
- */
-static int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa)
+/* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at scan node ``node``. */
+static inline int64_t search__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d place, int64_t at, int64_t node)
+{
+    int64_t row;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double height;
+    double rail_slope;
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
+    locus__outline_point(&y_track, &z_track, &outline_slope, place, at, (*cspan_at(&tables, row + search__ROW_Y)), (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
+    (*abscissa) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    profile_table__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*abscissa));
+    (*result_0) = height - z_track;
+    (*result_1) = rail_slope - outline_slope;
+    return 0;
+}
+
+/* Place of ``abscissa`` [m] in the rail's raster, in cells. */
+static inline double search__rail_cell(array_double_1d tables, double abscissa)
 {
     int64_t scan;
-    double u;
-    int64_t rail;
-    int64_t row;
-    double share;
-    double steepest;
-    double sine;
+    double result;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    u = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) / (*cspan_at(&tables, scan + search__SCAN_RAIL_STEP));
+    result = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) * (*cspan_at(&tables, scan + search__SCAN_RAIL_PER_METRE));
+    return result;
+}
+
+/* Offset in ``tables`` of the rail raster's cell at place ``u``, or of the nearest. */
+static inline int64_t search__rail_row(array_double_1d tables, double u)
+{
+    int64_t scan;
+    int64_t result;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -113,22 +78,172 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
     {
         u = (*cspan_at(&tables, scan + search__SCAN_RAIL_COUNT)) - 1.0;
     }
-    rail = scan + (int64_t)((*cspan_at(&tables, scan + search__SCAN_RAIL_OFFSET))) + search__RAIL_ROW * (int64_t)(u);
-    row = scan + search__SCAN_NODES + search__SCAN_ROW * cell;
+    result = scan + (int64_t)((*cspan_at(&tables, scan + search__SCAN_RAIL_OFFSET))) + search__RAIL_ROW * (int64_t)(u);
+    return result;
+}
+
+/* The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m], or
+ * with ``risen`` = 1 in which it only rises; from ``level`` downwards, -1 if there is none.
+ *
+ * abscissa : where the stretch begins on the rail [m].
+ * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+ *
+ * Along the wheel the slope difference rises by no less than m = rail'' - wheel'', each but for its share, and the gap by
+ * that slope times the outline's stretch 1 +- w.
+ */
+static inline int64_t search__clear_level(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t level, int64_t risen)
+{
+    int64_t scan;
+    int64_t count;
+    double roll;
+    double widened;
+    double share;
+    double per_bend;
+    double square;
+    double begin;
+    double back;
+    int64_t cells;
+    int64_t first;
+    int64_t row;
+    double length;
+    double stretch;
+    int64_t rail;
+    double bend;
+    double wheel;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    count = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
+    roll = fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
+    widened = search__ROLL_STRETCH * roll;
+    share = search__ROLL_BEND * roll;
+    per_bend = 0.0;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    {
+        square = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        widened += search__STEEP_STRETCH * square;
+        share += search__YAW_BEND * square;
+        per_bend = search__BEND_STRETCH * square * (*cspan_at(&place, at + locus__PLACE_RADIUS));
+    }
+    begin = search__rail_cell(tables, abscissa);
+    back = 0.0;
+    if (direction < INT64_C(0))
+    {
+        back = (1.0 + search__WIDEST) * (*cspan_at(&tables, scan + search__SCAN_RAIL_PER_METRE));
+    }
+    while(level >= INT64_C(0))
+    {
+        cells = INT64_C(1) << level;
+        first = node;
+        if (direction < INT64_C(0))
+        {
+            first = node - cells;
+        }
+        if ((first >= INT64_C(0)) && (first + cells < count))
+        {
+            row = scan + search__SCAN_NODES + search__SCAN_ROW * first;
+            length = (*cspan_at(&tables, row + search__SCAN_ROW * cells + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y));
+            stretch = widened + per_bend * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level));
+            if (stretch < search__WIDEST)
+            {
+                rail = search__rail_row(tables, begin - back * length);
+                bend = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level));
+                if (length > search__FINE_CELL * (double)(cells))
+                {
+                    bend = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level + INT64_C(1)));
+                }
+                wheel = (*cspan_at(&tables, row + search__ROW_MOST_BENDS + level));
+                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
+                if (search__largest_fall(slope, bend, length, stretch) <= excess)
+                {
+                    return level;
+                }
+                if ((risen == INT64_C(1)) && (slope >= 0.0) && (slope + bend * length >= 0.0))
+                {
+                    return level;
+                }
+            }
+        }
+        level -= INT64_C(1);
+    }
+    return level;
+}
+
+/* ``clear_level`` from a minimum of the gap in ``cell``, at ``abscissa`` on the rail [m]: where the gap only rises.
+ *
+ * The stretch is counted from the cell's far node, so that it covers the whole cell.
+ */
+static inline int64_t search__leave_minimum(array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, int64_t direction, double abscissa)
+{
+    int64_t row;
+    double margin;
+    int64_t node;
+    double start;
+    int64_t result;
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
+    margin = (1.0 + search__WIDEST) * ((*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y)));
+    node = cell;
+    start = abscissa - margin;
+    if (direction < INT64_C(0))
+    {
+        node = cell + INT64_C(1);
+        start = abscissa + margin;
+    }
+    result = search__clear_level(tables, place, at, node, direction, start, 0.0, 0.0, search__LEVELS - INT64_C(1), INT64_C(0));
+    return result;
+}
+
+/* How far the gap can fall at most over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
+ * than ``bend`` [1/m], on a wheel that is stretched by no more than the share ``stretch``.
+ */
+static inline double search__largest_fall(double slope, double bend, double length, double stretch)
+{
+    double fall;
+    if (bend >= 0.0)
+    {
+        if (slope >= 0.0)
+        {
+            return 0.0;
+        }
+        if (-slope < bend * length)
+        {
+            return 0.5 * (1.0 + stretch) * slope * slope / bend;
+        }
+    }
+    fall = (-slope) * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length;
+    if (fall < 0.0)
+    {
+        fall = 0.0;
+    }
+    return fall;
+}
+
+/* Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
+ * the rail's ``abscissa`` [m]: rail minus wheel.
+ */
+static inline int64_t search__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d place, int64_t at, int64_t cell, double abscissa)
+{
+    int64_t rail;
+    int64_t row;
+    double share;
+    double sine;
+    double least_rail;
+    double most_rail;
+    double least_wheel;
+    double most_wheel;
+    rail = search__rail_row(tables, search__rail_cell(tables, abscissa));
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
     share = search__ROLLED_SHARE;
     if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
     {
         /* how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''| */
-        steepest = fabs((*cspan_at(&tables, row + search__ROW_MOST_BEND)));
-        if (fabs((*cspan_at(&tables, row + search__ROW_LEAST_BEND))) > steepest)
-        {
-            steepest = fabs((*cspan_at(&tables, row + search__ROW_LEAST_BEND)));
-        }
         sine = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
-        share = search__YAWED_SHARE + search__STRETCHED_SHARE * sine * sine * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * steepest;
+        share = search__YAWED_SHARE + search__STRETCHED_SHARE * sine * sine * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS));
     }
-    (*least) = (*cspan_at(&tables, rail)) - (*cspan_at(&tables, row + search__ROW_MOST_BEND)) - share * (fabs((*cspan_at(&tables, rail))) + fabs((*cspan_at(&tables, row + search__ROW_MOST_BEND))));
-    (*most) = (*cspan_at(&tables, rail + INT64_C(1))) - (*cspan_at(&tables, row + search__ROW_LEAST_BEND)) + share * (fabs((*cspan_at(&tables, rail + INT64_C(1)))) + fabs((*cspan_at(&tables, row + search__ROW_LEAST_BEND))));
+    least_rail = (*cspan_at(&tables, rail + search__RAIL_LEAST_BEND));
+    most_rail = (*cspan_at(&tables, rail + search__RAIL_MOST_BEND));
+    least_wheel = (*cspan_at(&tables, row + search__ROW_LEAST_BEND));
+    most_wheel = (*cspan_at(&tables, row + search__ROW_MOST_BENDS));
+    (*least) = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel));
+    (*most) = most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel));
     if (!((*most) > 0.0))
     {
         (*most) = 0.0;
@@ -138,81 +253,182 @@ static int64_t search__bend_bounds(double* least, double* most, array_double_1d 
 
 /* Put the smallest gap of the side and its abscissa into SIDE_BEST, SIDE_BEST_Y; 1 if there is one, else 0.
  *
- * With ``known`` = 1 the two already hold a local minimum of this pose, and only a smaller one is looked for.
+ * With ``known`` = 1 the two, and SIDE_BEST_RAIL, already hold a local minimum of this pose, and only a smaller one is
+ * looked for.
  */
-static int64_t search__search_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t known)
+static inline int64_t search__search_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t known)
 {
+    int64_t cell;
+    int64_t ahead;
+    int64_t behind;
     int64_t node;
-    int64_t scan;
-    int64_t first;
-    int64_t last;
-    int64_t i;
-    double lowest;
-    double least;
-    double most;
-    int64_t row;
-    double low;
-    double high;
-    bool own;
-    node = search__scan_side(tables, work, side, place, at, state);
-    if (node < INT64_C(0))
+    double gap;
+    double mismatch;
+    double abscissa;
+    (*cspan_at(&state, layout__STATE_SCAN_COUNT)) += 1.0;
+    if (known == INT64_C(1))
     {
-        return INT64_C(0);
-    }
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    if (known == INT64_C(0))
-    {
-        (*cspan_at(&work, side + layout__SIDE_BEST)) = (*cspan_at(&work, side + layout__SIDE_GAP + node));
-        (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
-    }
-    first = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST)));
-    last = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST)));
-    for (i = first; i < last; i += INT64_C(1))
-    {
-        lowest = (*cspan_at(&work, side + layout__SIDE_GAP + i));
-        if ((*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1))) < lowest)
+        cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+        ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)));
+        behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)));
+        if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
         {
-            lowest = (*cspan_at(&work, side + layout__SIDE_GAP + i + INT64_C(1)));
+            search__march(tables, work, side, place, at, state, cell + (INT64_C(1) << ahead), INT64_C(1));
+            search__march(tables, work, side, place, at, state, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+            return INT64_C(1);
         }
-        /* most cells are far above; the bounds are looked up for the others only */
-        if (lowest < (*cspan_at(&work, side + layout__SIDE_BEST)) + search__DEEPEST)
+        node = cell;
+        search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
+        if (gap__above_rail(tables, abscissa) == INT64_C(0))
         {
-            search__bend_bounds(&least, &most, tables, place, at, i, (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i)));
-            row = scan + search__SCAN_NODES + search__SCAN_ROW * i;
-            low = (*cspan_at(&tables, row + search__ROW_Y));
-            high = (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y));
-            if (lowest - most * (high - low) * (high - low) / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
-            {
-                own = (known == INT64_C(1)) && ((*cspan_at(&work, side + layout__SIDE_BEST_Y)) >= low) && ((*cspan_at(&work, side + layout__SIDE_BEST_Y)) <= high);
-                if (!(own && (least > 0.0)))
-                {
-                    search__search_cell(tables, work, side, place, at, state, least, most, low, high);
-                }
-            }
+            node = cell + INT64_C(1);
         }
     }
-    search__search_ends(tables, work, side, place, at, state, first, last);
+    else
+    {
+        (*cspan_at(&work, side + layout__SIDE_BEST)) = search__LARGE_GAP;
+        node = search__probe(tables, work, side, place, at, state, search__PROBE_STRIDE);
+        if (node < INT64_C(0))
+        {
+            node = search__probe(tables, work, side, place, at, state, INT64_C(1));
+        }
+        if (node < INT64_C(0))
+        {
+            return INT64_C(0);
+        }
+    }
+    search__march(tables, work, side, place, at, state, node, INT64_C(1));
+    search__march(tables, work, side, place, at, state, node, -INT64_C(1));
     return INT64_C(1);
 }
 
-/* Search between the outermost scan nodes and the rail's ends, where the gap falls outwards. */
-static int64_t search__search_ends(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t first, int64_t last)
+/* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best known; -1 if
+ * there is none.
+ */
+static inline int64_t search__probe(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t stride)
+{
+    int64_t node;
+    int64_t count;
+    double gap;
+    double mismatch;
+    double abscissa;
+    int64_t found;
+    found = -INT64_C(1);
+    node = INT64_C(0);
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
+    while(node < count)
+    {
+        search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        if (gap__above_rail(tables, abscissa) == INT64_C(1))
+        {
+            if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
+            {
+                (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
+                (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
+                found = node;
+            }
+        }
+        else if (found >= INT64_C(0))
+        {
+            return found;
+        }
+        node += stride;
+    }
+    return found;
+}
+
+/* Search from scan node ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel. */
+static inline int64_t search__march(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t direction)
 {
     int64_t scan;
+    int64_t count;
+    int64_t level;
+    double gap_before;
+    double abscissa_before;
+    int64_t skipped;
+    double gap;
+    double mismatch;
+    double abscissa;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    if ((first > INT64_C(0)) && ((*cspan_at(&work, side + layout__SIDE_GAP + first)) < (*cspan_at(&work, side + layout__SIDE_GAP + first + INT64_C(1)))))
+    count = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
+    level = search__LEVELS - INT64_C(1);
+    gap_before = search__LARGE_GAP;
+    abscissa_before = 0.0;
+    skipped = INT64_C(1);
+    while((node >= INT64_C(0)) && (node < count))
     {
-        search__search_end(tables, work, side, place, at, state, first, -INT64_C(1));
-    }
-    if ((last + INT64_C(1) < (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)))) && ((*cspan_at(&work, side + layout__SIDE_GAP + last)) < (*cspan_at(&work, side + layout__SIDE_GAP + last - INT64_C(1)))))
-    {
-        search__search_end(tables, work, side, place, at, state, last, INT64_C(1));
+        search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        if (gap__above_rail(tables, abscissa) == INT64_C(0))
+        {
+            if (skipped == INT64_C(0))
+            {
+                search__search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before);
+            }
+            return INT64_C(0);
+        }
+        search__keep_best(work, side, (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)), gap);
+        if (skipped == INT64_C(0))
+        {
+            if (direction > INT64_C(0))
+            {
+                search__bound_cell(tables, work, side, place, at, state, node - INT64_C(1), gap_before, gap, abscissa_before);
+            }
+            else
+            {
+                search__bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa);
+            }
+        }
+        gap_before = gap;
+        abscissa_before = abscissa;
+        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_BEST)), (double)(direction) * mismatch, level, INT64_C(0));
+        skipped = INT64_C(1);
+        if (level < INT64_C(0))
+        {
+            level = INT64_C(0);
+            skipped = INT64_C(0);
+        }
+        node += direction * (INT64_C(1) << level);
+        if (level < search__LEVELS - INT64_C(1))
+        {
+            level += INT64_C(1);
+        }
     }
     return INT64_C(0);
 }
 
-/* Search between scan node ``node`` and the end of the rail beyond it. */
-static int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward)
+/* Search between the scan nodes ``cell`` and ``cell`` + 1 if the gap can be smaller there than the best one known.
+ *
+ * gap_low, gap_high : at the two nodes [m].
+ * abscissa : of the first one on the rail [m].
+ */
+static inline int64_t search__bound_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t cell, double gap_low, double gap_high, double abscissa)
+{
+    int64_t row;
+    double low;
+    double high;
+    double least;
+    double most;
+    double lowest;
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
+    low = (*cspan_at(&tables, row + search__ROW_Y));
+    high = (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y));
+    search__bend_bounds(&least, &most, tables, place, at, cell, abscissa);
+    lowest = gap_low;
+    if (gap_high < lowest)
+    {
+        lowest = gap_high;
+    }
+    if (lowest - most * (high - low) * (high - low) / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
+    {
+        search__search_cell(tables, work, side, place, at, state, least, most, low, high);
+    }
+    return INT64_C(0);
+}
+
+/* Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail beyond it. */
+static inline int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa)
 {
     int64_t scan;
     int64_t row;
@@ -226,7 +442,6 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
     double z_track;
     double outline_slope;
     int64_t cell;
-    double abscissa;
     double least;
     double most;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
@@ -249,7 +464,6 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
         }
     }
     cell = node;
-    abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + node));
     if (outward < INT64_C(0))
     {
         cell = node - INT64_C(1);
@@ -267,10 +481,132 @@ static int64_t search__search_end(array_double_1d tables, array_double_1d work, 
     return INT64_C(0);
 }
 
+/* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours,
+ * below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+ *
+ * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
+ * by rising abscissa.
+ */
+static inline int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa)
+{
+    int64_t cell;
+    int64_t ahead;
+    int64_t behind;
+    cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+    (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(search__CANDIDATES);
+    (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(search__CANDIDATES - INT64_C(1));
+    ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), abscissa);
+    if (ahead < INT64_C(0))
+    {
+        ahead = INT64_C(0);
+    }
+    search__scan_on(tables, work, side, place, at, state, reach, cell + (INT64_C(1) << ahead), INT64_C(1));
+    behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), abscissa);
+    if (behind < INT64_C(0))
+    {
+        behind = INT64_C(0);
+    }
+    search__scan_on(tables, work, side, place, at, state, reach, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+    return INT64_C(0);
+}
+
+/* ``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1).
+ *
+ * Stretches are skipped in which the gap only rises, or stays above ``reach``.
+ */
+static inline int64_t search__scan_on(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t direction)
+{
+    int64_t count;
+    int64_t level;
+    double before;
+    double abscissa_before;
+    int64_t fallen;
+    double gap;
+    double mismatch;
+    double abscissa;
+    int64_t cells;
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
+    level = search__LEVELS - INT64_C(1);
+    /* the gap at the node before: after a rise it is smaller, coming from above it is larger */
+    before = -search__LARGE_GAP;
+    abscissa_before = 0.0;
+    fallen = INT64_C(0);
+    while((node >= INT64_C(0)) && (node < count))
+    {
+        search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        if (gap__above_rail(tables, abscissa) == INT64_C(0))
+        {
+            return INT64_C(0);
+        }
+        if ((fallen == INT64_C(1)) && (gap > before))
+        {
+            search__list_candidate(work, side, node - direction, direction, abscissa_before);
+        }
+        fallen = INT64_C(0);
+        if ((gap <= before) && (gap < reach))
+        {
+            fallen = INT64_C(1);
+        }
+        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
+        cells = INT64_C(1);
+        before = gap;
+        abscissa_before = abscissa;
+        if (level > INT64_C(0))
+        {
+            cells = INT64_C(1) << level;
+            if (fallen == INT64_C(1))
+            {
+                /* the next node is higher; it counts if it is above the rail */
+                cells = INT64_C(1);
+            }
+            else if (gap < reach)
+            {
+                before = -search__LARGE_GAP;
+            }
+            else
+            {
+                before = search__LARGE_GAP;
+            }
+        }
+        if (level < search__LEVELS - INT64_C(1))
+        {
+            level += INT64_C(1);
+        }
+        node += direction * cells;
+    }
+    return INT64_C(0);
+}
+
+/* Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning. */
+static inline int64_t search__list_candidate(array_double_1d work, int64_t side, int64_t node, int64_t direction, double abscissa)
+{
+    int64_t entry;
+    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
+    if (direction < INT64_C(0))
+    {
+        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) - INT64_C(1);
+    }
+    if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * search__CANDIDATES))
+    {
+        (*cspan_at(&work, side + layout__SIDE_NODE + entry)) = (double)(node);
+        (*cspan_at(&work, side + layout__SIDE_ABSCISSA + entry)) = abscissa;
+        if (direction < INT64_C(0))
+        {
+            (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(entry);
+        }
+        else
+        {
+            (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(entry);
+        }
+    }
+    return INT64_C(0);
+}
+
 /* Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
  * turns.  ``least`` and ``most`` bound the second derivative.
  */
-static int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last)
+static inline int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last)
 {
     int64_t stack;
     double gap_low;
@@ -336,7 +672,7 @@ static int64_t search__search_cell(array_double_1d tables, array_double_1d work,
 }
 
 /* Write a cell to the stack at ``top``. */
-static int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
+static inline int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
 {
     (*cspan_at(&work, top)) = low;
     (*cspan_at(&work, top + INT64_C(1))) = high;
@@ -348,7 +684,7 @@ static int64_t search__push_cell(array_double_1d work, int64_t top, double low, 
 }
 
 /* Keep (y, gap) if it is the side's best so far. */
-static int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
+static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
 {
     if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
     {
@@ -359,7 +695,7 @@ static int64_t search__keep_best(array_double_1d work, int64_t side, double y, d
 }
 
 /* Abscissa [m] and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed Newton. */
-static int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high)
+static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high)
 {
     int64_t i;
     double mismatch;
@@ -400,41 +736,4 @@ static int64_t search__refine_minimum(double* y, double* gap, array_double_1d ta
         (*y) = following;
     }
     return 0;
-}
-
-/* Refine the side's known minimum after a small change of pose; 1 if it is found again close by, else 0.
- *
- * Between nearly conformal profiles it can run away or vanish.
- */
-static int64_t search__follow_minimum(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state)
-{
-    double y;
-    int64_t k;
-    double gap;
-    double mismatch;
-    double rate;
-    double move;
-    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
-    for (k = INT64_C(0); k < search__FOLLOW_ITERATIONS; k += INT64_C(1))
-    {
-        gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, y);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        if (!(rate > 0.0))
-        {
-            return INT64_C(0);
-        }
-        move = (-mismatch) / rate;
-        if (fabs(move) < search__SHARP)
-        {
-            (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-            (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
-            return INT64_C(1);
-        }
-        if (!(fabs(move) < search__LONGEST_MOVE))
-        {
-            return INT64_C(0);
-        }
-        y += move;
-    }
-    return INT64_C(0);
 }

@@ -8,7 +8,7 @@
 #include "step.h"
 
 /* 1 if all inputs are finite, the force is not negative and the load transfer within -1 ... 1, else 0. */
-static int64_t step__inputs_valid(array_double_1d work)
+static inline int64_t step__inputs_valid(array_double_1d work)
 {
     int64_t i;
     int64_t valid;
@@ -31,7 +31,7 @@ static int64_t step__inputs_valid(array_double_1d work)
 }
 
 /* 1 if shift and yaw are within the range of the profiles, else 0. */
-static int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work)
+static inline int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work)
 {
     int64_t inside;
     inside = INT64_C(1);
@@ -47,7 +47,7 @@ static int64_t step__inputs_in_range(array_double_1d tables, array_double_1d wor
 }
 
 /* Contact and patches of one side; its outcome. */
-static int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force)
+static inline int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force)
 {
     int64_t side;
     int64_t out;
@@ -89,26 +89,42 @@ static int64_t step__step_side(array_double_1d tables, array_double_1d work, arr
     return status;
 }
 
-/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts where none is given. */
-static int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
+/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has moved little,
+ * or at those known near its lateral shift.
+ */
+static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
 {
+    double shift;
     double guess;
     int64_t warm;
+    int64_t row;
+    shift = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
     guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL_GUESS));
     warm = INT64_C(0);
-    if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && (guess == 0.0))
+    if (guess == 0.0)
     {
-        guess = (*cspan_at(&state, layout__STATE_ROLL));
-        (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
-        (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
-        warm = INT64_C(1);
+        row = starts__nearest_start(tables, shift);
+        if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < step__NEAR_SHIFT)))
+        {
+            guess = (*cspan_at(&state, layout__STATE_ROLL));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
+            warm = INT64_C(1);
+        }
+        else if (row >= INT64_C(0))
+        {
+            guess = (*cspan_at(&tables, row + starts__START_ROLL));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, row + starts__START_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, row + starts__START_RIGHT));
+            warm = INT64_C(1);
+        }
     }
     roll__solve_roll(result_0, result_1, tables, work, state, guess, warm);
     return 0;
 }
 
 /* Evaluate the wheelset at the workspace's inputs into its outputs; the status. */
-static int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
+static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     double roll;
     int64_t status;
@@ -148,13 +164,14 @@ static int64_t step__evaluate(array_double_1d tables, array_double_1d work, arra
         (*cspan_at(&state, layout__STATE_ROLL)) = roll;
         (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
         (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
+        (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
         (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
     }
     return status;
 }
 
 /* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. */
-static int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
+static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
 {
     int64_t i;
     int64_t status;
@@ -178,7 +195,7 @@ static int64_t step__step_row(array_double_1d tables, array_double_1d state, arr
  * Outputs keep their values unless the status is VALID or UNLOADED.  ``state`` holds where the next roll search
  * starts; it never changes an answer.
  */
-static int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
+static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
 {
     int64_t result;
     result = step__step_row(tables, state, workspace, inputs, outputs, INT64_C(0));
@@ -186,7 +203,7 @@ static int64_t step__step(array_double_1d tables, array_double_1d state, array_d
 }
 
 /* Evaluate ``count`` rows of inputs, one after the other. */
-static int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses)
+static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses)
 {
     int64_t row;
     for (row = INT64_C(0); row < count; row += INT64_C(1))

@@ -13,14 +13,17 @@
 #include "layout.h"
 #include "normal_contact.h"
 #include "roll.h"
+#include "starts.h"
 
-static int64_t step__inputs_valid(array_double_1d work);
-static int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work);
-static int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force);
-static int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state);
-static int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
-static int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
-static int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
-static int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
+static const double step__NEAR_SHIFT = 0.0002;
+
+static inline int64_t step__inputs_valid(array_double_1d work);
+static inline int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work);
+static inline int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force);
+static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
+static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
+static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
 
 #endif

@@ -9,7 +9,7 @@
 #include "strip_patches.h"
 
 /* Second divided difference of ``field`` over the strips ``i`` - 1, ``i``, ``i`` + 1. */
-static double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i)
+static inline double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i)
 {
     int64_t stations;
     double left;
@@ -23,7 +23,7 @@ static double strip_patches__divided_bend(array_double_1d work, int64_t field, i
 }
 
 /* Second coefficient of ``field`` between strips ``i`` and ``i`` + 1 of the run first ... last. */
-static double strip_patches__cell_bend(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last)
+static inline double strip_patches__cell_bend(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last)
 {
     double found;
     double bend;
@@ -49,13 +49,13 @@ static double strip_patches__cell_bend(array_double_1d work, int64_t field, int6
 /* Integral over a cell of the root of the quadratic with end values ``low``, ``high`` and second coefficient
  * ``bend``.
  */
-static double strip_patches__cell_area(double low, double high, double bend, double width)
+static inline double strip_patches__cell_area(double low, double high, double bend, double width)
 {
     return width * patches__root_integral(2.0 * low - high + 2.0 * bend * width * width, low, high, 0.0, 1.0);
 }
 
 /* Area [m^2] of the run first ... last between its edges. */
-static double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop)
+static inline double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop)
 {
     int64_t stations;
     int64_t squares;
@@ -77,7 +77,7 @@ static double strip_patches__run_area(array_double_1d work, int64_t first, int64
 }
 
 /* Largest value of the parabola through strip ``i``, the largest of its run, and its neighbours in the run. */
-static double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last)
+static inline double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last)
 {
     int64_t stations;
     double bend;
@@ -100,7 +100,7 @@ static double strip_patches__top_value(array_double_1d work, int64_t field, int6
 }
 
 /* Strip with the largest value of ``field`` in a run. */
-static int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last)
+static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last)
 {
     int64_t i;
     int64_t best;
@@ -116,7 +116,7 @@ static int64_t strip_patches__largest_of(array_double_1d work, int64_t field, in
 }
 
 /* Collect the runs of loaded strips as islands; their number. */
-static int64_t strip_patches__gather_strips(array_double_1d tables, array_double_1d work, int64_t strips)
+static inline int64_t strip_patches__gather_strips(array_double_1d tables, array_double_1d work, int64_t strips)
 {
     int64_t stations;
     int64_t widths;
@@ -173,7 +173,7 @@ static int64_t strip_patches__gather_strips(array_double_1d tables, array_double
 }
 
 /* Half-length and pressure at STATION_COUNT stations from the first edge to the last. */
-static int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands)
+static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands)
 {
     double start;
     double stop;

@@ -16,13 +16,13 @@
 #include "regions.h"
 #include "strips.h"
 
-static double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i);
-static double strip_patches__cell_bend(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
-static double strip_patches__cell_area(double low, double high, double bend, double width);
-static double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop);
-static double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
-static int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last);
-static int64_t strip_patches__gather_strips(array_double_1d tables, array_double_1d work, int64_t strips);
-static int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands);
+static inline double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i);
+static inline double strip_patches__cell_bend(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
+static inline double strip_patches__cell_area(double low, double high, double bend, double width);
+static inline double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop);
+static inline double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
+static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last);
+static inline int64_t strip_patches__gather_strips(array_double_1d tables, array_double_1d work, int64_t strips);
+static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands);
 
 #endif

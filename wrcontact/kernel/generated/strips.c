@@ -16,13 +16,13 @@
 #include "strips.h"
 
 /* Offset of strip 0 of ``field`` in the workspace. */
-static int64_t strips__strip_field(int64_t field)
+static inline int64_t strips__strip_field(int64_t field)
 {
     return layout__WORK_STRIPS + field * layout__STRIP_LIMIT;
 }
 
 /* Positive where strips belong: by how much the gap stays below ZONE, or ANALYN's load level above nothing [m]. */
-static double strips__zone_excess(array_double_1d work, int64_t block, int64_t gaps, int64_t rises, int64_t k, double penetration)
+static inline double strips__zone_excess(array_double_1d work, int64_t block, int64_t gaps, int64_t rises, int64_t k, double penetration)
 {
     double level;
     double beyond;
@@ -42,7 +42,7 @@ static double strips__zone_excess(array_double_1d work, int64_t block, int64_t g
 }
 
 /* Station [m] where the region's strips end in ``direction``; its minimum's if none belong there. */
-static double strips__zone_end(array_double_1d work, int64_t region, int64_t direction, double penetration)
+static inline double strips__zone_end(array_double_1d work, int64_t region, int64_t direction, double penetration)
 {
     int64_t block;
     int64_t gaps;
@@ -89,7 +89,7 @@ static double strips__zone_end(array_double_1d work, int64_t region, int64_t dir
 }
 
 /* sqrt(B) sqrt(1 - gap / penetration) at a node [m^-1/2]. */
-static double strips__node_weight(array_double_1d work, int64_t region, int64_t k, double penetration)
+static inline double strips__node_weight(array_double_1d work, int64_t region, int64_t k, double penetration)
 {
     int64_t block;
     double share;
@@ -105,7 +105,7 @@ static double strips__node_weight(array_double_1d work, int64_t region, int64_t 
 }
 
 /* Length of the cell between nodes ``k`` and ``k`` + 1 inside the region's zone [m], and where it begins there. */
-static int64_t strips__cell_overlap(double* result_0, double* start, array_double_1d work, int64_t block, int64_t k)
+static inline int64_t strips__cell_overlap(double* result_0, double* start, array_double_1d work, int64_t block, int64_t k)
 {
     double spacing;
     double stop;
@@ -125,7 +125,7 @@ static int64_t strips__cell_overlap(double* result_0, double* start, array_doubl
 }
 
 /* Integral of the weight over the region's zone [m^1/2]. */
-static double strips__weigh_region(array_double_1d work, int64_t region, double penetration)
+static inline double strips__weigh_region(array_double_1d work, int64_t region, double penetration)
 {
     int64_t block;
     double before;
@@ -153,7 +153,7 @@ static double strips__weigh_region(array_double_1d work, int64_t region, double 
 }
 
 /* Strips over the zones of all regions; their number. */
-static int64_t strips__place_strips(array_double_1d tables, array_double_1d work, int64_t count, double penetration)
+static inline int64_t strips__place_strips(array_double_1d tables, array_double_1d work, int64_t count, double penetration)
 {
     double weight;
     double width;
@@ -198,7 +198,7 @@ static int64_t strips__place_strips(array_double_1d tables, array_double_1d work
 }
 
 /* Cut the region's zone into ``own`` strips of equal weight after the first ``strips`` ones; the number of all. */
-static int64_t strips__divide_zone(array_double_1d work, int64_t region, double penetration, int64_t strips, int64_t own, double even, double graded, double share)
+static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, double penetration, int64_t strips, int64_t own, double even, double graded, double share)
 {
     int64_t block;
     int64_t stations;
@@ -260,7 +260,7 @@ static int64_t strips__divide_zone(array_double_1d work, int64_t region, double 
 }
 
 /* Mark the strips whose edges meet. */
-static int64_t strips__join_strips(array_double_1d work, int64_t strips)
+static inline int64_t strips__join_strips(array_double_1d work, int64_t strips)
 {
     int64_t stations;
     int64_t widths;
@@ -286,7 +286,7 @@ static int64_t strips__join_strips(array_double_1d work, int64_t strips)
 }
 
 /* The cubic through the four values around ``at`` + x, 0 <= x <= 1. */
-static double strips__cubic_value(array_double_1d work, int64_t at, double x)
+static inline double strips__cubic_value(array_double_1d work, int64_t at, double x)
 {
     double before;
     double low;
@@ -304,7 +304,7 @@ static double strips__cubic_value(array_double_1d work, int64_t at, double x)
 }
 
 /* Gap and A of strip ``i`` where it stands; its node and the share of the way to the next one. */
-static int64_t strips__locate_strip(int64_t* region, int64_t* k, double* x, array_double_1d work, int64_t i)
+static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* x, array_double_1d work, int64_t i)
 {
     int64_t block;
     double u;
@@ -333,7 +333,7 @@ static int64_t strips__locate_strip(int64_t* region, int64_t* k, double* x, arra
 }
 
 /* ``field`` on the straight line between nodes ``k`` and ``k`` + 1. */
-static double strips__node_value(array_double_1d work, int64_t region, int64_t field, int64_t k, double x)
+static inline double strips__node_value(array_double_1d work, int64_t region, int64_t field, int64_t k, double x)
 {
     int64_t at;
     double result;
@@ -343,7 +343,7 @@ static double strips__node_value(array_double_1d work, int64_t region, int64_t f
 }
 
 /* Gap, curvature and ANALYN's half-length of every strip, from its region's nodes. */
-static int64_t strips__describe_strips(array_double_1d work, int64_t strips, double penetration)
+static inline int64_t strips__describe_strips(array_double_1d work, int64_t strips, double penetration)
 {
     int64_t halves;
     double longest;
@@ -392,7 +392,7 @@ static int64_t strips__describe_strips(array_double_1d work, int64_t strips, dou
 }
 
 /* Raise half-lengths to their least, and take the logarithms. */
-static int64_t strips__keep_long(array_double_1d work, int64_t strips, double longest)
+static inline int64_t strips__keep_long(array_double_1d work, int64_t strips, double longest)
 {
     int64_t halves;
     int64_t widths;
@@ -415,7 +415,7 @@ static int64_t strips__keep_long(array_double_1d work, int64_t strips, double lo
 }
 
 /* Let the outermost strip of every run of loaded ones end at the run's edge, or the next one begin to carry there. */
-static int64_t strips__fit_edges(array_double_1d work, int64_t strips)
+static inline int64_t strips__fit_edges(array_double_1d work, int64_t strips)
 {
     int64_t lines;
     int64_t first;
@@ -444,7 +444,7 @@ static int64_t strips__fit_edges(array_double_1d work, int64_t strips)
 }
 
 /* Let strip ``last``, or the one beyond it, end at ``edge`` [m]. */
-static int64_t strips__fit_edge(array_double_1d work, int64_t strips, int64_t last, double edge, int64_t outward)
+static inline int64_t strips__fit_edge(array_double_1d work, int64_t strips, int64_t last, double edge, int64_t outward)
 {
     int64_t stations;
     int64_t widths;
@@ -477,7 +477,7 @@ static int64_t strips__fit_edge(array_double_1d work, int64_t strips, int64_t la
 }
 
 /* Logarithms of the distances between strip ``i`` and the first ``others``. */
-static int64_t strips__measure_distances(array_double_1d work, int64_t strips, int64_t i, int64_t others)
+static inline int64_t strips__measure_distances(array_double_1d work, int64_t strips, int64_t i, int64_t others)
 {
     int64_t stations;
     int64_t row;
@@ -498,7 +498,7 @@ static int64_t strips__measure_distances(array_double_1d work, int64_t strips, i
 }
 
 /* Phi of eq. (S3) at ln(distance / half-length). */
-static double strips__influence_value(array_double_1d tables, int64_t base, double abscissa)
+static inline double strips__influence_value(array_double_1d tables, int64_t base, double abscissa)
 {
     double u;
     double last;
@@ -523,7 +523,7 @@ static double strips__influence_value(array_double_1d tables, int64_t base, doub
 }
 
 /* What the mean of -2 ln(distance) over a strip exceeds its middle value by; ``share`` is half-width over distance. */
-static double strips__near_share(double share)
+static inline double strips__near_share(double share)
 {
     double square;
     square = share * share;
@@ -531,7 +531,7 @@ static double strips__near_share(double share)
 }
 
 /* F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4). */
-static int64_t strips__fill_influence(array_double_1d tables, array_double_1d work, int64_t strips)
+static inline int64_t strips__fill_influence(array_double_1d tables, array_double_1d work, int64_t strips)
 {
     int64_t base;
     int64_t stations;
@@ -574,7 +574,7 @@ static int64_t strips__fill_influence(array_double_1d tables, array_double_1d wo
  *
  * Without exchange of rows: the matrix is that of a positive kernel, largest on the diagonal.
  */
-static int64_t strips__eliminate(array_double_1d work, int64_t size)
+static inline int64_t strips__eliminate(array_double_1d work, int64_t size)
 {
     int64_t width;
     int64_t pair;
@@ -636,7 +636,7 @@ static int64_t strips__eliminate(array_double_1d work, int64_t size)
 }
 
 /* y of the loaded strips under ``force`` [N], or at ``prescribed`` penetration [m]; the penetration. */
-static double strips__solve_loaded(array_double_1d tables, array_double_1d work, int64_t strips, double force, double prescribed, int64_t by_penetration)
+static inline double strips__solve_loaded(array_double_1d tables, array_double_1d work, int64_t strips, double force, double prescribed, int64_t by_penetration)
 {
     int64_t ranks;
     int64_t size;
@@ -699,7 +699,7 @@ static double strips__solve_loaded(array_double_1d tables, array_double_1d work,
 }
 
 /* Unload strips that pull, load strips that penetrate (only the last of all where ``single``); how many. */
-static int64_t strips__exchange_strips(array_double_1d work, int64_t strips, double penetration, int64_t single)
+static inline int64_t strips__exchange_strips(array_double_1d work, int64_t strips, double penetration, int64_t single)
 {
     int64_t loaded;
     int64_t shares;
@@ -745,7 +745,7 @@ static int64_t strips__exchange_strips(array_double_1d work, int64_t strips, dou
 }
 
 /* Loaded strips and their y with no pull and no penetration; the penetration [m], and 1 when found, else 0. */
-static int64_t strips__solve_strips(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t strips, double force, double prescribed, int64_t by_penetration)
+static inline int64_t strips__solve_strips(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t strips, double force, double prescribed, int64_t by_penetration)
 {
     double penetration;
     int64_t exchange;
@@ -777,7 +777,7 @@ static int64_t strips__solve_strips(double* result_0, int64_t* result_1_0001, ar
  * At fixed line load the half-length follows from two conditions that are one for an ellipse: the middle line's
  * curvature along the track, and ANALYN's ratio of line load to half-length.  Their geometric mean is taken.
  */
-static int64_t strips__correct_lengths(array_double_1d tables, array_double_1d work, int64_t strips)
+static inline int64_t strips__correct_lengths(array_double_1d tables, array_double_1d work, int64_t strips)
 {
     int64_t stations;
     int64_t halves;
@@ -827,7 +827,7 @@ static int64_t strips__correct_lengths(array_double_1d tables, array_double_1d w
 }
 
 /* Let loaded strips have their corrected half-lengths in the next sweep. */
-static int64_t strips__adopt_lengths(array_double_1d work, int64_t strips)
+static inline int64_t strips__adopt_lengths(array_double_1d work, int64_t strips)
 {
     double longest;
     int64_t i;
@@ -850,7 +850,7 @@ static int64_t strips__adopt_lengths(array_double_1d work, int64_t strips)
 }
 
 /* Last strip of the run of loaded strips that begins at ``first``. */
-static int64_t strips__run_end(array_double_1d work, int64_t strips, int64_t first)
+static inline int64_t strips__run_end(array_double_1d work, int64_t strips, int64_t first)
 {
     int64_t lines;
     int64_t last;
@@ -864,7 +864,7 @@ static int64_t strips__run_end(array_double_1d work, int64_t strips, int64_t fir
 }
 
 /* Station [m] of the edge beyond strip ``last`` of a run that reaches to ``first`` on the other side. */
-static double strips__run_edge(array_double_1d work, int64_t strips, int64_t last, int64_t first, int64_t outward)
+static inline double strips__run_edge(array_double_1d work, int64_t strips, int64_t last, int64_t first, int64_t outward)
 {
     int64_t stations;
     int64_t lines;
@@ -913,7 +913,7 @@ static double strips__run_edge(array_double_1d work, int64_t strips, int64_t las
 }
 
 /* Load the strip with the smallest gap where ANALYN loads none of them. */
-static int64_t strips__start_loaded(array_double_1d work, int64_t strips)
+static inline int64_t strips__start_loaded(array_double_1d work, int64_t strips)
 {
     int64_t least;
     double loaded;
@@ -938,7 +938,7 @@ static int64_t strips__start_loaded(array_double_1d work, int64_t strips)
 /* Strip correction of ANALYN's ``count`` regions at its ``predicted`` penetration [m]; the corrected penetration
  * [m], the number of strips, and 1 when met, else 0.
  */
-static int64_t strips__correct_strips(double* result_0, int64_t* result_1, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double predicted, int64_t by_penetration)
+static inline int64_t strips__correct_strips(double* result_0, int64_t* result_1, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double predicted, int64_t by_penetration)
 {
     int64_t strips;
     int64_t i;
