@@ -74,7 +74,7 @@ class ContactSystem:
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
     lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).
     tolerance : relative error of the numerics in penetration, area and peak pressure, 1e-4 ... 0.1; None is each model's own
-        (3e-3 for "halfspace").
+        (5e-3 for "halfspace").
 
     Raises
     ------
