@@ -263,18 +263,24 @@ def chords(edge):
     larger, smaller = np.maximum(low, high), np.minimum(low, high)
     spread = np.where(larger > smaller, larger - smaller, 1.0)
     share = np.where(smaller > 0.0, 1.0, np.where(larger > 0.0, larger / spread, 0.0))
+    ends = np.count_nonzero((larger > 0.0) & (smaller <= 0.0), axis=0)
     pad = halfspace.EDGE_PAD
-    return share.sum(axis=0)[pad:-pad]
+    return np.maximum(share.sum(axis=0) - halfspace.EDGE_BIAS * ends, 0.0)[pad:-pad]
 
 
 def extent(edge):
     """First and last place along s where an edge field is positive [cells], from the centre of the first cell."""
-    top = edge.max(axis=0)
-    positive = np.flatnonzero(top > 0.0)
-    first, last = positive[0], positive[-1]
-    low = first - top[first] / (top[first] - top[first - 1])
-    high = last + top[last] / (top[last] - top[last + 1])
-    return low - halfspace.EDGE_PAD, high - halfspace.EDGE_PAD
+    start = _first_positive(edge) - halfspace.EDGE_PAD
+    stop = edge.shape[1] - 1 - _first_positive(edge[:, ::-1]) - halfspace.EDGE_PAD
+    return start + halfspace.EDGE_BIAS, stop - halfspace.EDGE_BIAS
+
+
+def _first_positive(edge):
+    """The lowest place along s where a row of ``edge`` becomes positive [cells]."""
+    first = np.argmax(edge > 0.0, axis=1)
+    rows = np.flatnonzero(first > 0)
+    inside, outside = edge[rows, first[rows]], edge[rows, first[rows] - 1]
+    return float(np.min(first[rows] - inside / (inside - outside)))
 
 
 # --- a wheelset moved in time -----------------------------------------------------------------------------------------------
