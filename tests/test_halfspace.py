@@ -1,5 +1,6 @@
 """The half-space solver: closed forms, tables, an independent program, balances, scaling, and its place in ContactSystem."""
 
+import doctest
 import functools
 import math
 import pickle
@@ -20,9 +21,9 @@ from wrcontact.kernel import layout
 
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.insert(0, str(Path(__file__).parent / "reference"))
-import brute_force  # noqa: E402
-import halfspace_reference  # noqa: E402
-from test_normal_contact import MODULUS, hertz, planar_cases  # noqa: E402
+import brute_force
+import halfspace_reference
+from test_normal_contact import MODULUS, hertz, planar_cases
 
 WIDE = (-0.2, 0.2, -0.2, 0.2)
 
@@ -37,6 +38,10 @@ def on_hertz(A, B, force, cells, precision=1e-8, **load):
     x, s = (half * (1 + 4 / cells) * (2 * np.arange(cells + 4) + 1 - cells - 4) / (cells + 4) for half in exact[1:3])
     gap = paraboloid(A, B)(x, s)
     return halfspace.solve(x, s, gap, contact_modulus=MODULUS, precision=precision, **(load or {"force": force})), exact
+
+
+def test_example_of_the_module():
+    assert doctest.testmod(halfspace) == (0, 5)
 
 
 # --- the influence of one cell ------------------------------------------------------------------------------------------
@@ -81,7 +86,7 @@ def test_hertz(ratio, force):
 
 def test_peak_between_cells():
     """The peak of Hertz's pressure a third of a cell away from the nearest centre; the centre itself is 1e-3 lower."""
-    penetration, a, b, pressure = hertz(1.0, 1.0, 1e4)
+    _, a, _, pressure = hertz(1.0, 1.0, 1e4)
     cells, third = 24, 1 / 3
     x = a * (1 + 4 / cells) * (2 * np.arange(cells + 4) + 1 - cells - 4) / (cells + 4)
     step = x[1] - x[0]
@@ -160,14 +165,15 @@ def test_grid_error_falls_with_the_cells():
         assert rate > 1.5, (name, values)
 
 
-def test_estimated_error_bounds_the_real_one():
-    """At four tolerances on Hertz 1:2, against the closed form; the estimate may not be missed by more than half."""
-    penetration, a, b, pressure = hertz(1.0, 5.0, 1e4)
+@pytest.mark.parametrize("ratio", [1.0, 5.0, 60.0])
+def test_estimated_error_bounds_the_real_one(ratio):
+    """At four tolerances on Hertz's ellipses, against the closed form."""
+    penetration, a, b, pressure = hertz(1.0, ratio, 1e4)
     sizes = []
     for tolerance in (0.05, 0.01, 3e-3, 1e-3):
-        found = halfspace.solve_contact(paraboloid(1.0, 5.0), WIDE, contact_modulus=MODULUS, force=1e4, tolerance=tolerance)
+        found = halfspace.solve_contact(paraboloid(1.0, ratio), WIDE, contact_modulus=MODULUS, force=1e4, tolerance=tolerance)
         assert max(found.error.values()) <= tolerance
-        assert abs(found.area / (math.pi * a * b) - 1) < 1.5 * tolerance
+        assert abs(found.area / (math.pi * a * b) - 1) < tolerance
         assert abs(found.penetration / penetration - 1) < tolerance
         assert abs(found.max_pressure / pressure - 1) < tolerance
         sizes.append(found.pressure.size)
@@ -269,7 +275,8 @@ def rigid(shift, yaw):
 def plane_of(system, shift, yaw, side):
     stepper = system.stepper()
     stepper.inputs[:] = shift, yaw, 0.0, 1e3, 0.0
-    return true_gap.contact_plane(stepper._tables, system.evaluate(shift, yaw, 1e3).values, stepper.inputs, int(side == "right"))
+    rigid_state = system.evaluate(shift, yaw, 1e3)
+    return true_gap.contact_plane(stepper._tables, rigid_state.values, stepper.inputs, int(side == "right"))
 
 
 @pytest.mark.parametrize("name", POSES)
@@ -305,6 +312,8 @@ def test_the_independent_program_agrees(system, track, name):
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_the_independent_program_agrees_on_random_poses(system, track, seed):
+    """Its area, cut along x only, is up to 1.5 % too large on long narrow patches, where ours stands when the tolerance
+    becomes five times smaller."""
     rng = np.random.default_rng(seed)
     for _ in range(8):
         shift, yaw, force = rng.uniform(-6.8e-3, 6.8e-3), rng.uniform(-0.03, 0.03), 10 ** rng.uniform(2, 5.2)
@@ -316,7 +325,7 @@ def test_the_independent_program_agrees_on_random_poses(system, track, seed):
             found = getattr(state, side)
             assert found.penetration == pytest.approx(truth.penetration, rel=1e-3), (shift, yaw, force, side)
             assert found.max_pressure == pytest.approx(truth.max_pressure, rel=5e-3), (shift, yaw, force, side)
-            assert found.area == pytest.approx(truth.area, rel=0.012), (shift, yaw, force, side)
+            assert found.area == pytest.approx(truth.area, rel=0.02), (shift, yaw, force, side)
 
 
 # --- in ContactSystem -----------------------------------------------------------------------------------------------------
@@ -368,7 +377,7 @@ def test_light_loads_are_hertz_at_the_contact_point(system):
 
 
 def test_prescribed_penetration_is_the_inverse(system):
-    for shift, yaw, force in ((1e-3, 0.0, 78.5e3), (5e-3, 0.01, 4e4), (6.5e-3, -0.02, 1e-2)):
+    for shift, yaw, force in ((3e-3, 0.0, 78.5e3), (5e-3, 0.01, 4e4), (6.5e-3, -0.02, 1e-2)):
         by_force = system.evaluate(shift, yaw, force)
         depths = by_force.left.penetration, by_force.right.penetration
         back = system.evaluate(shift, yaw, penetration=depths)
@@ -416,8 +425,9 @@ def test_what_does_not_converge_is_status_3_and_keeps_the_outputs():
 
 
 def test_tolerance_decides_the_grid(system):
+    assert wrcontact.system.HALFSPACE_TOLERANCE == halfspace.TOLERANCE_RANGE[0]
     coarse = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.03)
-    fine = wrcontact.ContactSystem(normal_model="halfspace", tolerance=1e-3)
+    fine = wrcontact.ContactSystem(normal_model="halfspace", tolerance=2e-3)
     assert pickle.loads(pickle.dumps(coarse)).stepper().tolerance == 0.03
     for shift in (2e-3, 6e-3):
         truth = fine.evaluate(shift).right
@@ -435,15 +445,15 @@ GRID = (np.linspace(0, 1e-3, 5), np.linspace(0, 1e-3, 4), np.zeros((5, 4)))
 
 @pytest.mark.parametrize("arguments, load, words", [
     (GRID, {}, "force is None N and penetration is None m; permitted is exactly one of them"),
-    (GRID, dict(force=1.0, penetration=1e-6), "force is 1.0 N and penetration is 1e-06 m"),
-    (GRID, dict(force=-1.0), "force is -1.0 N; permitted is force >= 0 N"),
-    (GRID, dict(force=math.nan), "force is nan N"),
-    (GRID, dict(penetration=math.inf), "penetration is inf m; permitted are finite"),
-    (GRID, dict(force=1.0, contact_modulus=0.0), "contact_modulus is 0.0 Pa; permitted is contact_modulus > 0 Pa"),
-    ((GRID[0][::-1], *GRID[1:]), dict(force=1.0), "x has shape (5,); permitted are two or more rising"),
-    ((GRID[0], np.array([0.0, 1e-3, 3e-3, 4e-3]), GRID[2]), dict(force=1.0), "s has shape (4,); permitted are"),
-    ((*GRID[:2], np.zeros((4, 5))), dict(force=1.0), "gap has shape (4, 5); permitted is (5, 4)"),
-    ((*GRID[:2], np.full((5, 4), np.nan)), dict(force=1.0), "gap holds nan"),
+    (GRID, {"force": 1.0, "penetration": 1e-6}, "force is 1.0 N and penetration is 1e-06 m"),
+    (GRID, {"force": -1.0}, "force is -1.0 N; permitted is force >= 0 N"),
+    (GRID, {"force": math.nan}, "force is nan N"),
+    (GRID, {"penetration": math.inf}, "penetration is inf m; permitted are finite"),
+    (GRID, {"force": 1.0, "contact_modulus": 0.0}, "contact_modulus is 0.0 Pa; permitted is contact_modulus > 0 Pa"),
+    ((GRID[0][::-1], *GRID[1:]), {"force": 1.0}, "x has shape (5,); permitted are two or more rising"),
+    ((GRID[0], np.array([0.0, 1e-3, 3e-3, 4e-3]), GRID[2]), {"force": 1.0}, "s has shape (4,); permitted are"),
+    ((*GRID[:2], np.zeros((4, 5))), {"force": 1.0}, "gap has shape (4, 5); permitted is (5, 4)"),
+    ((*GRID[:2], np.full((5, 4), np.nan)), {"force": 1.0}, "gap holds nan"),
 ])
 def test_wrong_grids_and_loads_are_refused_in_a_sentence(arguments, load, words):
     with pytest.raises(ValueError) as refusal:
@@ -452,10 +462,10 @@ def test_wrong_grids_and_loads_are_refused_in_a_sentence(arguments, load, words)
 
 
 def test_wrong_domains_and_tolerances_are_refused_in_a_sentence():
-    ball, load = paraboloid(1.0, 1.0), dict(contact_modulus=MODULUS, force=1e4)
+    ball, load = paraboloid(1.0, 1.0), {"contact_modulus": MODULUS, "force": 1e4}
     with pytest.raises(ValueError, match=r"domain is \(1, 0, 0, 1\) m; permitted is"):
         halfspace.solve_contact(ball, (1, 0, 0, 1), **load)
-    with pytest.raises(ValueError, match=r"tolerance is 1e-06; permitted is 0.0001 ... 0.1"):
+    with pytest.raises(ValueError, match=r"tolerance is 1e-06; permitted is 0.0003 ... 0.1"):
         halfspace.solve_contact(ball, WIDE, tolerance=1e-6, **load)
     with pytest.raises(ArithmeticError, match=r"the patch reaches [xs] = -?0.001 m, the end of the domain"):
         halfspace.solve_contact(ball, (-1e-3, 1e-3, -1e-3, 1e-3), **load)
@@ -464,11 +474,13 @@ def test_wrong_domains_and_tolerances_are_refused_in_a_sentence():
 
 
 @pytest.mark.parametrize("arguments, sentence", [
-    (dict(normal_model="halfspace", longitudinal_curvature="basic"),
+    ({"normal_model": "halfspace", "longitudinal_curvature": "basic"},
      "longitudinal_curvature is 'basic'; permitted with the normal_model 'halfspace'"),
-    (dict(tolerance=0.5), "tolerance is 0.5; permitted is 0.0001 ... 0.1 1"),
-    (dict(tolerance="fine"), "tolerance is 'fine'; permitted is"),
-    (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'hertz', 'halfspace'"),
+    ({"tolerance": 0.5}, "tolerance is 0.5; permitted is 0.0001 ... 0.1 1"),
+    ({"normal_model": "halfspace", "tolerance": 2e-4},
+     "tolerance is 0.0002; permitted with the normal_model 'halfspace' is 0.0003 ... 0.1 1"),
+    ({"tolerance": "fine"}, "tolerance is 'fine'; permitted is"),
+    ({"normal_model": "kalker"}, "normal_model is 'kalker'; permitted are 'analyn', 'hertz', 'halfspace'"),
 ])
 def test_wrong_parameters_are_refused_in_a_sentence(arguments, sentence):
     with pytest.raises(ValueError) as refusal:

@@ -33,6 +33,9 @@ RANGES = {
     "tolerance": (1e-4, 0.1, "1"),
 }
 
+#: Smallest tolerance of the half-space model [1], halfspace.TOLERANCE_RANGE.
+HALFSPACE_TOLERANCE = 3e-4
+
 #: Numeric parameters that may be None: each method then uses its own.
 OPTIONAL = ("tolerance",)
 
@@ -74,7 +77,7 @@ class ContactSystem:
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
     lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).
     tolerance : relative error of the numerics in penetration, area and peak pressure, 1e-4 ... 0.1; None is each model's own
-        (5e-3 for "halfspace").
+        (5e-3 for "halfspace", which reaches 3e-4).
 
     Raises
     ------
@@ -94,9 +97,7 @@ class ContactSystem:
             self.parameters[name] = _checked_number(name, self.parameters[name], low, high, unit)
         for name, choices in CHOICES.items():
             check_choice(name, self.parameters[name], choices + OFFLINE_CHOICES.get(name, ()))
-        if self.parameters["normal_model"] == "halfspace" and self.parameters["longitudinal_curvature"] != "effective":
-            raise ValueError(f"longitudinal_curvature is {self.parameters['longitudinal_curvature']!r}; permitted with the "
-                             "normal_model 'halfspace', which knows the whole surface, is 'effective'")
+        _check_halfspace(self.parameters)
         self.wheel = find_profile(wheel, "wheel")
         self.rail = find_profile(rail, "rail")
         self._tables = self._prepare()
@@ -123,7 +124,7 @@ class ContactSystem:
     def stepper(self):
         """A new :class:`Stepper`: one wheelset that is moved in time, with its own memory."""
         if self.parameters["normal_model"] == "halfspace":
-            from .true_gap import HalfspaceStepper      # scipy is not needed before
+            from .true_gap import HalfspaceStepper  # scipy is not needed before
 
             return HalfspaceStepper(self._tables, self.parameters["tolerance"])
         return Stepper(self._tables)
@@ -228,6 +229,18 @@ def _checked_number(name, value, low, high, unit):
     if not low <= number <= high:
         raise ValueError(f"{name} is {value!r}; permitted is {low:g} ... {high:g} {unit}")
     return number
+
+
+def _check_halfspace(chosen):
+    """ValueError, in a sentence, for what the half-space model cannot be combined with."""
+    if chosen["normal_model"] != "halfspace":
+        return
+    if chosen["longitudinal_curvature"] != "effective":
+        raise ValueError(f"longitudinal_curvature is {chosen['longitudinal_curvature']!r}; permitted with the normal_model "
+                         "'halfspace', which knows the whole surface, is 'effective'")
+    if chosen["tolerance"] is not None and chosen["tolerance"] < HALFSPACE_TOLERANCE:
+        raise ValueError(f"tolerance is {chosen['tolerance']:g}; permitted with the normal_model 'halfspace' is "
+                         f"{HALFSPACE_TOLERANCE:g} ... {RANGES['tolerance'][1]:g} 1")
 
 
 def check_choice(name, value, choices):

@@ -322,7 +322,6 @@ class HalfspaceStepper(Stepper):
         load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
         contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S), tolerance=self.tolerance,
                                           contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
-        side[layout.SIDE_PATCH_COUNT:][0] = 0.0
         side[layout.SIDE_PENETRATION:] = 0.0
         write_side(side, plane, contact)
 
