@@ -7,7 +7,7 @@
 >>> f"{contact.penetration:.2e} m, {contact.max_pressure:.2e} Pa"
 '2.43e-05 m, 6.54e+08 Pa'
 
-The bodies touch where the pressure p is positive; the equations are those of docs/method.md, section 8:
+The bodies touch where the pressure p is positive; the equations (H1) ... are those of docs/method.md:
 
     u + h - delta = 0 where p > 0,   u + h - delta >= 0 where p = 0,   sum of p dx ds = N                        (H1)
 
@@ -118,9 +118,12 @@ class Deflection:
         self.transfer = fft.rfft2(kernel[rows[:, None], columns])
 
     def __call__(self, pressure):
-        spectrum = fft.rfft2(pressure, self.padded)
+        rows, columns = self.padded
+        # one axis after the other: the padding rows are not transformed along s, nor back
+        spectrum = fft.fft(fft.rfft(pressure, columns, axis=1), rows, axis=0, overwrite_x=True)
         spectrum *= self.transfer
-        return fft.irfft2(spectrum, self.padded, overwrite_x=True)[: self.shape[0], : self.shape[1]]
+        inside = fft.ifft(spectrum, axis=0, overwrite_x=True)[: self.shape[0]]
+        return fft.irfft(inside, columns, axis=1)[:, : self.shape[1]]
 
 
 # --- one grid --------------------------------------------------------------------------------------------------------
