@@ -58,6 +58,11 @@ KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "analyn_strip": layout.MODEL_AN
                   "effective": layout.LONGITUDINAL_EFFECTIVE, "basic": layout.LONGITUDINAL_BASIC}
 
 
+#: What of an evaluation can be wanted.
+SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
+DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
+
+
 class ContactSystem:
     """Wheel and rail profiles, track, material and methods of one wheelset.
 
@@ -121,8 +126,21 @@ class ContactSystem:
         changed = [f"{name}={value!r}" for name, value in self.parameters.items() if value != default[name].default]
         return f"ContactSystem({', '.join(changed)})"
 
-    def stepper(self):
-        """A new :class:`Stepper`: one wheelset that is moved in time, with its own memory."""
+    def stepper(self, side="both", outputs="all"):
+        """A new :class:`Stepper`: one wheelset that is moved in time, with its own memory.
+
+        What is not wanted is not computed, and is NaN in its outputs.
+
+        Parameters
+        ----------
+        side : "both", "left" or "right"; roll and vertical shift are there in any case.
+        outputs : "all", "patches" (no outline), or "geometry" (contact point, angle, rolling radius, curvatures).
+        """
+        stepper = self._new_stepper()
+        stepper.want(side, outputs)
+        return stepper
+
+    def _new_stepper(self):
         if self.parameters["normal_model"] == "halfspace":
             from .true_gap import HalfspaceStepper  # scipy is not needed before
 
@@ -130,7 +148,7 @@ class ContactSystem:
         return Stepper(self._tables)
 
     def evaluate(self, lateral_shift=0.0, yaw=0.0, normal_force=78.5e3, load_transfer=0.0, roll_guess=0.0,
-                 penetration=None):
+                 penetration=None, side="both", outputs="all"):
         """The contact of both wheels at one pose.
 
         Parameters
@@ -141,6 +159,7 @@ class ContactSystem:
         load_transfer : share of it moved from the left to the right wheel, -1 ... 1.
         roll_guess : where the roll search starts [rad]; changes the cost, never the answer.
         penetration : prescribe the penetration [m] instead of the force: one value, or (left, right).
+        side, outputs : what is wanted, as for :meth:`stepper`; the rest is NaN.
 
         Returns
         -------
@@ -153,6 +172,7 @@ class ContactSystem:
             stepper = self._own.stepper = self.stepper()
             stepper.outputs[:] = math.nan
         stepper.prescribe(penetration)
+        stepper.want(side, outputs)
         inputs = stepper.inputs
         inputs[0], inputs[1], inputs[2], inputs[3], inputs[4] = (lateral_shift, yaw, roll_guess, normal_force,
                                                                  load_transfer)
@@ -160,7 +180,7 @@ class ContactSystem:
         return WheelsetState(stepper.outputs.copy(), Status(status), inputs.copy())
 
     def evaluate_many(self, lateral_shift=0.0, yaw=0.0, normal_force=78.5e3, load_transfer=0.0, roll_guess=0.0,
-                      penetration=None):
+                      penetration=None, side="both", outputs="all"):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays (n, ...).
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
@@ -170,12 +190,12 @@ class ContactSystem:
         if columns[0].ndim != 1:
             raise ValueError(f"the inputs broadcast to shape {columns[0].shape}; permitted are one-dimensional arrays")
         inputs = np.ascontiguousarray(np.stack(columns, axis=1))
-        outputs = np.full((len(inputs), layout.OUTPUT_COUNT), math.nan)
+        values = np.full((len(inputs), layout.OUTPUT_COUNT), math.nan)
         status = np.zeros(len(inputs))
-        stepper = self.stepper()
+        stepper = self.stepper(side, outputs)
         stepper.prescribe(penetration)
-        stepper.step_many(inputs, outputs, status)
-        return WheelsetState(outputs, status.astype(int), inputs)
+        stepper.step_many(inputs, values, status)
+        return WheelsetState(values, status.astype(int), inputs)
 
 
 class Stepper:
@@ -185,7 +205,7 @@ class Stepper:
     ----------
     inputs : (5,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1].
     outputs : (270,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.
-    state : (10,) where the next roll search starts, and counters; it never changes an answer.
+    state : (11,) where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is at work.
     """
 
@@ -194,14 +214,18 @@ class Stepper:
         self.inputs = np.zeros(layout.INPUT_COUNT)
         self.outputs = np.zeros(layout.OUTPUT_COUNT)
         self.state = np.zeros(layout.STATE_SIZE)
-        self._bound = default_kernel().bind(self._tables, self.state, np.zeros(layout.WORK_SIZE), self.inputs,
-                                            self.outputs)
+        self._workspace = np.zeros(layout.WORK_SIZE)
+        self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)
         self.compiled = self._bound.compiled
         self.step = self._bound.step
         self._penetration = None
+        self._wanted = ("both", "all")
 
     def step(self):
-        """Evaluate the inputs into the outputs; the status (an int).  Status 2, 3 and 4 leave the outputs as they are."""
+        """Evaluate the inputs into the outputs; the status (an int).  Status 2, 3 and 4 leave the outputs as they are.
+
+        Inputs that are those of the last valid step are not evaluated again.
+        """
 
     def step_many(self, inputs, outputs, status):
         """Evaluate rows of ``inputs`` (n, 5) into ``outputs`` (n, 270) and ``status`` (n,), C-contiguous float64."""
@@ -217,7 +241,18 @@ class Stepper:
                 raise ValueError(f"penetration ({side}) is {value:g} m; permitted is 0 ... 0.01 m")
         self._tables[layout.SET_PENETRATION_LEFT] = left
         self._tables[layout.SET_PENETRATION_RIGHT] = right
+        self._workspace[layout.WORK_KNOWN] = 0.0
         self._penetration = penetration
+
+    def want(self, side="both", outputs="all"):
+        """Compute only this from now on; the arguments of :meth:`ContactSystem.stepper`."""
+        if self._wanted == (side, outputs):
+            return
+        for name, value, choices in (("side", side, SIDES), ("outputs", outputs, DEPTHS)):
+            check_choice(name, value, choices)
+        self._tables[layout.SET_SIDES], self._tables[layout.SET_DEPTH] = SIDES[side], DEPTHS[outputs]
+        self._workspace[layout.WORK_KNOWN] = 0.0
+        self._wanted = (side, outputs)
 
 
 def _checked_number(name, value, low, high, unit):

@@ -42,6 +42,8 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[layout.SET_NODES], settings[layout.SET_STRIDE] = nodes, stride
     settings[layout.SET_STRIPS], settings[layout.SET_SWEEPS] = strips, sweeps
     settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
+    settings[layout.SET_SIDES], settings[layout.SET_DEPTH] = layout.SIDES_BOTH, layout.DEPTH_ALL
+    settings[layout.SET_ABSENT] = np.nan
     offset = len(settings)
     for setting, table in parts.items():
         settings[setting] = offset

@@ -297,7 +297,7 @@ class HalfspaceStepper(Stepper):
         super().__init__(tables)
         self.tolerance = halfspace.TOLERANCE if tolerance is None else tolerance
         self._rigid = np.zeros(layout.OUTPUT_COUNT)
-        self._bound = default_kernel().bind(self._tables, self.state, np.zeros(layout.WORK_SIZE), self.inputs, self._rigid)
+        self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self._rigid)
         self.step = self._step
 
     def _step(self):

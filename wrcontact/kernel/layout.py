@@ -81,11 +81,20 @@ SET_STRIPS: Final[int] = 16          # strips of the strip correction
 SET_SWEEPS: Final[int] = 17          # and how often it is made
 SET_INFLUENCE: Final[int] = 18       # offset of its table
 SET_STARTS: Final[int] = 19          # offset of the table of starts
-SETTING_COUNT: Final[int] = 20
+SET_SIDES: Final[int] = 20           # which sides are wanted, one of SIDES_...
+SET_DEPTH: Final[int] = 21           # what is wanted of them, one of DEPTH_...
+SET_ABSENT: Final[int] = 22          # what stands in outputs that are not wanted: not a number
+SETTING_COUNT: Final[int] = 24
 
 MODEL_HERTZ: Final[int] = 0
 MODEL_ANALYN: Final[int] = 1
 MODEL_ANALYN_STRIP: Final[int] = 2
+SIDES_BOTH: Final[int] = 0
+SIDES_LEFT: Final[int] = 1
+SIDES_RIGHT: Final[int] = 2
+DEPTH_GEOMETRY: Final[int] = 0       # contact point, angle, radius, curvatures
+DEPTH_PATCHES: Final[int] = 1        # and penetration, patches
+DEPTH_ALL: Final[int] = 2            # and the outline
 LONGITUDINAL_EFFECTIVE: Final[int] = 0
 LONGITUDINAL_BASIC: Final[int] = 1
 
@@ -125,6 +134,8 @@ STRIP_FIELDS: Final[int] = 16        # strip arrays
 STRIP_LIMIT: Final[int] = 104        # their length
 
 WORK_INPUTS: Final[int] = 0          # inputs of the row at work
+WORK_KNOWN: Final[int] = 6           # 1 when the outputs below belong to them
+WORK_STATUS: Final[int] = 7          # and their status
 WORK_OUTPUTS: Final[int] = WORK_INPUTS + 8          # outputs under construction
 WORK_PLACE: Final[int] = WORK_OUTPUTS + OUTPUT_COUNT          # left and right placed wheel
 WORK_SIDE: Final[int] = WORK_PLACE + 2 * PLACE_BLOCK          # left and right search data

@@ -13,8 +13,8 @@ from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
 from .hertz import hertz_coefficients, hertz_stiffness
-from .layout import (MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NODES, SET_NORMAL_MODEL, SET_STRIDE,
+from .layout import (DEPTH_ALL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
+                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_NODES, SET_NORMAL_MODEL, SET_STRIDE,
                      SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH,
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
@@ -229,7 +229,10 @@ def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, p
     work[side + SIDE_PATCH + PATCH_WIDTH] = 2.0 * b
     work[side + SIDE_PATCH + PATCH_CENTROID] = 0.0
     work[side + SIDE_PATCH + PATCH_CONTACT_ANGLE] = work[side + SIDE_CONTACT_ANGLE]
-    for j in range(STATION_COUNT):
+    stations = 0
+    if int(tables[SET_DEPTH]) == DEPTH_ALL:
+        stations = STATION_COUNT
+    for j in range(stations):
         share = 2.0 * float(j) / float(STATION_COUNT - 1) - 1.0
         height = sqrt(1.0 - share * share)
         work[side + SIDE_STATION + j] = share * b
@@ -254,10 +257,12 @@ def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
             if met == 1:
                 islands = gather_strips(tables, work, strips)
                 write_patches(work, outputs, islands)
-                write_strip_outline(work, outputs, strips, islands)
+                if int(tables[SET_DEPTH]) == DEPTH_ALL:
+                    write_strip_outline(work, outputs, strips, islands)
         elif met == 1:
             islands = gather_islands(tables, work, count)
             write_patches(work, outputs, islands)
-            write_outline(work, outputs, count, islands)
+            if int(tables[SET_DEPTH]) == DEPTH_ALL:
+                write_outline(work, outputs, count, islands)
         work[outputs + SIDE_PENETRATION] = penetration
     return met

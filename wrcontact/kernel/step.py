@@ -7,11 +7,13 @@ from math import fabs, isfinite
 from typing import Final
 
 from .contact_point import describe_contact
-from .layout import (INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL_GUESS,
-                     IN_YAW, NOT_CONVERGED, OFF_PROFILE, OUTPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUT_ROLL,
-                     OUT_VERTICAL_SHIFT, SET_LATERAL_LIMIT, SET_PENETRATION_LEFT, SET_YAW_LIMIT, SIDE_BEST,
-                     SIDE_BEST_Y, SIDE_BLOCK, SIDE_SIZE, STATE_ROLL, STATE_SHIFT, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT,
-                     UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE)
+from .layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER,
+                     IN_NORMAL_FORCE, IN_ROLL_GUESS, IN_YAW, NOT_CONVERGED, OFF_PROFILE, OUTPUT_COUNT, OUT_LEFT,
+                     OUT_RIGHT, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT, SET_DEPTH, SET_LATERAL_LIMIT,
+                     SET_PENETRATION_LEFT, SET_SIDES, SET_YAW_LIMIT, SIDES_BOTH, SIDES_LEFT, SIDE_BEST, SIDE_BEST_Y,
+                     SIDE_BLOCK, SIDE_PATCH_COUNT, SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATE_ROLL, STATE_SHIFT,
+                     STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, UNLOADED, VALID, WORK_INPUTS, WORK_KNOWN, WORK_OUTPUTS,
+                     WORK_SIDE, WORK_STATUS)
 from .normal_contact import solve_normal
 from .roll import solve_roll
 from .starts import START_LEFT, START_RIGHT, START_ROLL, nearest_start
@@ -42,12 +44,28 @@ def inputs_in_range(tables: 'float[:]', work: 'float[:]'):
     return inside
 
 
+def clear_side(tables: 'float[:]', work: 'float[:]', out: int, first: int):
+    """Zeros in a side's outputs; from ``first`` on what stands for outputs that are not wanted."""
+    for i in range(first):
+        work[out + i] = 0.0
+    for i in range(first, SIDE_SIZE):
+        work[out + i] = tables[SET_ABSENT]
+    if first <= SIDE_PENETRATION:
+        work[out + SIDE_PATCH_COUNT] = tables[SET_ABSENT]
+    return 0
+
+
 def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, shift: float, force: float):
-    """Contact and patches of one side; its outcome."""
+    """Contact and patches of one side, as far as they are wanted; its outcome."""
     side = WORK_SIDE + SIDE_BLOCK * index
     out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
-    for i in range(SIDE_SIZE):
-        work[out + i] = 0.0
+    depth = int(tables[SET_DEPTH])
+    first = SIDE_SIZE
+    if depth == DEPTH_PATCHES:
+        first = SIDE_STATION
+    if depth == DEPTH_GEOMETRY:
+        first = SIDE_PENETRATION
+    clear_side(tables, work, out, first)
     status = VALID
     if describe_contact(tables, work, state, index, shift) == 0:
         status = OFF_PROFILE
@@ -56,11 +74,11 @@ def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
         pressed = force
         if isfinite(penetration):
             pressed = penetration
-        if pressed > 0.0:
+        if not pressed > 0.0:
+            status = UNLOADED
+        elif depth != DEPTH_GEOMETRY:
             if solve_normal(tables, work, state, side, out, force, penetration) == 0:
                 status = NOT_CONVERGED
-        else:
-            status = UNLOADED
     return status
 
 
@@ -98,9 +116,13 @@ def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST]
     for index in range(2):
         sign = float(2 * index - 1)
+        outcome = VALID
         force = work[WORK_INPUTS + IN_NORMAL_FORCE] * (1.0 + sign * work[WORK_INPUTS + IN_LOAD_TRANSFER])
         shift = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
-        outcome = step_side(tables, work, state, index, shift, force)
+        if int(tables[SET_SIDES]) == SIDES_BOTH or int(tables[SET_SIDES]) == SIDES_LEFT + index:
+            outcome = step_side(tables, work, state, index, shift, force)
+        else:
+            clear_side(tables, work, WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index, 0)
         if outcome > status:
             status = outcome
     if status <= UNLOADED:
@@ -114,11 +136,21 @@ def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
 
 def step_row(tables: 'float[:]', state: 'float[:]', workspace: 'float[:]', inputs: 'float[:]', outputs: 'float[:]',
              row: int):
-    """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status."""
+    """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status.  Inputs as before are not evaluated again."""
+    changed = 1
+    if workspace[WORK_KNOWN] == 1.0:
+        changed = 0
     for i in range(INPUT_COUNT):
+        if not workspace[WORK_INPUTS + i] == inputs[INPUT_COUNT * row + i]:
+            changed = 1
         workspace[WORK_INPUTS + i] = inputs[INPUT_COUNT * row + i]
-    status = evaluate(tables, workspace, state)
+    status = int(workspace[WORK_STATUS])
+    if changed == 1:
+        workspace[WORK_KNOWN] = 0.0
+        status = evaluate(tables, workspace, state)
     if status <= UNLOADED:
+        workspace[WORK_KNOWN] = 1.0
+        workspace[WORK_STATUS] = float(status)
         for i in range(OUTPUT_COUNT):
             outputs[OUTPUT_COUNT * row + i] = workspace[WORK_OUTPUTS + i]
     return status

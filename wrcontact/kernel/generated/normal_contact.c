@@ -280,6 +280,7 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     double b;
     double area;
     double pressure;
+    int64_t stations;
     int64_t j;
     double share;
     double height;
@@ -318,7 +319,12 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
     (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CENTROID)) = 0.0;
     (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_CONTACT_ANGLE));
-    for (j = INT64_C(0); j < layout__STATION_COUNT; j += INT64_C(1))
+    stations = INT64_C(0);
+    if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+    {
+        stations = layout__STATION_COUNT;
+    }
+    for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         share = 2.0 * (double)(j) / (double)(layout__STATION_COUNT - INT64_C(1)) - 1.0;
         height = sqrt(1.0 - share * share);
@@ -358,14 +364,20 @@ static inline int64_t normal_contact__solve_normal(array_double_1d tables, array
             {
                 islands = strip_patches__gather_strips(tables, work, strips);
                 patches__write_patches(work, outputs, islands);
-                strip_patches__write_strip_outline(work, outputs, strips, islands);
+                if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+                {
+                    strip_patches__write_strip_outline(work, outputs, strips, islands);
+                }
             }
         }
         else if (met == INT64_C(1))
         {
             islands = patches__gather_islands(tables, work, count);
             patches__write_patches(work, outputs, islands);
-            patches__write_outline(work, outputs, count, islands);
+            if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+            {
+                patches__write_outline(work, outputs, count, islands);
+            }
         }
         (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
     }

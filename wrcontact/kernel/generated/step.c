@@ -46,21 +46,48 @@ static inline int64_t step__inputs_in_range(array_double_1d tables, array_double
     return inside;
 }
 
-/* Contact and patches of one side; its outcome. */
+/* Zeros in a side's outputs; from ``first`` on what stands for outputs that are not wanted. */
+static inline int64_t step__clear_side(array_double_1d tables, array_double_1d work, int64_t out, int64_t first)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < first; i += INT64_C(1))
+    {
+        (*cspan_at(&work, out + i)) = 0.0;
+    }
+    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+    }
+    if (first <= layout__SIDE_PENETRATION)
+    {
+        (*cspan_at(&work, out + layout__SIDE_PATCH_COUNT)) = (*cspan_at(&tables, layout__SET_ABSENT));
+    }
+    return INT64_C(0);
+}
+
+/* Contact and patches of one side, as far as they are wanted; its outcome. */
 static inline int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force)
 {
     int64_t side;
     int64_t out;
-    int64_t i;
+    int64_t depth;
+    int64_t first;
     double penetration;
     double pressed;
     int64_t status;
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
-    for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
+    depth = (int64_t)((*cspan_at(&tables, layout__SET_DEPTH)));
+    first = layout__SIDE_SIZE;
+    if (depth == layout__DEPTH_PATCHES)
     {
-        (*cspan_at(&work, out + i)) = 0.0;
+        first = layout__SIDE_STATION;
     }
+    if (depth == layout__DEPTH_GEOMETRY)
+    {
+        first = layout__SIDE_PENETRATION;
+    }
+    step__clear_side(tables, work, out, first);
     status = layout__VALID;
     if (contact_point__describe_contact(tables, work, state, index, shift) == INT64_C(0))
     {
@@ -74,16 +101,16 @@ static inline int64_t step__step_side(array_double_1d tables, array_double_1d wo
         {
             pressed = penetration;
         }
-        if (pressed > 0.0)
+        if (!(pressed > 0.0))
+        {
+            status = layout__UNLOADED;
+        }
+        else if (depth != layout__DEPTH_GEOMETRY)
         {
             if (normal_contact__solve_normal(tables, work, state, side, out, force, penetration) == INT64_C(0))
             {
                 status = layout__NOT_CONVERGED;
             }
-        }
-        else
-        {
-            status = layout__UNLOADED;
         }
     }
     return status;
@@ -130,9 +157,9 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     int64_t status;
     int64_t index;
     double sign;
+    int64_t outcome;
     double force;
     double shift;
-    int64_t outcome;
     if (step__inputs_valid(work) == INT64_C(0))
     {
         return layout__INVALID_INPUT;
@@ -151,9 +178,17 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         sign = (double)(INT64_C(2) * index - INT64_C(1));
+        outcome = layout__VALID;
         force = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER)));
         shift = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
-        outcome = step__step_side(tables, work, state, index, shift, force);
+        if (((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_LEFT + index))
+        {
+            outcome = step__step_side(tables, work, state, index, shift, force);
+        }
+        else
+        {
+            step__clear_side(tables, work, layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index, INT64_C(0));
+        }
         if (outcome > status)
         {
             status = outcome;
@@ -170,18 +205,35 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     return status;
 }
 
-/* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. */
+/* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status.  Inputs as before are not evaluated again. */
 static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
 {
+    int64_t changed;
     int64_t i;
     int64_t status;
+    changed = INT64_C(1);
+    if ((*cspan_at(&workspace, layout__WORK_KNOWN)) == 1.0)
+    {
+        changed = INT64_C(0);
+    }
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
     {
+        if (!((*cspan_at(&workspace, layout__WORK_INPUTS + i)) == (*cspan_at(&inputs, layout__INPUT_COUNT * row + i))))
+        {
+            changed = INT64_C(1);
+        }
         (*cspan_at(&workspace, layout__WORK_INPUTS + i)) = (*cspan_at(&inputs, layout__INPUT_COUNT * row + i));
     }
-    status = step__evaluate(tables, workspace, state);
+    status = (int64_t)((*cspan_at(&workspace, layout__WORK_STATUS)));
+    if (changed == INT64_C(1))
+    {
+        (*cspan_at(&workspace, layout__WORK_KNOWN)) = 0.0;
+        status = step__evaluate(tables, workspace, state);
+    }
     if (status <= layout__UNLOADED)
     {
+        (*cspan_at(&workspace, layout__WORK_KNOWN)) = 1.0;
+        (*cspan_at(&workspace, layout__WORK_STATUS)) = (double)(status);
         for (i = INT64_C(0); i < layout__OUTPUT_COUNT; i += INT64_C(1))
         {
             (*cspan_at(&outputs, layout__OUTPUT_COUNT * row + i)) = (*cspan_at(&workspace, layout__WORK_OUTPUTS + i));

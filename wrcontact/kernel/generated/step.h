@@ -19,6 +19,7 @@ static const double step__NEAR_SHIFT = 0.0002;
 
 static inline int64_t step__inputs_valid(array_double_1d work);
 static inline int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work);
+static inline int64_t step__clear_side(array_double_1d tables, array_double_1d work, int64_t out, int64_t first);
 static inline int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force);
 static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
