@@ -25,6 +25,7 @@ static const int64_t hertz__TABLE_CELLS_PER_UNIT = INT64_C(2);
 static const int64_t hertz__TABLE_CELLS = INT64_C(4);
 static const int64_t hertz__TABLE_ROW = INT64_C(12);
 static const double hertz__TILTED = 1e-12;
+static const double hertz__STEEPEST = 0.2;
 static const double hertz__TYPICAL_SLOPE = 1.3;
 static const int64_t hertz__RATIO_ITERATIONS = INT64_C(12);
 static const double hertz__RATIO_SHARP = 1e-10;
