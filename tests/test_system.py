@@ -94,7 +94,7 @@ def test_nothing_valid_yet_is_nan():
     (dict(nominal_radius="big"), "nominal_radius is 'big'; permitted is 0.1 ... 1 m"),
     (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),
     (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
-    (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'hertz'"),
+    (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'analyn_strip', 'hertz', 'halfspace'"),
     (dict(contact_mode="elastic"), "contact_mode is 'elastic'; permitted is 'rigid'"),
     (dict(lateral_curvature=3), "lateral_curvature is 3; permitted is 'smooth'"),
 ])

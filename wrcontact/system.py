@@ -30,19 +30,31 @@ RANGES = {
     "nominal_radius": (0.1, 1.0, "m"),
     "youngs_modulus": (1e6, 1e13, "Pa"),
     "poisson_ratio": (0.0, 0.499, "1"),
+    "tolerance": (1e-4, 0.1, "1"),
 }
+
+#: Smallest tolerance of the half-space model [1], halfspace.TOLERANCE_RANGE.
+HALFSPACE_TOLERANCE = 3e-4
+
+#: Numeric parameters that may be None: each method then uses its own.
+OPTIONAL = ("tolerance",)
 
 #: The methods that can be chosen, by parameter; the first one is the default.
 CHOICES = {
     "contact_mode": ("rigid",),
     "load": ("normal",),
-    "normal_model": ("analyn", "hertz"),
+    "normal_model": ("analyn", "analyn_strip", "hertz"),
     "separation": ("normal",),
     "longitudinal_curvature": ("effective", "basic"),
     "lateral_curvature": ("smooth",),
 }
 
-KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "hertz": layout.MODEL_HERTZ,
+#: Methods that need scipy, which an FMU does not carry: further choices in Python.
+OFFLINE_CHOICES = {"normal_model": ("halfspace",)}
+
+#: The half-space model takes nothing but the rigid geometry from the kernel, whose cheapest model is Hertz's.
+KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "analyn_strip": layout.MODEL_ANALYN_STRIP, "hertz": layout.MODEL_HERTZ,
+                  "halfspace": layout.MODEL_HERTZ,
                   "effective": layout.LONGITUDINAL_EFFECTIVE, "basic": layout.LONGITUDINAL_BASIC}
 
 
@@ -59,10 +71,13 @@ class ContactSystem:
     youngs_modulus, poisson_ratio : of wheel and rail [Pa, 1].
     contact_mode : "rigid", contact where the undeformed profiles first touch.
     load : "normal", ``normal_force`` is the total over a wheel's patches.
-    normal_model : "analyn" (Sichani et al. 2014) or "hertz" (curvatures at the contact point).
+    normal_model : "analyn" (Sichani et al. 2014), "hertz" (curvatures at the contact point), or "halfspace" (complete theory
+        on the true three-dimensional gap, wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel).
     separation : "normal", the undeformed distance is measured along the contact normal.
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
     lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).
+    tolerance : relative error of the numerics in penetration, area and peak pressure, 1e-4 ... 0.1; None is each model's own
+        (5e-3 for "halfspace", which reaches 3e-4).
 
     Raises
     ------
@@ -73,13 +88,16 @@ class ContactSystem:
     def __init__(self, wheel="S1002", rail="UIC60", rail_inclination=1 / 40, gauge=1.435, gauge_depth=0.014,
                  running_circle_distance=1.5, nominal_radius=0.46, youngs_modulus=210e9, poisson_ratio=0.28,
                  contact_mode="rigid", load="normal", normal_model="analyn", separation="normal",
-                 longitudinal_curvature="effective", lateral_curvature="smooth"):
+                 longitudinal_curvature="effective", lateral_curvature="smooth", tolerance=None):
         given = dict(locals())
         self.parameters = {name: given[name] for name in signature(type(self)).parameters}
         for name, (low, high, unit) in RANGES.items():
+            if name in OPTIONAL and self.parameters[name] is None:
+                continue
             self.parameters[name] = _checked_number(name, self.parameters[name], low, high, unit)
         for name, choices in CHOICES.items():
-            _check_choice(name, self.parameters[name], choices)
+            check_choice(name, self.parameters[name], choices + OFFLINE_CHOICES.get(name, ()))
+        _check_halfspace(self.parameters)
         self.wheel = find_profile(wheel, "wheel")
         self.rail = find_profile(rail, "rail")
         self._tables = self._prepare()
@@ -105,6 +123,10 @@ class ContactSystem:
 
     def stepper(self):
         """A new :class:`Stepper`: one wheelset that is moved in time, with its own memory."""
+        if self.parameters["normal_model"] == "halfspace":
+            from .true_gap import HalfspaceStepper  # scipy is not needed before
+
+            return HalfspaceStepper(self._tables, self.parameters["tolerance"])
         return Stepper(self._tables)
 
     def evaluate(self, lateral_shift=0.0, yaw=0.0, normal_force=78.5e3, load_transfer=0.0, roll_guess=0.0,
@@ -209,7 +231,20 @@ def _checked_number(name, value, low, high, unit):
     return number
 
 
-def _check_choice(name, value, choices):
+def _check_halfspace(chosen):
+    """ValueError, in a sentence, for what the half-space model cannot be combined with."""
+    if chosen["normal_model"] != "halfspace":
+        return
+    if chosen["longitudinal_curvature"] != "effective":
+        raise ValueError(f"longitudinal_curvature is {chosen['longitudinal_curvature']!r}; permitted with the normal_model "
+                         "'halfspace', which knows the whole surface, is 'effective'")
+    if chosen["tolerance"] is not None and chosen["tolerance"] < HALFSPACE_TOLERANCE:
+        raise ValueError(f"tolerance is {chosen['tolerance']:g}; permitted with the normal_model 'halfspace' is "
+                         f"{HALFSPACE_TOLERANCE:g} ... {RANGES['tolerance'][1]:g} 1")
+
+
+def check_choice(name, value, choices):
+    """ValueError, in a sentence that lists them, unless ``value`` is one of ``choices``."""
     if value not in choices:
         permitted = ", ".join(repr(choice) for choice in choices)
         raise ValueError(f"{name} is {value!r}; permitted are {permitted}" if len(choices) > 1 else

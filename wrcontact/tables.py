@@ -3,6 +3,7 @@
 import numpy as np
 
 from .hertz_table import hertz_table
+from .influence_table import influence_table
 from .kernel import layout, starts
 from .kernel.library import default_kernel
 from .profiles.compiled import compile_profile
@@ -15,7 +16,7 @@ START_STEP = 0.5e-3    # [m] of the lateral shifts for which a start of the roll
 
 
 def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
-                 longitudinal_curvature):
+                 longitudinal_curvature, nodes=10, stride=1, strips=24, sweeps=2):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
     ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_...
@@ -26,6 +27,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
         layout.SET_RAIL: rail_table,
         layout.SET_SCAN: scan_table(wheel_table, rail_table),
         layout.SET_HERTZ: hertz_table(),
+        layout.SET_INFLUENCE: influence_table(),
         layout.SET_STARTS: empty_starts(),
     }
     settings = np.zeros(layout.SETTING_COUNT)
@@ -37,6 +39,8 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
     settings[layout.SET_NORMAL_MODEL] = normal_model
     settings[layout.SET_LONGITUDINAL] = longitudinal_curvature
+    settings[layout.SET_NODES], settings[layout.SET_STRIDE] = nodes, stride
+    settings[layout.SET_STRIPS], settings[layout.SET_SWEEPS] = strips, sweeps
     settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
     offset = len(settings)
     for setting, table in parts.items():

@@ -18,7 +18,7 @@ import numpy as np
 
 from .. import status as outcomes
 from ..kernel import layout
-from ..system import ContactSystem
+from ..system import ContactSystem, check_choice
 from .variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, STATUS, STRING, VARIABLES
 
 INPUTS = layout.INPUT_COUNT
@@ -109,6 +109,9 @@ class Session:
         for profile in ("wheel", "rail"):
             arguments[profile] = self._profile(arguments[profile])
         try:
+            for name, value in parameters.items():
+                if PARAMETERS[name].choices:      # Python has more of them than an FMU
+                    check_choice(name, value, PARAMETERS[name].choices)
             return ContactSystem(**arguments).stepper()
         except ValueError as wrong:
             raise Refused(str(wrong)) from None

@@ -92,7 +92,8 @@ METHODS = {
     "load": ("what normal_force prescribes", {"normal": "the total over the patches of a wheel"}),
     "normal_model": (
         "normal contact",
-        {"analyn": "ANALYN with interacting regions", "hertz": "one Hertz ellipse from the curvatures at the contact point"},
+        {"analyn": "ANALYN with interacting regions", "analyn_strip": "ANALYN followed by a strip correction",
+         "hertz": "one Hertz ellipse from the curvatures at the contact point"},
     ),
     "separation": ("how the undeformed distance is measured", {"normal": "along the normal of the contact plane"}),
     "longitudinal_curvature": (

@@ -23,6 +23,10 @@ from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
+#: Missed by less, relative, the force is met by one more move, Newton's method squaring what is missed.
+NEARLY_SHARP: Final[float] = 1e-7
+#: Missed by more, relative, the power 2/3 of the load is taken for linear in the penetration.
+NEARLY: Final[float] = 1e-3
 #: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
 CLOSED: Final[float] = 1e-10
 #: The penetration is sought up to this multiple of the first value.
@@ -174,9 +178,12 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
                 else:
                     high = penetration
             following = 0.5 * (low + high)
-            # the levels follow the penetration by their slopes, after closing their own residuals
+            # the levels follow the penetration by their slopes, after closing their own residuals; the load's power 2/3
+            # is nearly linear
             if slope > 0.0:
                 newton = penetration + (force - total - rest) / slope
+                if missed > NEARLY * force and total > 0.0:
+                    newton = penetration + (1.5 * total * ((force / total) ** (2.0 / 3.0) - 1.0) - rest) / slope
                 if newton > low and newton < high:
                     following = newton
             move = following - penetration
@@ -184,6 +191,8 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
             return penetration, 1
         penetration += move
         apply_moves(work, count, move)
+        if missed <= NEARLY_SHARP * force and residual <= NEARLY_SHARP * penetration:
+            return penetration, 1
     return penetration, 0
 
 

@@ -12,7 +12,7 @@ and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over 
 (wrcontact/profiles is not involved; see wrcontact/hertz_table.py).
 """
 
-from math import log, sqrt
+from math import fabs, log, sqrt
 from typing import Final
 
 TABLE_COUNT: Final[int] = 0
@@ -20,6 +20,12 @@ TABLE_START: Final[int] = 1
 TABLE_CELLS_PER_UNIT: Final[int] = 2
 TABLE_CELLS: Final[int] = 4
 TABLE_ROW: Final[int] = 12
+#: Principal curvatures closer than this share are one: the ellipse is a circle.
+TILTED: Final[float] = 1e-12
+#: d ln((b/a)^-2) / d ln(B/A) of a nearly circular ellipse; where the secants start.
+TYPICAL_SLOPE: Final[float] = 1.3
+RATIO_ITERATIONS: Final[int] = 12
+RATIO_SHARP: Final[float] = 1e-10
 
 
 def table_value(tables: 'float[:]', base: int, column: int, abscissa: float):
@@ -44,6 +50,59 @@ def hertz_coefficients(tables: 'float[:]', base: int, A: float, B: float):
     ratio = log(B / A)
     return (table_value(tables, base, 0, ratio), table_value(tables, base, 0, -ratio),
             table_value(tables, base, 6, ratio))
+
+
+def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant: float):
+    """1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
+
+    Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
+    again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
+    half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+    """
+    cross = A * slant
+    diagonal = B + cross * slant
+    half = 0.5 * (A - diagonal)
+    spread = sqrt(half * half + cross * cross)
+    large = 0.5 * (A + diagonal) + spread
+    small = A * B / large
+    along, across, nr = hertz_coefficients(tables, base, small, large)
+    along *= small
+    across *= large
+    # the square of the cosine of the long axis' angle to x; a circle has no long axis
+    cosine = 0.5
+    if spread > TILTED * large:
+        cosine = 0.5 - 0.5 * half / spread
+    length = cosine * along + (1.0 - cosine) * across
+    width = along * across / (cosine * along + (1.0 - cosine) * across)
+    return length / A, width / B, nr * sqrt(length / along)
+
+
+def upright_coefficients(tables: 'float[:]', base: int, length: float, width: float, nr: float):
+    """A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
+
+    Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows from that of
+    the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
+    """
+    target = log(width / length)
+    before = 0.0
+    missed_before = 0.0
+    ratio = target / TYPICAL_SLOPE
+    alpha = 1.0
+    beta = 1.0
+    for i in range(RATIO_ITERATIONS):
+        alpha = table_value(tables, base, 0, ratio)
+        beta = table_value(tables, base, 0, -ratio)
+        missed = ratio + log(beta / alpha) - target
+        if fabs(missed) < RATIO_SHARP:
+            break
+        slope = TYPICAL_SLOPE
+        if i > 0 and missed != missed_before:
+            slope = (missed - missed_before) / (ratio - before)
+        before = ratio
+        missed_before = missed
+        ratio -= missed / slope
+    share = table_value(tables, base, 6, ratio) / nr
+    return share * length / alpha, share * width / beta, share
 
 
 def hertz_stiffness(tables: 'float[:]', base: int, A: float, B: float, contact_modulus: float):

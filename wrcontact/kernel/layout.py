@@ -75,11 +75,17 @@ SET_NORMAL_MODEL: Final[int] = 10    # one of MODEL_...
 SET_LONGITUDINAL: Final[int] = 11    # one of LONGITUDINAL_...
 SET_PENETRATION_LEFT: Final[int] = 12   # prescribed penetration [m]; not a number: the force is prescribed
 SET_PENETRATION_RIGHT: Final[int] = 13
-SET_STARTS: Final[int] = 14          # offset of the table of starts
-SETTING_COUNT: Final[int] = 16
+SET_NODES: Final[int] = 14           # nodes per half-width of the interpenetration, a multiple of five
+SET_STRIDE: Final[int] = 15          # every so many of them are traced on the profiles
+SET_STRIPS: Final[int] = 16          # strips of the strip correction
+SET_SWEEPS: Final[int] = 17          # and how often it is made
+SET_INFLUENCE: Final[int] = 18       # offset of its table
+SET_STARTS: Final[int] = 19          # offset of the table of starts
+SETTING_COUNT: Final[int] = 20
 
 MODEL_HERTZ: Final[int] = 0
 MODEL_ANALYN: Final[int] = 1
+MODEL_ANALYN_STRIP: Final[int] = 2
 LONGITUDINAL_EFFECTIVE: Final[int] = 0
 LONGITUDINAL_BASIC: Final[int] = 1
 
@@ -94,7 +100,8 @@ STATE_SOLVE_COUNT: Final[int] = 6    # iterations of the force solve
 STATE_Y_LEFT: Final[int] = 7         # wheel abscissae of the last contacts [m]
 STATE_Y_RIGHT: Final[int] = 8
 STATE_SHIFT: Final[int] = 9          # and the lateral shift [m]
-STATE_SIZE: Final[int] = 10
+STATE_STRIP_COUNT: Final[int] = 10   # systems of strips solved
+STATE_SIZE: Final[int] = 11
 
 # outcome of a step ---------------------------------------------------------------------------------
 VALID: Final[int] = 0
@@ -107,13 +114,15 @@ INVALID_INPUT: Final[int] = 4
 SCAN_LIMIT: Final[int] = 400         # scan nodes over one wheel
 REGION_LIMIT: Final[int] = 3         # loaded regions of one wheel
 REGION_BLOCK: Final[int] = 32        # numbers kept of each
-NODE_FIELDS: Final[int] = 8          # node arrays of each
+NODE_FIELDS: Final[int] = 13          # node arrays of each
 NODE_LIMIT: Final[int] = 256         # their length
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
 PLACE_BLOCK: Final[int] = 16         # a placed wheel
 SIDE_BLOCK: Final[int] = 400         # search data of one side
 CONTACT_BLOCK: Final[int] = 32       # contact frame and tracer
 ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
+STRIP_FIELDS: Final[int] = 16        # strip arrays
+STRIP_LIMIT: Final[int] = 104        # their length
 
 WORK_INPUTS: Final[int] = 0          # inputs of the row at work
 WORK_OUTPUTS: Final[int] = WORK_INPUTS + 8          # outputs under construction
@@ -123,7 +132,11 @@ WORK_CONTACT: Final[int] = WORK_SIDE + 2 * SIDE_BLOCK         # contact frame of
 WORK_REGION: Final[int] = WORK_CONTACT + CONTACT_BLOCK
 WORK_NODES: Final[int] = WORK_REGION + REGION_BLOCK * REGION_LIMIT
 WORK_ISLANDS: Final[int] = WORK_NODES + NODE_LIMIT * NODE_FIELDS * REGION_LIMIT
-WORK_SIZE: Final[int] = WORK_ISLANDS + ISLAND_BLOCK
+WORK_STRIPS: Final[int] = WORK_ISLANDS + ISLAND_BLOCK
+WORK_DISTANCE: Final[int] = WORK_STRIPS + STRIP_FIELDS * STRIP_LIMIT        # logarithms of distances, square
+WORK_INFLUENCE: Final[int] = WORK_DISTANCE + STRIP_LIMIT * STRIP_LIMIT      # displacement of strips by strips, square
+WORK_SYSTEM: Final[int] = WORK_INFLUENCE + STRIP_LIMIT * STRIP_LIMIT        # the system that is solved
+WORK_SIZE: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
 
 # search data of one side, relative to its block
 SIDE_BEST: Final[int] = 0            # smallest gap found [m]

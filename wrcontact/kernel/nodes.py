@@ -15,9 +15,13 @@ follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to ze
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import NO_GAP, normal_gap, start_tracer
-from .hertz import hertz_coefficients
-from .layout import NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ, WORK_NODES
+from .contact_plane import FRAME_PLACE, NO_GAP, TRACER_WHEEL, normal_gap, start_tracer
+from .hertz import hertz_coefficients, skewed_coefficients, upright_coefficients
+from .layout import (MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ,
+                     SET_NORMAL_MODEL, SET_WHEEL, WORK_NODES)
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
+                    around_wheel)
+from .profile_table import height_slope
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
                       REGION_STATION, REGION_WHEEL, region_block)
 
@@ -30,6 +34,11 @@ NODE_LENGTH: Final[int] = 4          # (1 + alpha) A [1/m]
 NODE_LOAD: Final[int] = 5            # line load [N/m] at the solved level; negative where unloaded, likewise
 NODE_SQUARE: Final[int] = 6          # square of the half-length [m^2] and
 NODE_PRESSURE: Final[int] = 7        # square of the pressure on x = 0 [Pa^2]
+NODE_B: Final[int] = 8               # lateral curvature B [1/m]
+NODE_X: Final[int] = 9               # where along the track the gap is smallest [m]; of a yawed wheel only, as is
+NODE_UPRIGHT_RISE: Final[int] = 10   # gap, A and penetration of the upright ellipse with the same strips, see
+NODE_UPRIGHT_A: Final[int] = 11      # hertz.upright_coefficients: the gap's rise [m], A [1/m] and
+NODE_UPRIGHT_SHARE: Final[int] = 12  # its penetration over the real one [-]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02
@@ -45,9 +54,12 @@ def node_field(region: int, field: int):
 
 
 def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, level: float, spacing: float,
-              window: int):
+              window: int, stride: int):
     """Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
-    ``window`` nodes further."""
+    ``window`` nodes further.
+
+    Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
+    """
     block = region_block(region)
     work[block + REGION_SPACING] = spacing
     gaps = node_field(region, NODE_GAP)
@@ -57,29 +69,51 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         tolerance = FINEST_TRACE
     origin = work[block + REGION_STATION]
     start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    gap, rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
+    gap, first_rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
+    yawed = is_yawed(work)
+    ridges = node_field(region, NODE_X)
+    if yawed == 1:
+        work[ridges] = ridge_place(tables, work)
     for direction in range(-1, 2, 2):
         start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
+        rate = first_rate
         k = 0
+        traced = 0
+        step = stride
         left = window
         passed = 0
         ended = 0
-        while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2:
+        while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
+            if k == traced and ended == 0:
+                at = direction * (traced + step)
+                gap, next_rate, bend, curvature = normal_gap(tables, work, state, origin + spacing * float(at), tolerance)
+                if gap >= NO_GAP and step > 1:
+                    # a profile ends within this stretch: node by node from here
+                    step = 1
+                    start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
+                    at = direction * (traced + step)
+                    gap, next_rate, bend, curvature = normal_gap(tables, work, state, origin + spacing * float(at),
+                                                                 tolerance)
+                if gap >= NO_GAP:
+                    ended = 1
+                    end_region(work, block, direction, origin + spacing * float(direction * k))
+                else:
+                    work[gaps + at] = gap - work[block + REGION_GAP]
+                    work[longitudinal + at] = 0.5 * curvature
+                    if yawed == 1:
+                        work[ridges + at] = ridge_place(tables, work)
+                        fill_straight(work, ridges, direction * traced, at, step)
+                    fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
+                    rate = next_rate
+                    traced += step
             k += 1
             at = direction * k
             station = origin + spacing * float(at)
-            if ended == 0:
-                gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
-                if gap >= NO_GAP:
-                    ended = 1
-                    end_region(work, block, direction, station - spacing * float(direction))
-            if ended == 0:
-                work[gaps + at] = gap - work[block + REGION_GAP]
-                work[longitudinal + at] = 0.5 * curvature
-            else:
+            if ended == 1:
                 extrapolate_node(work, gaps, longitudinal, at, direction)
+                work[ridges + at] = 2.0 * work[ridges + at - direction] - work[ridges + at - 2 * direction]
             if passed > 0:
                 left -= 1
             elif ended == 1 or work[gaps + at] > COVER * level:
@@ -92,6 +126,52 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
             work[block + REGION_FIRST] = float(-passed)
         else:
             work[block + REGION_LAST] = float(passed)
+    return 0
+
+
+def is_yawed(work: 'float[:]'):
+    """1 if the wheel of the open frame is yawed, else 0."""
+    return int(work[int(work[FRAME_PLACE]) + PLACE_YAWED])
+
+
+def ridge_place(tables: 'float[:]', work: 'float[:]'):
+    """Track coordinate x [m] of the wheel's outline where the tracer stands."""
+    at = int(work[FRAME_PLACE])
+    y = work[TRACER_WHEEL]
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    sin_phi, cos_phi = around_wheel(work, at, slope)
+    r = work[at + PLACE_RADIUS] + z
+    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
+    return work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral
+
+
+def fill_straight(work: 'float[:]', field: int, start: int, stop: int, count: int):
+    """``field`` at the ``count`` - 1 nodes between two, on a straight line."""
+    inward = 1
+    if stop < start:
+        inward = -1
+    rise = (work[field + stop] - work[field + start]) / float(count)
+    for i in range(1, count):
+        work[field + start + inward * i] = work[field + start] + rise * float(i)
+    return 0
+
+
+def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, stop: int, count: int, spacing: float,
+                 start_rate: float, stop_rate: float):
+    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes."""
+    low = work[gaps + start]
+    rise = work[gaps + stop] - low
+    width = spacing * float(stop - start)
+    forward = start_rate * width - rise
+    backward = stop_rate * width - rise
+    inward = 1
+    if stop < start:
+        inward = -1
+    for i in range(1, count):
+        x = float(i) / float(count)
+        rest = 1.0 - x
+        work[gaps + start + inward * i] = low + x * (rise + rest * (rest * forward - x * backward))
+    fill_straight(work, longitudinal, start, stop, count)
     return 0
 
 
@@ -158,11 +238,24 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
     rises = node_field(region, NODE_RISE)
     lines = node_field(region, NODE_LINE)
     lengths = node_field(region, NODE_LENGTH)
+    curvatures = node_field(region, NODE_B)
     base = int(tables[SET_HERTZ])
+    yawed = is_yawed(work)
     for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
         A = work[longitudinal + k]
         B = lateral_curvature(work, region, k, window)
-        one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
+        work[curvatures + k] = B
+        if yawed == 1:
+            across = node_field(region, NODE_X) + k
+            slant = (work[across + window] - work[across - window]) / (2.0 * float(window) * work[block + REGION_SPACING])
+            one_alpha, one_beta, nr = skewed_coefficients(tables, base, A, B, slant)
+            if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
+                upright_A, upright_B, share = upright_coefficients(tables, base, one_alpha * A, one_beta * B, nr)
+                work[node_field(region, NODE_UPRIGHT_RISE) + k] = work[gaps + k] * upright_B / B
+                work[node_field(region, NODE_UPRIGHT_A) + k] = upright_A
+                work[node_field(region, NODE_UPRIGHT_SHARE) + k] = share
+        else:
+            one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
         work[rises + k] = one_beta * work[gaps + k]
         work[lines + k] = tables[SET_CONTACT_MODULUS] / nr
         work[lengths + k] = one_alpha * A

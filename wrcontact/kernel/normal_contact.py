@@ -13,8 +13,8 @@ from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
 from .hertz import hertz_coefficients, hertz_stiffness
-from .layout import (MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NORMAL_MODEL,
+from .layout import (MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
+                     PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_HERTZ, SET_NODES, SET_NORMAL_MODEL, SET_STRIDE,
                      SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH,
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
@@ -23,11 +23,11 @@ from .patches import gather_islands, write_outline, write_patches
 from .regions import (FAR, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
                       REGION_LOW, REGION_MIDDLE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
                       REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region, region_block, zone_width)
+from .strip_patches import gather_strips, write_strip_outline
+from .strips import correct_strips
 
-#: Nodes per half-width of the interpenetration.  Against 40 nodes the median change is 1e-4, the 99th percentile 0.3 % in
-#: penetration, 0.6 % in area and 1 % in peak pressure.
-NODES_PER_WIDTH: Final[int] = 15
-WINDOW_NODES: Final[int] = 3         # window of the lateral curvature, a fifth of the half-width (docs/method.md)
+#: The window of the lateral curvature is the half-width over this (docs/method.md).
+WINDOW_PARTS: Final[float] = 5.0
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
 #: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no curvature.
@@ -67,9 +67,10 @@ def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', regi
     return 0
 
 
-def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, nodes: int, window: int,
-                    enlarge: float):
+def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their levels times ``enlarge``."""
+    window = int(tables[SET_NODES] / WINDOW_PARTS)
+    stride = int(tables[SET_STRIDE])
     for i in range(count):
         block = region_block(i)
         level = work[block + REGION_LEVEL]
@@ -81,10 +82,10 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
         least = NARROWEST * sqrt(level / work[block + REGION_CURVATURE])
         if mean < least:
             mean = least
-        spacing = mean / float(nodes)
+        spacing = mean / tables[SET_NODES]
         if widest * enlarge > WIDEST * spacing:
             spacing = widest * enlarge / WIDEST
-        lay_nodes(tables, work, state, i, level * enlarge, spacing, window)
+        lay_nodes(tables, work, state, i, level * enlarge, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
     return 0
 
@@ -180,7 +181,7 @@ def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: i
     enlarge = 1.0
     met = 0
     for repeat in range(COVER_REPEATS):
-        prepare_regions(tables, work, state, count, NODES_PER_WIDTH, WINDOW_NODES, enlarge)
+        prepare_regions(tables, work, state, count, enlarge)
         penetration, met = solve_levels(tables, work, state, count, force, start, by_penetration, FORCE_SHARP)
         if met == 0:
             return start, met
@@ -245,9 +246,18 @@ def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
         solve_hertz(tables, work, outputs, force, prescribed)
     else:
         penetration, count, met = solve_analyn(tables, work, state, side, force, prescribed)
-        if met == 1:
+        if met == 1 and int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
+            by_penetration = 0
+            if isfinite(prescribed):
+                by_penetration = 1
+            penetration, strips, met = correct_strips(tables, work, state, count, force, penetration, by_penetration)
+            if met == 1:
+                islands = gather_strips(tables, work, strips)
+                write_patches(work, outputs, islands)
+                write_strip_outline(work, outputs, strips, islands)
+        elif met == 1:
             islands = gather_islands(tables, work, count)
             write_patches(work, outputs, islands)
             write_outline(work, outputs, count, islands)
-            work[outputs + SIDE_PENETRATION] = penetration
+        work[outputs + SIDE_PENETRATION] = penetration
     return met

@@ -270,10 +270,15 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
                 }
             }
             following = 0.5 * (low + high);
-            /* the levels follow the penetration by their slopes, after closing their own residuals */
+            /* the levels follow the penetration by their slopes, after closing their own residuals; the load's power 2/3 */
+            /* is nearly linear */
             if (slope > 0.0)
             {
                 newton = penetration + (force - total - rest) / slope;
+                if ((missed > analyn__NEARLY * force) && (total > 0.0))
+                {
+                    newton = penetration + (1.5 * total * (pow((force / total), (2.0 / 3.0)) - 1.0) - rest) / slope;
+                }
                 if ((newton > low) && (newton < high))
                 {
                     following = newton;
@@ -289,6 +294,12 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
         }
         penetration += move;
         analyn__apply_moves(work, count, move);
+        if ((missed <= analyn__NEARLY_SHARP * force) && (residual <= analyn__NEARLY_SHARP * penetration))
+        {
+            (*result_0_0001) = penetration;
+            (*result_1_0001) = INT64_C(1);
+            return 0;
+        }
     }
     (*result_0_0001) = penetration;
     (*result_1_0001) = INT64_C(0);

@@ -23,6 +23,8 @@
 
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;
+static const double analyn__NEARLY_SHARP = 1e-07;
+static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
 static const double analyn__HIGHEST = 1000.0;
 

@@ -56,6 +56,95 @@ static inline int64_t hertz__hertz_coefficients(double* result_0, double* result
     return 0;
 }
 
+/* 1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
+ *
+ * Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
+ * again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
+ * half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+ */
+static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B, double slant)
+{
+    double cross;
+    double diagonal;
+    double half;
+    double spread;
+    double large;
+    double small;
+    double along;
+    double across;
+    double nr;
+    double cosine;
+    double length;
+    double width;
+    cross = A * slant;
+    diagonal = B + cross * slant;
+    half = 0.5 * (A - diagonal);
+    spread = sqrt(half * half + cross * cross);
+    large = 0.5 * (A + diagonal) + spread;
+    small = A * B / large;
+    hertz__hertz_coefficients(&along, &across, &nr, tables, base, small, large);
+    along *= small;
+    across *= large;
+    /* the square of the cosine of the long axis' angle to x; a circle has no long axis */
+    cosine = 0.5;
+    if (spread > hertz__TILTED * large)
+    {
+        cosine = 0.5 - 0.5 * half / spread;
+    }
+    length = cosine * along + (1.0 - cosine) * across;
+    width = along * across / (cosine * along + (1.0 - cosine) * across);
+    (*result_0) = length / A;
+    (*result_1) = width / B;
+    (*result_2) = nr * sqrt(length / along);
+    return 0;
+}
+
+/* A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
+ *
+ * Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows from that of
+ * the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
+ */
+static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t base, double length, double width, double nr)
+{
+    double target;
+    double before;
+    double missed_before;
+    double ratio;
+    double alpha;
+    double beta;
+    int64_t i;
+    double missed;
+    double slope;
+    target = log(width / length);
+    before = 0.0;
+    missed_before = 0.0;
+    ratio = target / hertz__TYPICAL_SLOPE;
+    alpha = 1.0;
+    beta = 1.0;
+    for (i = INT64_C(0); i < hertz__RATIO_ITERATIONS; i += INT64_C(1))
+    {
+        alpha = hertz__table_value(tables, base, INT64_C(0), ratio);
+        beta = hertz__table_value(tables, base, INT64_C(0), -ratio);
+        missed = ratio + log(beta / alpha) - target;
+        if (fabs(missed) < hertz__RATIO_SHARP)
+        {
+            break;
+        }
+        slope = hertz__TYPICAL_SLOPE;
+        if ((i > INT64_C(0)) && (missed != missed_before))
+        {
+            slope = (missed - missed_before) / (ratio - before);
+        }
+        before = ratio;
+        missed_before = missed;
+        ratio -= missed / slope;
+    }
+    (*share) = hertz__table_value(tables, base, INT64_C(6), ratio) / nr;
+    (*result_0) = (*share) * length / alpha;
+    (*result_1) = (*share) * width / beta;
+    return 0;
+}
+
 /* N / penetration^(3/2) [N/m^1.5].
  *
  * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's closed

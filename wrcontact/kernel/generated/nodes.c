@@ -24,8 +24,10 @@ static inline int64_t nodes__node_field(int64_t region, int64_t field)
 
 /* Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
  * ``window`` nodes further.
+ *
+ * Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
  */
-static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window)
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window, int64_t stride)
 {
     int64_t block;
     int64_t gaps;
@@ -33,15 +35,21 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     double tolerance;
     double origin;
     double gap;
-    double rate;
+    double first_rate;
     double bend;
     double curvature;
+    int64_t yawed;
+    int64_t ridges;
     int64_t direction;
+    double rate;
     int64_t k;
+    int64_t traced;
+    int64_t step;
     int64_t left;
     int64_t passed;
     int64_t ended;
     int64_t at;
+    double next_rate;
     double station;
     block = regions__region_block(region);
     (*cspan_at(&work, block + regions__REGION_SPACING)) = spacing;
@@ -54,38 +62,65 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     }
     origin = (*cspan_at(&work, block + regions__REGION_STATION));
     contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
-    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, origin, tolerance);
+    contact_plane__normal_gap(&gap, &first_rate, &bend, &curvature, tables, work, state, origin, tolerance);
     (*cspan_at(&work, gaps)) = 0.0;
     (*cspan_at(&work, longitudinal)) = 0.5 * curvature;
+    yawed = nodes__is_yawed(work);
+    ridges = nodes__node_field(region, nodes__NODE_X);
+    if (yawed == INT64_C(1))
+    {
+        (*cspan_at(&work, ridges)) = nodes__ridge_place(tables, work);
+    }
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
         contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        rate = first_rate;
         k = INT64_C(0);
+        traced = INT64_C(0);
+        step = stride;
         left = window;
         passed = INT64_C(0);
         ended = INT64_C(0);
-        while((left > INT64_C(0)) && (k < layout__NODE_LIMIT - layout__NODE_MIDDLE - INT64_C(2)))
+        while((left > INT64_C(0)) && (k < layout__NODE_LIMIT - layout__NODE_MIDDLE - INT64_C(2) - stride))
         {
-            k += INT64_C(1);
-            at = direction * k;
-            station = origin + spacing * (double)(at);
-            if (ended == INT64_C(0))
+            if ((k == traced) && (ended == INT64_C(0)))
             {
-                contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, tolerance);
+                at = direction * (traced + step);
+                contact_plane__normal_gap(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
+                if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
+                {
+                    /* a profile ends within this stretch: node by node from here */
+                    step = INT64_C(1);
+                    contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+                    at = direction * (traced + step);
+                    contact_plane__normal_gap(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
+                }
                 if (gap >= contact_plane__NO_GAP)
                 {
                     ended = INT64_C(1);
-                    nodes__end_region(work, block, direction, station - spacing * (double)(direction));
+                    nodes__end_region(work, block, direction, origin + spacing * (double)(direction * k));
+                }
+                else
+                {
+                    (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+                    (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
+                    if (yawed == INT64_C(1))
+                    {
+                        (*cspan_at(&work, ridges + at)) = nodes__ridge_place(tables, work);
+                        nodes__fill_straight(work, ridges, direction * traced, at, step);
+                    }
+                    nodes__fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate);
+                    rate = next_rate;
+                    traced += step;
                 }
             }
-            if (ended == INT64_C(0))
-            {
-                (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
-                (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
-            }
-            else
+            k += INT64_C(1);
+            at = direction * k;
+            station = origin + spacing * (double)(at);
+            if (ended == INT64_C(1))
             {
                 nodes__extrapolate_node(work, gaps, longitudinal, at, direction);
+                (*cspan_at(&work, ridges + at)) = 2.0 * (*cspan_at(&work, ridges + at - direction)) - (*cspan_at(&work, ridges + at - INT64_C(2) * direction));
             }
             if (passed > INT64_C(0))
             {
@@ -113,6 +148,87 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
             (*cspan_at(&work, block + regions__REGION_LAST)) = (double)(passed);
         }
     }
+    return INT64_C(0);
+}
+
+/* 1 if the wheel of the open frame is yawed, else 0. */
+static inline int64_t nodes__is_yawed(array_double_1d work)
+{
+    int64_t result;
+    result = (int64_t)((*cspan_at(&work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))) + locus__PLACE_YAWED)));
+    return result;
+}
+
+/* Track coordinate x [m] of the wheel's outline where the tracer stands. */
+static inline double nodes__ridge_place(array_double_1d tables, array_double_1d work)
+{
+    int64_t at;
+    double y;
+    double z;
+    double slope;
+    double sin_phi;
+    double cos_phi;
+    double r;
+    double lateral;
+    double result;
+    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
+    y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
+    r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
+    result = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
+    return result;
+}
+
+/* ``field`` at the ``count`` - 1 nodes between two, on a straight line. */
+static inline int64_t nodes__fill_straight(array_double_1d work, int64_t field, int64_t start, int64_t stop, int64_t count)
+{
+    int64_t inward;
+    double rise;
+    int64_t i;
+    inward = INT64_C(1);
+    if (stop < start)
+    {
+        inward = -INT64_C(1);
+    }
+    rise = ((*cspan_at(&work, field + stop)) - (*cspan_at(&work, field + start))) / (double)(count);
+    for (i = INT64_C(1); i < count; i += INT64_C(1))
+    {
+        (*cspan_at(&work, field + start + inward * i)) = (*cspan_at(&work, field + start)) + rise * (double)(i);
+    }
+    return INT64_C(0);
+}
+
+/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes. */
+static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
+{
+    double low;
+    double rise;
+    double width;
+    double forward;
+    double backward;
+    int64_t inward;
+    int64_t i;
+    double x;
+    double rest;
+    low = (*cspan_at(&work, gaps + start));
+    rise = (*cspan_at(&work, gaps + stop)) - low;
+    width = spacing * (double)(stop - start);
+    forward = start_rate * width - rise;
+    backward = stop_rate * width - rise;
+    inward = INT64_C(1);
+    if (stop < start)
+    {
+        inward = -INT64_C(1);
+    }
+    for (i = INT64_C(1); i < count; i += INT64_C(1))
+    {
+        x = (double)(i) / (double)(count);
+        rest = 1.0 - x;
+        (*cspan_at(&work, gaps + start + inward * i)) = low + x * (rise + rest * (rest * forward - x * backward));
+    }
+    nodes__fill_straight(work, longitudinal, start, stop, count);
     return INT64_C(0);
 }
 
@@ -220,27 +336,53 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     int64_t rises;
     int64_t lines;
     int64_t lengths;
+    int64_t curvatures;
     int64_t base;
+    int64_t yawed;
     int64_t k_end;
     int64_t k;
     double A;
     double B;
+    int64_t across;
+    double slant;
     double one_alpha;
     double one_beta;
     double nr;
+    double upright_A;
+    double upright_B;
+    double share;
     block = regions__region_block(region);
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     lengths = nodes__node_field(region, nodes__NODE_LENGTH);
+    curvatures = nodes__node_field(region, nodes__NODE_B);
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    yawed = nodes__is_yawed(work);
     k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         A = (*cspan_at(&work, longitudinal + k));
         B = nodes__lateral_curvature(work, region, k, window);
-        hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
+        (*cspan_at(&work, curvatures + k)) = B;
+        if (yawed == INT64_C(1))
+        {
+            across = nodes__node_field(region, nodes__NODE_X) + k;
+            slant = ((*cspan_at(&work, across + window)) - (*cspan_at(&work, across - window))) / (2.0 * (double)(window) * (*cspan_at(&work, block + regions__REGION_SPACING)));
+            hertz__skewed_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B, slant);
+            if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+            {
+                hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, one_alpha * A, one_beta * B, nr);
+                (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_RISE) + k)) = (*cspan_at(&work, gaps + k)) * upright_B / B;
+                (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_A) + k)) = upright_A;
+                (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_SHARE) + k)) = share;
+            }
+        }
+        else
+        {
+            hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
+        }
         (*cspan_at(&work, rises + k)) = one_beta * (*cspan_at(&work, gaps + k));
         (*cspan_at(&work, lines + k)) = (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) / nr;
         (*cspan_at(&work, lengths + k)) = one_alpha * A;

@@ -50,8 +50,10 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
 }
 
 /* Widths, nodes and coefficients of all regions at their levels times ``enlarge``. */
-static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, int64_t nodes, int64_t window, double enlarge)
+static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge)
 {
+    int64_t window;
+    int64_t stride;
     int64_t i;
     int64_t block;
     double level;
@@ -59,6 +61,8 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     double widest;
     double least;
     double spacing;
+    window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) / normal_contact__WINDOW_PARTS);
+    stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = regions__region_block(i);
@@ -75,12 +79,12 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         {
             mean = least;
         }
-        spacing = mean / (double)(nodes);
+        spacing = mean / (*cspan_at(&tables, layout__SET_NODES));
         if (widest * enlarge > normal_contact__WIDEST * spacing)
         {
             spacing = widest * enlarge / normal_contact__WIDEST;
         }
-        nodes__lay_nodes(tables, work, state, i, level * enlarge, spacing, window);
+        nodes__lay_nodes(tables, work, state, i, level * enlarge, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
     }
     return INT64_C(0);
@@ -234,7 +238,7 @@ static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t*
     met = INT64_C(0);
     for (repeat = INT64_C(0); repeat < normal_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        normal_contact__prepare_regions(tables, work, state, count, normal_contact__NODES_PER_WIDTH, normal_contact__WINDOW_NODES, enlarge);
+        normal_contact__prepare_regions(tables, work, state, count, enlarge);
         analyn__solve_levels(&penetration, &met, tables, work, state, count, force, start, by_penetration, analyn__FORCE_SHARP);
         if (met == INT64_C(0))
         {
@@ -330,6 +334,8 @@ static inline int64_t normal_contact__solve_normal(array_double_1d tables, array
 {
     double penetration;
     int64_t count;
+    int64_t by_penetration;
+    int64_t strips;
     int64_t islands;
     int64_t met;
     met = INT64_C(1);
@@ -340,13 +346,28 @@ static inline int64_t normal_contact__solve_normal(array_double_1d tables, array
     else
     {
         normal_contact__solve_analyn(&penetration, &count, &met, tables, work, state, side, force, prescribed);
-        if (met == INT64_C(1))
+        if ((met == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
+        {
+            by_penetration = INT64_C(0);
+            if (isfinite(prescribed))
+            {
+                by_penetration = INT64_C(1);
+            }
+            strips__correct_strips(&penetration, &strips, &met, tables, work, state, count, force, penetration, by_penetration);
+            if (met == INT64_C(1))
+            {
+                islands = strip_patches__gather_strips(tables, work, strips);
+                patches__write_patches(work, outputs, islands);
+                strip_patches__write_strip_outline(work, outputs, strips, islands);
+            }
+        }
+        else if (met == INT64_C(1))
         {
             islands = patches__gather_islands(tables, work, count);
             patches__write_patches(work, outputs, islands);
             patches__write_outline(work, outputs, count, islands);
-            (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
         }
+        (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
     }
     return met;
 }

@@ -20,9 +20,10 @@
 #include "nodes.h"
 #include "patches.h"
 #include "regions.h"
+#include "strip_patches.h"
+#include "strips.h"
 
-static const int64_t normal_contact__NODES_PER_WIDTH = INT64_C(15);
-static const int64_t normal_contact__WINDOW_NODES = INT64_C(3);
+static const double normal_contact__WINDOW_PARTS = 5.0;
 static const double normal_contact__TYPICAL_RATIO = 2.0;
 static const double normal_contact__CEILING = 1000.0;
 static const double normal_contact__ESTIMATE_FACTOR = 1.5;
@@ -33,7 +34,7 @@ static const double normal_contact__WIDEST = 110.0;
 
 static inline double normal_contact__guess_penetration(double force, double A, double contact_modulus);
 static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level);
-static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, int64_t nodes, int64_t window, double enlarge);
+static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
 static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration);
 static inline int64_t normal_contact__covered(array_double_1d work, int64_t count);
 static inline double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
