@@ -28,9 +28,6 @@ FRAME_Z: Final[int] = WORK_CONTACT + 7           # wheel height [m]
 FRAME_WHEEL_COS: Final[int] = WORK_CONTACT + 8   # of the plane's angle in the wheelset's frame
 FRAME_WHEEL_SIN: Final[int] = WORK_CONTACT + 9
 FRAME_LIFT: Final[int] = WORK_CONTACT + 17       # of the wheel's point below the rail's [m]; zero but for rounding
-FRAME_RAIL_BEND: Final[int] = WORK_CONTACT + 18  # what the tracer starts with at the contact point
-FRAME_WHEEL_RATE: Final[int] = WORK_CONTACT + 19
-FRAME_WHEEL_BEND: Final[int] = WORK_CONTACT + 20
 # the tracer: the last station and the profile abscissae that belong to it
 TRACER_STATION: Final[int] = WORK_CONTACT + 10
 TRACER_RAIL: Final[int] = WORK_CONTACT + 11
@@ -72,11 +69,6 @@ def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, shift: f
     work[FRAME_WHEEL_COS] = work[at + PLACE_COS_ROLL] * cosine + work[at + PLACE_SIN_ROLL] * sine
     work[FRAME_WHEEL_SIN] = work[at + PLACE_COS_ROLL] * sine - work[at + PLACE_SIN_ROLL] * cosine
     work[FRAME_LIFT] = z_track + shift - height
-    cube = cosine * cosine * cosine
-    per_stretch = 1.0 / stretch
-    work[FRAME_RAIL_BEND] = -rail_bend * sine * cube
-    work[FRAME_WHEEL_RATE] = cosine * per_stretch
-    work[FRAME_WHEEL_BEND] = -outline_rate * sine * cube * per_stretch * per_stretch
     start_tracer(work, 0.0, abscissa, y)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
@@ -93,10 +85,6 @@ def start_tracer(work: 'float[:]', station: float, abscissa: float, y: float):
     work[TRACER_WHEEL] = y
     work[TRACER_WHEEL_RATE] = work[FRAME_COS]
     work[TRACER_WHEEL_BEND] = 0.0
-    if station == 0.0:
-        work[TRACER_RAIL_BEND] = work[FRAME_RAIL_BEND]
-        work[TRACER_WHEEL_RATE] = work[FRAME_WHEEL_RATE]
-        work[TRACER_WHEEL_BEND] = work[FRAME_WHEEL_BEND]
     return 0
 
 

@@ -48,9 +48,14 @@ def evaluate_table(table, y):
     index = np.clip(np.searchsorted(pieces[:-1, 0], y, side="right") - 1, 0, len(pieces) - 2)
     u = y - pieces[index, 0]
     c0, c1, c2, c3, c4, c5 = np.moveaxis(pieces[index, 1:], -1, 0)
-    return (c0 + u * (c1 + u * (c2 + u * (c3 + u * (c4 + u * c5)))),
-            c1 + u * (2 * c2 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5))),
-            2 * c2 + u * (6 * c3 + u * (12 * c4 + u * 20 * c5)))
+    p4 = c4 + u * c5            # as profile_table.height_slope_bend, to the last bit
+    p3 = c3 + u * p4
+    p2 = c2 + u * p3
+    p1 = c1 + u * p2
+    q4 = p4 + u * c5
+    q3 = p3 + u * q4
+    q2 = p2 + u * q3
+    return c0 + u * p1, p1 + u * q2, 2 * (q2 + u * (q3 + u * (q4 + u * c5)))
 
 
 def _zone_pieces(zone, before, after):

@@ -27,8 +27,6 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     double rail_bend;
     double cosine;
     double sine;
-    double cube;
-    double per_stretch;
     profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
     locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, (*z), (*slope), bend);
     abscissa = (*y_track) - (*cspan_at(&tables, layout__SET_RAIL_Y));
@@ -46,11 +44,6 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine;
     (*cspan_at(&work, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine;
     (*cspan_at(&work, contact_plane__FRAME_LIFT)) = z_track + shift - height;
-    cube = cosine * cosine * cosine;
-    per_stretch = 1.0 / stretch;
-    (*cspan_at(&work, contact_plane__FRAME_RAIL_BEND)) = (-rail_bend) * sine * cube;
-    (*cspan_at(&work, contact_plane__FRAME_WHEEL_RATE)) = cosine * per_stretch;
-    (*cspan_at(&work, contact_plane__FRAME_WHEEL_BEND)) = (-outline_rate) * sine * cube * per_stretch * per_stretch;
     contact_plane__start_tracer(work, 0.0, abscissa, y);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
@@ -70,12 +63,6 @@ static inline int64_t contact_plane__start_tracer(array_double_1d work, double s
     (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = 0.0;
-    if (station == 0.0)
-    {
-        (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND)) = (*cspan_at(&work, contact_plane__FRAME_RAIL_BEND));
-        (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_WHEEL_RATE));
-        (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (*cspan_at(&work, contact_plane__FRAME_WHEEL_BEND));
-    }
     return INT64_C(0);
 }
 
