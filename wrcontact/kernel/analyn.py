@@ -8,7 +8,7 @@ Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level)
 (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
 
 Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
-of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
+of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).
 """
 
 from math import fabs, pi, sqrt
@@ -17,7 +17,7 @@ from typing import Final
 from .layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
 from .nodes import NODE_LINE, NODE_RISE, node_field
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD, REGION_LOW,
-                      REGION_MIDDLE, REGION_MOVE, REGION_RESIDUAL, REGION_SLOPE, REGION_SPACING, REGION_STATION,
+                      REGION_MIDDLE, REGION_MOVE, REGION_RESIDUAL, REGION_SLOPE, REGION_SPACING, REGION_SQUARE, REGION_STATION,
                       REGION_STIFFNESS, region_block)
 
 FORCE_ITERATIONS: Final[int] = 60
@@ -29,6 +29,8 @@ NEARLY_SHARP: Final[float] = 1e-7
 NEARLY: Final[float] = 1e-3
 #: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
 CLOSED: Final[float] = 1e-10
+#: Share of the squares of two regions' half-lengths that counts as distance between them.
+ELONGATED: Final[float] = 0.3
 #: The penetration is sought up to this multiple of the first value.
 HIGHEST: Final[float] = 1e3
 
@@ -135,11 +137,15 @@ def region_load(work: 'float[:]', region: int, level: float):
 
 
 def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
-    """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself."""
+    """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
+
+    Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track.
+    """
     result = 0.0
     if first != second:
-        distance = fabs(work[region_block(first) + REGION_MIDDLE] - work[region_block(second) + REGION_MIDDLE])
-        result = 1.0 / (pi * tables[SET_CONTACT_MODULUS] * distance)
+        distance = work[region_block(first) + REGION_MIDDLE] - work[region_block(second) + REGION_MIDDLE]
+        squares = work[region_block(first) + REGION_SQUARE] + work[region_block(second) + REGION_SQUARE]
+        result = 1.0 / (pi * tables[SET_CONTACT_MODULUS] * sqrt(distance * distance + ELONGATED * squares))
     return result
 
 

@@ -12,18 +12,18 @@ B_t and B_s these two,
 follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
 """
 
-from math import fabs, sqrt
+from math import fabs, log, sqrt
 from typing import Final
 
 from .contact_plane import FRAME_PLACE, NO_GAP, TRACER_WHEEL, normal_gap, start_tracer
-from .hertz import hertz_coefficients, skewed_coefficients, upright_coefficients
+from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
 from .layout import (MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ,
                      SET_NORMAL_MODEL, SET_WHEEL, WORK_NODES)
 from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
                     around_wheel)
 from .profile_table import height_slope
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
-                      REGION_STATION, REGION_WHEEL, region_block)
+                      REGION_STATION, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, region_block)
 
 # node fields
 NODE_GAP: Final[int] = 0             # rise of the gap over the region's minimum [m]
@@ -44,6 +44,10 @@ NODE_UPRIGHT_SHARE: Final[int] = 12  # its penetration over the real one [-]
 FLOOR: Final[float] = 0.02
 #: Nodes are evaluated until the gap exceeds the level by this factor.
 COVER: Final[float] = 1.1
+#: The narrower half counts as at most so many times narrower than the mean.
+NARROWER: Final[float] = 4.0
+WINDOW_FLOOR: Final[float] = 0.05
+GROWTH: Final[float] = 0.12
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
 FINEST_TRACE: Final[float] = 5e-8    # [m]; leaves 1e-13 m in the gap, the residual being removed to first order
 
@@ -203,60 +207,113 @@ def second_difference(work: 'float[:]', at: int, spacing: float, window: int):
     return (work[at + window] - 2.0 * work[at] + work[at - window]) / (2.0 * width * width)
 
 
-def lateral_curvature(work: 'float[:]', region: int, k: int, window: int):
-    """B [1/m] at node ``k``: see the head of this file."""
+def side_curvature(work: 'float[:]', region: int, direction: int):
+    """g / w^2 [1/m] at the half-width w of the interpenetration on one side, enlarged where that side is the narrower."""
+    block = region_block(region)
+    own = work[block + REGION_WIDTH_HIGH]
+    if direction < 0:
+        own = work[block + REGION_WIDTH_LOW]
+    mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
+    if own * NARROWER < mean:
+        mean = NARROWER * own
+    u = own / work[block + REGION_SPACING]
+    k = int(u)
+    x = u - float(k)
+    at = node_field(region, NODE_GAP) + direction * k
+    gap = cubic_through(work[at - direction], work[at], work[at + direction], work[at + 2 * direction], x)
+    curvature = 0.0
+    if own > 0.0:
+        curvature = gap / (own * own) * (mean * mean) / (own * own)
+    return curvature
+
+
+def secant_curvature(work: 'float[:]', region: int, k: int, window: int, middle: float):
+    """g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end."""
     gaps = node_field(region, NODE_GAP)
     spacing = work[region_block(region) + REGION_SPACING]
-    least = FLOOR * work[node_field(region, NODE_A) + k]
-    averaged = second_difference(work, gaps + k, spacing, window)
-    if not averaged > least:
-        averaged = least
-    secant = 0.0
     if k >= window or k <= -window:
         s = spacing * float(k)
-        secant = work[gaps + k] / (s * s)
-    else:
-        width = spacing * float(window)
-        middle = second_difference(work, gaps, spacing, window)
-        if middle < 0.0:
-            middle = 0.0
-        edge = work[gaps + window] / (width * width)
-        if k < 0:
-            edge = work[gaps - window] / (width * width)
-        share = fabs(float(k)) / float(window)
-        secant = middle + (edge - middle) * share
-    if not secant > averaged:
-        secant = averaged
-    return sqrt(averaged * secant)
+        return work[gaps + k] / (s * s)
+    width = spacing * float(window)
+    edge = work[gaps + window] / (width * width)
+    if k < 0:
+        edge = work[gaps - window] / (width * width)
+    return middle + (edge - middle) * fabs(float(k)) / float(window)
+
+
+def windowed_curvature(averaged: float, secant: float, share: float):
+    """sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s."""
+    if averaged < WINDOW_FLOOR * secant:
+        averaged = WINDOW_FLOOR * secant
+    grown = secant
+    if averaged > secant:
+        grown += GROWTH * share * (averaged - secant)
+    return sqrt(averaged * grown)
 
 
 def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
-    """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A."""
+    """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B."""
     block = region_block(region)
     gaps = node_field(region, NODE_GAP)
     longitudinal = node_field(region, NODE_A)
-    rises = node_field(region, NODE_RISE)
-    lines = node_field(region, NODE_LINE)
-    lengths = node_field(region, NODE_LENGTH)
-    curvatures = node_field(region, NODE_B)
     base = int(tables[SET_HERTZ])
     yawed = is_yawed(work)
+    spacing = work[block + REGION_SPACING]
+    mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
+    low_side = side_curvature(work, region, -1)
+    high_side = side_curvature(work, region, 1)
+    middle = second_difference(work, gaps, spacing, window)
+    if middle < 0.0:
+        middle = 0.0
     for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
         A = work[longitudinal + k]
-        B = lateral_curvature(work, region, k, window)
-        work[curvatures + k] = B
+        least = FLOOR * A
+        secant = secant_curvature(work, region, k, window, middle)
+        if secant < least:
+            secant = least
+        share = fabs(float(k)) * spacing / mean
+        if share > 1.0:
+            share = 1.0
+        B = windowed_curvature(second_difference(work, gaps + k, spacing, window), secant, share)
+        if B < least:
+            B = least
+        side = high_side
+        if k < 0:
+            side = low_side
+        if side < least:
+            side = least
+        alpha = table_value(tables, base, 0, log(secant / A))
+        beta = table_value(tables, base, 0, log(A / side))
+        nr = table_value(tables, base, 6, log(B / A))
         if yawed == 1:
             across = node_field(region, NODE_X) + k
-            slant = (work[across + window] - work[across - window]) / (2.0 * float(window) * work[block + REGION_SPACING])
-            one_alpha, one_beta, nr = skewed_coefficients(tables, base, A, B, slant)
-            if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
-                upright_A, upright_B, share = upright_coefficients(tables, base, one_alpha * A, one_beta * B, nr)
-                work[node_field(region, NODE_UPRIGHT_RISE) + k] = work[gaps + k] * upright_B / B
-                work[node_field(region, NODE_UPRIGHT_A) + k] = upright_A
-                work[node_field(region, NODE_UPRIGHT_SHARE) + k] = share
-        else:
-            one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
-        work[rises + k] = one_beta * work[gaps + k]
-        work[lines + k] = tables[SET_CONTACT_MODULUS] / nr
-        work[lengths + k] = one_alpha * A
+            slant = (work[across + window] - work[across - window]) / (2.0 * float(window) * spacing)
+            alpha, beta, nr = turn_node(tables, work, region, k, B, slant, alpha, beta, nr)
+        work[node_field(region, NODE_B) + k] = B
+        work[node_field(region, NODE_RISE) + k] = beta * work[gaps + k]
+        work[node_field(region, NODE_LINE) + k] = tables[SET_CONTACT_MODULUS] / nr
+        work[node_field(region, NODE_LENGTH) + k] = alpha * A
     return 0
+
+
+def turn_node(tables: 'float[:]', work: 'float[:]', region: int, k: int, B: float, slant: float, alpha: float, beta: float,
+              nr: float):
+    """ANALYN's coefficients ``alpha``, ``beta``, ``nr`` times what the slant of the ridge makes of an ellipse with A and
+    ``B``; and for the strips the upright ellipse that cuts into the same ones."""
+    base = int(tables[SET_HERTZ])
+    A = work[node_field(region, NODE_A) + k]
+    one_alpha, one_beta, one_nr = hertz_coefficients(tables, base, A, B)
+    turned_alpha, turned_beta, turned_nr = skewed_coefficients(tables, base, A, B, slant)
+    if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
+        upright_A, upright_B, share = upright_coefficients(tables, base, turned_alpha * A, turned_beta * B, turned_nr)
+        work[node_field(region, NODE_UPRIGHT_RISE) + k] = work[node_field(region, NODE_GAP) + k] * upright_B / B
+        work[node_field(region, NODE_UPRIGHT_A) + k] = upright_A
+        work[node_field(region, NODE_UPRIGHT_SHARE) + k] = share
+    return alpha * turned_alpha / one_alpha, beta * turned_beta / one_beta, nr * turned_nr / one_nr
+
+
+def cubic_through(before: float, low: float, high: float, after: float, x: float):
+    """The cubic through values at -1, 0, 1, 2, at x."""
+    bend = 0.5 * (before - 2.0 * low + high)
+    third = (after - 3.0 * high + 3.0 * low - before) / 6.0
+    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third))

@@ -18,16 +18,18 @@ from .layout import (DEPTH_ALL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PAT
                      SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH,
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
-from .nodes import FLOOR, NODE_RISE, lay_nodes, node_field, weigh_nodes
+from .nodes import FLOOR, NODE_LENGTH, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .patches import gather_islands, write_outline, write_patches
 from .regions import (FAR, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
-                      REGION_LOW, REGION_MIDDLE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
+                      REGION_LOW, REGION_MIDDLE, REGION_SQUARE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
                       REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
 from .strips import correct_strips
 
-#: The window of the lateral curvature is the half-width over this (docs/method.md).
-WINDOW_PARTS: Final[float] = 5.0
+#: Window of the lateral curvature as a share of the half-width of the interpenetration (docs/method.md), which is measured
+WINDOW: Final[float] = 4.0 / 15.0
+#: at this share of the level: at the level itself a flat end of the profile would count as all of its width.
+MEASURED: Final[float] = 0.9
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
 #: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no curvature.
@@ -69,12 +71,12 @@ def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', regi
 
 def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their levels times ``enlarge``."""
-    window = int(tables[SET_NODES] / WINDOW_PARTS)
+    window = int(tables[SET_NODES] * WINDOW + 0.5)
     stride = int(tables[SET_STRIDE])
     for i in range(count):
         block = region_block(i)
         level = work[block + REGION_LEVEL]
-        measure_widths(tables, work, state, i, level)
+        measure_widths(tables, work, state, i, MEASURED * level)
         mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
         widest = work[block + REGION_WIDTH_LOW]
         if work[block + REGION_WIDTH_HIGH] > widest:
@@ -87,6 +89,7 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
             spacing = widest * enlarge / WIDEST
         lay_nodes(tables, work, state, i, level * enlarge, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
+        work[block + REGION_SQUARE] = level / work[node_field(i, NODE_LENGTH)]
     return 0
 
 

@@ -34,6 +34,7 @@ REGION_CURVATURE: Final[int] = 15    # the wheel's 1/R_x at the minimum [1/m]
 REGION_MIDDLE: Final[int] = 16       # station that stands for its load in the interaction [m]
 REGION_START: Final[int] = 21        # where its strips begin and end [m]
 REGION_STOP: Final[int] = 22
+REGION_SQUARE: Final[int] = 24       # square of its half-length as estimated [m^2]
 REGION_WEIGHT: Final[int] = 23       # integral of their density's graded part
 REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]
 REGION_RESIDUAL: Final[int] = 17     # of its level during the force solve [m]
@@ -41,8 +42,8 @@ REGION_SLOPE: Final[int] = 18        # change of its level per change of the pen
 REGION_MOVE: Final[int] = 19         # change of its level that closes the residual [m]
 
 #: Two minima are one region while the hump between them is below this share of the penetration.  Against the complete
-#: theory on the stored jump sweep 0.2 and 0.35 do equally well, 0.5 joins what is separate (peak pressure -39 %).
-MERGE: Final[float] = 0.35
+#: theory 0.15 to 0.25 do equally well; 0.5 joins what is separate (peak pressure -39 %).
+MERGE: Final[float] = 0.2
 #: Minima closer than this to another are the same [m].
 APART: Final[float] = 2e-4
 #: A minimum of the normal gap lies within this of the vertical gap's [m].

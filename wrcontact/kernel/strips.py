@@ -17,7 +17,7 @@ from typing import Final
 from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT, STRIP_FIELDS,
                      STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
 from .nodes import (NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, NODE_UPRIGHT_A,
-                    NODE_UPRIGHT_RISE, NODE_UPRIGHT_SHARE, is_yawed, node_field)
+                    NODE_UPRIGHT_RISE, NODE_UPRIGHT_SHARE, cubic_through, is_yawed, node_field)
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_SPACING,
                       REGION_START, REGION_STATION, REGION_STOP, REGION_WEIGHT, region_block)
 
@@ -228,13 +228,7 @@ def join_strips(work: 'float[:]', strips: int):
 
 def cubic_value(work: 'float[:]', at: int, x: float):
     """The cubic through the four values around ``at`` + x, 0 <= x <= 1."""
-    before = work[at - 1]
-    low = work[at]
-    high = work[at + 1]
-    after = work[at + 2]
-    bend = 0.5 * (before - 2.0 * low + high)
-    third = (after - 3.0 * high + 3.0 * low - before) / 6.0
-    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third))
+    return cubic_through(work[at - 1], work[at], work[at + 1], work[at + 2], x)
 
 
 def locate_strip(work: 'float[:]', i: int):

@@ -10,7 +10,7 @@
  * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
  *
  * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
- * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
+ * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).
  */
 
 #include "analyn.h"
@@ -191,16 +191,21 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
     return 0;
 }
 
-/* What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself. */
+/* What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
+ *
+ * Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track.
+ */
 static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
 {
     double distance;
+    double squares;
     double result;
     result = 0.0;
     if (first != second)
     {
-        distance = fabs((*cspan_at(&work, regions__region_block(first) + regions__REGION_MIDDLE)) - (*cspan_at(&work, regions__region_block(second) + regions__REGION_MIDDLE)));
-        result = 1.0 / (M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) * distance);
+        distance = (*cspan_at(&work, regions__region_block(first) + regions__REGION_MIDDLE)) - (*cspan_at(&work, regions__region_block(second) + regions__REGION_MIDDLE));
+        squares = (*cspan_at(&work, regions__region_block(first) + regions__REGION_SQUARE)) + (*cspan_at(&work, regions__region_block(second) + regions__REGION_SQUARE));
+        result = 1.0 / (M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) * sqrt(distance * distance + analyn__ELONGATED * squares));
     }
     return result;
 }

@@ -10,7 +10,7 @@
  * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
  *
  * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
- * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq).
+ * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).
  */
 
 #ifndef WRCONTACT_KERNEL_ANALYN_H
@@ -26,6 +26,7 @@ static const double analyn__FORCE_SHARP = 1e-12;
 static const double analyn__NEARLY_SHARP = 1e-07;
 static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
+static const double analyn__ELONGATED = 0.3;
 static const double analyn__HIGHEST = 1000.0;
 
 static inline double analyn__bend_of(double before, double low, double high);

@@ -277,115 +277,209 @@ static inline double nodes__second_difference(array_double_1d work, int64_t at, 
     return result;
 }
 
-/* B [1/m] at node ``k``: see the head of this file. */
-static inline double nodes__lateral_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window)
+/* g / w^2 [1/m] at the half-width w of the interpenetration on one side, enlarged where that side is the narrower. */
+static inline double nodes__side_curvature(array_double_1d work, int64_t region, int64_t direction)
+{
+    int64_t block;
+    double own;
+    double mean;
+    double u;
+    int64_t k;
+    double x;
+    int64_t at;
+    double gap;
+    double curvature;
+    block = regions__region_block(region);
+    own = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+    if (direction < INT64_C(0))
+    {
+        own = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
+    }
+    mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
+    if (own * nodes__NARROWER < mean)
+    {
+        mean = nodes__NARROWER * own;
+    }
+    u = own / (*cspan_at(&work, block + regions__REGION_SPACING));
+    k = (int64_t)(u);
+    x = u - (double)(k);
+    at = nodes__node_field(region, nodes__NODE_GAP) + direction * k;
+    gap = nodes__cubic_through((*cspan_at(&work, at - direction)), (*cspan_at(&work, at)), (*cspan_at(&work, at + direction)), (*cspan_at(&work, at + INT64_C(2) * direction)), x);
+    curvature = 0.0;
+    if (own > 0.0)
+    {
+        curvature = gap / (own * own) * (mean * mean) / (own * own);
+    }
+    return curvature;
+}
+
+/* g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end. */
+static inline double nodes__secant_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window, double middle)
 {
     int64_t gaps;
     double spacing;
-    double least;
-    double averaged;
-    double secant;
     double s;
     double width;
-    double middle;
     double edge;
-    double share;
+    double result;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     spacing = (*cspan_at(&work, regions__region_block(region) + regions__REGION_SPACING));
-    least = nodes__FLOOR * (*cspan_at(&work, nodes__node_field(region, nodes__NODE_A) + k));
-    averaged = nodes__second_difference(work, gaps + k, spacing, window);
-    if (!(averaged > least))
-    {
-        averaged = least;
-    }
-    secant = 0.0;
     if ((k >= window) || (k <= -window))
     {
         s = spacing * (double)(k);
-        secant = (*cspan_at(&work, gaps + k)) / (s * s);
+        result = (*cspan_at(&work, gaps + k)) / (s * s);
+        return result;
     }
-    else
+    width = spacing * (double)(window);
+    edge = (*cspan_at(&work, gaps + window)) / (width * width);
+    if (k < INT64_C(0))
     {
-        width = spacing * (double)(window);
-        middle = nodes__second_difference(work, gaps, spacing, window);
-        if (middle < 0.0)
-        {
-            middle = 0.0;
-        }
-        edge = (*cspan_at(&work, gaps + window)) / (width * width);
-        if (k < INT64_C(0))
-        {
-            edge = (*cspan_at(&work, gaps - window)) / (width * width);
-        }
-        share = fabs((double)(k)) / (double)(window);
-        secant = middle + (edge - middle) * share;
+        edge = (*cspan_at(&work, gaps - window)) / (width * width);
     }
-    if (!(secant > averaged))
-    {
-        secant = averaged;
-    }
-    return sqrt(averaged * secant);
+    return middle + (edge - middle) * fabs((double)(k)) / (double)(window);
 }
 
-/* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A. */
+/* sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s. */
+static inline double nodes__windowed_curvature(double averaged, double secant, double share)
+{
+    double grown;
+    if (averaged < nodes__WINDOW_FLOOR * secant)
+    {
+        averaged = nodes__WINDOW_FLOOR * secant;
+    }
+    grown = secant;
+    if (averaged > secant)
+    {
+        grown += nodes__GROWTH * share * (averaged - secant);
+    }
+    return sqrt(averaged * grown);
+}
+
+/* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its own B. */
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
 {
     int64_t block;
     int64_t gaps;
     int64_t longitudinal;
-    int64_t rises;
-    int64_t lines;
-    int64_t lengths;
-    int64_t curvatures;
     int64_t base;
     int64_t yawed;
+    double spacing;
+    double mean;
+    double low_side;
+    double high_side;
+    double middle;
     int64_t k_end;
     int64_t k;
     double A;
+    double least;
+    double secant;
+    double share;
     double B;
+    double side;
+    double alpha;
+    double beta;
+    double nr;
     int64_t across;
     double slant;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double upright_A;
-    double upright_B;
-    double share;
     block = regions__region_block(region);
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
-    rises = nodes__node_field(region, nodes__NODE_RISE);
-    lines = nodes__node_field(region, nodes__NODE_LINE);
-    lengths = nodes__node_field(region, nodes__NODE_LENGTH);
-    curvatures = nodes__node_field(region, nodes__NODE_B);
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
     yawed = nodes__is_yawed(work);
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
+    low_side = nodes__side_curvature(work, region, -INT64_C(1));
+    high_side = nodes__side_curvature(work, region, INT64_C(1));
+    middle = nodes__second_difference(work, gaps, spacing, window);
+    if (middle < 0.0)
+    {
+        middle = 0.0;
+    }
     k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         A = (*cspan_at(&work, longitudinal + k));
-        B = nodes__lateral_curvature(work, region, k, window);
-        (*cspan_at(&work, curvatures + k)) = B;
+        least = nodes__FLOOR * A;
+        secant = nodes__secant_curvature(work, region, k, window, middle);
+        if (secant < least)
+        {
+            secant = least;
+        }
+        share = fabs((double)(k)) * spacing / mean;
+        if (share > 1.0)
+        {
+            share = 1.0;
+        }
+        B = nodes__windowed_curvature(nodes__second_difference(work, gaps + k, spacing, window), secant, share);
+        if (B < least)
+        {
+            B = least;
+        }
+        side = high_side;
+        if (k < INT64_C(0))
+        {
+            side = low_side;
+        }
+        if (side < least)
+        {
+            side = least;
+        }
+        alpha = hertz__table_value(tables, base, INT64_C(0), log(secant / A));
+        beta = hertz__table_value(tables, base, INT64_C(0), log(A / side));
+        nr = hertz__table_value(tables, base, INT64_C(6), log(B / A));
         if (yawed == INT64_C(1))
         {
             across = nodes__node_field(region, nodes__NODE_X) + k;
-            slant = ((*cspan_at(&work, across + window)) - (*cspan_at(&work, across - window))) / (2.0 * (double)(window) * (*cspan_at(&work, block + regions__REGION_SPACING)));
-            hertz__skewed_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B, slant);
-            if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
-            {
-                hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, one_alpha * A, one_beta * B, nr);
-                (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_RISE) + k)) = (*cspan_at(&work, gaps + k)) * upright_B / B;
-                (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_A) + k)) = upright_A;
-                (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_SHARE) + k)) = share;
-            }
+            slant = ((*cspan_at(&work, across + window)) - (*cspan_at(&work, across - window))) / (2.0 * (double)(window) * spacing);
+            nodes__turn_node(&alpha, &beta, &nr, tables, work, region, k, B, slant, alpha, beta, nr);
         }
-        else
-        {
-            hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
-        }
-        (*cspan_at(&work, rises + k)) = one_beta * (*cspan_at(&work, gaps + k));
-        (*cspan_at(&work, lines + k)) = (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work, lengths + k)) = one_alpha * A;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + k)) = B;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k)) = beta * (*cspan_at(&work, gaps + k));
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LINE) + k)) = (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) / nr;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LENGTH) + k)) = alpha * A;
     }
     return INT64_C(0);
+}
+
+/* ANALYN's coefficients ``alpha``, ``beta``, ``nr`` times what the slant of the ridge makes of an ellipse with A and
+ * ``B``; and for the strips the upright ellipse that cuts into the same ones.
+ */
+static inline int64_t nodes__turn_node(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region, int64_t k, double B, double slant, double alpha, double beta, double nr)
+{
+    int64_t base;
+    double A;
+    double one_alpha;
+    double one_beta;
+    double one_nr;
+    double turned_alpha;
+    double turned_beta;
+    double turned_nr;
+    double upright_A;
+    double upright_B;
+    double share;
+    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    A = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_A) + k));
+    hertz__hertz_coefficients(&one_alpha, &one_beta, &one_nr, tables, base, A, B);
+    hertz__skewed_coefficients(&turned_alpha, &turned_beta, &turned_nr, tables, base, A, B, slant);
+    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    {
+        hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, turned_alpha * A, turned_beta * B, turned_nr);
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_RISE) + k)) = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_GAP) + k)) * upright_B / B;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_A) + k)) = upright_A;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_SHARE) + k)) = share;
+    }
+    (*result_0) = alpha * turned_alpha / one_alpha;
+    (*result_1) = beta * turned_beta / one_beta;
+    (*result_2) = nr * turned_nr / one_nr;
+    return 0;
+}
+
+/* The cubic through values at -1, 0, 1, 2, at x. */
+static inline double nodes__cubic_through(double before, double low, double high, double after, double x)
+{
+    double bend;
+    double third;
+    bend = 0.5 * (before - 2.0 * low + high);
+    third = (after - 3.0 * high + 3.0 * low - before) / 6.0;
+    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third));
 }

@@ -61,13 +61,13 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     double widest;
     double least;
     double spacing;
-    window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) / normal_contact__WINDOW_PARTS);
+    window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) * normal_contact__WINDOW + 0.5);
     stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = regions__region_block(i);
         level = (*cspan_at(&work, block + regions__REGION_LEVEL));
-        normal_contact__measure_widths(tables, work, state, i, level);
+        normal_contact__measure_widths(tables, work, state, i, normal_contact__MEASURED * level);
         mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
         widest = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
         if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > widest)
@@ -86,6 +86,7 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         }
         nodes__lay_nodes(tables, work, state, i, level * enlarge, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
+        (*cspan_at(&work, block + regions__REGION_SQUARE)) = level / (*cspan_at(&work, nodes__node_field(i, nodes__NODE_LENGTH)));
     }
     return INT64_C(0);
 }

@@ -23,7 +23,8 @@
 #include "strip_patches.h"
 #include "strips.h"
 
-static const double normal_contact__WINDOW_PARTS = 5.0;
+static const double normal_contact__WINDOW = 0.26666666666666666;
+static const double normal_contact__MEASURED = 0.9;
 static const double normal_contact__TYPICAL_RATIO = 2.0;
 static const double normal_contact__CEILING = 1000.0;
 static const double normal_contact__ESTIMATE_FACTOR = 1.5;

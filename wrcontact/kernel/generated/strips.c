@@ -288,19 +288,9 @@ static inline int64_t strips__join_strips(array_double_1d work, int64_t strips)
 /* The cubic through the four values around ``at`` + x, 0 <= x <= 1. */
 static inline double strips__cubic_value(array_double_1d work, int64_t at, double x)
 {
-    double before;
-    double low;
-    double high;
-    double after;
-    double bend;
-    double third;
-    before = (*cspan_at(&work, at - INT64_C(1)));
-    low = (*cspan_at(&work, at));
-    high = (*cspan_at(&work, at + INT64_C(1)));
-    after = (*cspan_at(&work, at + INT64_C(2)));
-    bend = 0.5 * (before - 2.0 * low + high);
-    third = (after - 3.0 * high + 3.0 * low - before) / 6.0;
-    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third));
+    double result;
+    result = nodes__cubic_through((*cspan_at(&work, at - INT64_C(1))), (*cspan_at(&work, at)), (*cspan_at(&work, at + INT64_C(1))), (*cspan_at(&work, at + INT64_C(2))), x);
+    return result;
 }
 
 /* Gap and A of strip ``i`` where it stands; its node and the share of the way to the next one. */
