@@ -22,7 +22,7 @@ TABLE_CELLS: Final[int] = 4
 TABLE_ROW: Final[int] = 12
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
-STEEPEST: Final[float] = 0.2
+STEEPEST: Final[float] = 0.15
 #: d ln((b/a)^-2) / d ln(B/A) of a nearly circular ellipse; where the secants start.
 TYPICAL_SLOPE: Final[float] = 1.3
 RATIO_ITERATIONS: Final[int] = 12
@@ -59,7 +59,12 @@ def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant
     Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
     again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
     half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+
+    Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is a patch's edge:
+    A slant^2 counts as STEEPEST B at most.
     """
+    if A * slant * slant > STEEPEST * B:
+        slant = sqrt(STEEPEST * B / A)
     cross = A * slant
     diagonal = B + cross * slant
     half = 0.5 * (A - diagonal)

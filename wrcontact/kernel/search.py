@@ -348,8 +348,8 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
 
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
               reach: float, abscissa: float):
-    """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours,
-    below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+    """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
+    or than the one before the rail's end, below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
 
     SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
     by rising abscissa.
@@ -384,6 +384,9 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
         state[STATE_GAP_COUNT] += 1.0
         if above_rail(tables, abscissa) == 0:
+            # the rail ends beside the last node: a minimum may lie before its end
+            if fallen == 1:
+                list_candidate(work, side, node - direction, direction, abscissa_before)
             return 0
         if fallen == 1 and gap > before:
             list_candidate(work, side, node - direction, direction, abscissa_before)
@@ -397,7 +400,7 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
         if level > 0:
             cells = 1 << level
             if fallen == 1:
-                # the next node is higher; it counts if it is above the rail
+                # the next node is higher, or beyond the rail
                 cells = 1
             elif gap < reach:
                 before = -LARGE_GAP

@@ -61,6 +61,9 @@ static inline int64_t hertz__hertz_coefficients(double* result_0, double* result
  * Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
  * again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
  * half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+ *
+ * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is a patch's edge:
+ * A slant^2 counts as STEEPEST B at most.
  */
 static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B, double slant)
 {
@@ -76,6 +79,10 @@ static inline int64_t hertz__skewed_coefficients(double* result_0, double* resul
     double cosine;
     double length;
     double width;
+    if (A * slant * slant > hertz__STEEPEST * B)
+    {
+        slant = sqrt(hertz__STEEPEST * B / A);
+    }
     cross = A * slant;
     diagonal = B + cross * slant;
     half = 0.5 * (A - diagonal);

@@ -481,8 +481,8 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
     return INT64_C(0);
 }
 
-/* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours,
- * below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+/* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
+ * or than the one before the rail's end, below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
  *
  * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
  * by rising abscissa.
@@ -537,6 +537,11 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (gap__above_rail(tables, abscissa) == INT64_C(0))
         {
+            /* the rail ends beside the last node: a minimum may lie before its end */
+            if (fallen == INT64_C(1))
+            {
+                search__list_candidate(work, side, node - direction, direction, abscissa_before);
+            }
             return INT64_C(0);
         }
         if ((fallen == INT64_C(1)) && (gap > before))
@@ -557,7 +562,7 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
             cells = INT64_C(1) << level;
             if (fallen == INT64_C(1))
             {
-                /* the next node is higher; it counts if it is above the rail */
+                /* the next node is higher, or beyond the rail */
                 cells = INT64_C(1);
             }
             else if (gap < reach)
