@@ -23,7 +23,7 @@ from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLAC
                     around_wheel)
 from .profile_table import height_slope
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
-                      REGION_STATION, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, region_block)
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_STATION, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, region_block)
 
 # node fields
 NODE_GAP: Final[int] = 0             # rise of the gap over the region's minimum [m]
@@ -42,10 +42,7 @@ NODE_UPRIGHT_SHARE: Final[int] = 12  # its penetration over the real one [-]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02
-#: Nodes are evaluated until the gap exceeds the level by this factor.
-COVER: Final[float] = 1.1
-#: The narrower half counts as at most so many times narrower than the mean.
-NARROWER: Final[float] = 4.0
+#: Smallest windowed curvature as a share of the secant's, and how much of what it exceeds that by is taken at the edge.
 WINDOW_FLOOR: Final[float] = 0.05
 GROWTH: Final[float] = 0.12
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
@@ -57,10 +54,10 @@ def node_field(region: int, field: int):
     return WORK_NODES + (region * NODE_FIELDS + field) * NODE_LIMIT + NODE_MIDDLE
 
 
-def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, level: float, spacing: float,
-              window: int, stride: int):
-    """Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
-    ``window`` nodes further.
+def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, low_reach: float, high_reach: float,
+              spacing: float, window: int, stride: int):
+    """Gap and A at the region's nodes, until the gap has risen above ``low_reach`` or ``high_reach`` on that side or the
+    bound is passed, and ``window`` nodes further.
 
     Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
     """
@@ -83,6 +80,9 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     for direction in range(-1, 2, 2):
         start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
         rate = first_rate
+        reach = high_reach
+        if direction < 0:
+            reach = low_reach
         k = 0
         traced = 0
         step = stride
@@ -120,7 +120,7 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
                 work[ridges + at] = 2.0 * work[ridges + at - direction] - work[ridges + at - 2 * direction]
             if passed > 0:
                 left -= 1
-            elif ended == 1 or work[gaps + at] > COVER * level:
+            elif ended == 1 or work[gaps + at] > reach:
                 passed = k
             elif station > work[block + REGION_HIGH] or station < work[block + REGION_LOW]:
                 passed = k
@@ -207,26 +207,6 @@ def second_difference(work: 'float[:]', at: int, spacing: float, window: int):
     return (work[at + window] - 2.0 * work[at] + work[at - window]) / (2.0 * width * width)
 
 
-def side_curvature(work: 'float[:]', region: int, direction: int):
-    """g / w^2 [1/m] at the half-width w of the interpenetration on one side, enlarged where that side is the narrower."""
-    block = region_block(region)
-    own = work[block + REGION_WIDTH_HIGH]
-    if direction < 0:
-        own = work[block + REGION_WIDTH_LOW]
-    mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
-    if own * NARROWER < mean:
-        mean = NARROWER * own
-    u = own / work[block + REGION_SPACING]
-    k = int(u)
-    x = u - float(k)
-    at = node_field(region, NODE_GAP) + direction * k
-    gap = cubic_through(work[at - direction], work[at], work[at + direction], work[at + 2 * direction], x)
-    curvature = 0.0
-    if own > 0.0:
-        curvature = gap / (own * own) * (mean * mean) / (own * own)
-    return curvature
-
-
 def secant_curvature(work: 'float[:]', region: int, k: int, window: int, middle: float):
     """g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end."""
     gaps = node_field(region, NODE_GAP)
@@ -260,8 +240,8 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
     yawed = is_yawed(work)
     spacing = work[block + REGION_SPACING]
     mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
-    low_side = side_curvature(work, region, -1)
-    high_side = side_curvature(work, region, 1)
+    low_side = work[block + REGION_SIDE_LOW]
+    high_side = work[block + REGION_SIDE_HIGH]
     middle = second_difference(work, gaps, spacing, window)
     if middle < 0.0:
         middle = 0.0

@@ -34,6 +34,9 @@ REGION_CURVATURE: Final[int] = 15    # the wheel's 1/R_x at the minimum [1/m]
 REGION_MIDDLE: Final[int] = 16       # station that stands for its load in the interaction [m]
 REGION_START: Final[int] = 21        # where its strips begin and end [m]
 REGION_STOP: Final[int] = 22
+REGION_REACHED: Final[int] = 25      # rise of the gap where the last half-width ends [m]
+REGION_SIDE_LOW: Final[int] = 26     # lateral curvature on either side, rise over square of the half-width [1/m]
+REGION_SIDE_HIGH: Final[int] = 27
 REGION_SQUARE: Final[int] = 24       # square of its half-length as estimated [m^2]
 REGION_WEIGHT: Final[int] = 23       # integral of their density's graded part
 REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]
@@ -54,7 +57,7 @@ PLACE_SHARP: Final[float] = 1e-11    # last Newton step to a minimum or a hump [
 WIDTH_TRACE: Final[float] = 5e-8     # and while half-widths are measured [m]
 HALVED_SHARP: Final[float] = 1e-9    # last halving, relative
 WIDTH_ITERATIONS: Final[int] = 60
-WIDTH_SHARP: Final[float] = 2e-2     # last Newton step, relative (its error is the square); the width only sets the nodes
+WIDTH_SHARP: Final[float] = 5e-3     # last Newton step, relative; its error is a tenth of the square
 HUMP_SAMPLES: Final[int] = 8
 MINIMUM_ITERATIONS: Final[int] = 12
 
@@ -209,7 +212,8 @@ def find_hump(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int,
 
 def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, level: float,
                guess: float):
-    """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound.
+    """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
+    end of a profile; REGION_REACHED holds how far it has risen there.
 
     Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
     """
@@ -224,6 +228,7 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
     low = 0.0
     high = -1.0
     width = guess
+    work[block + REGION_REACHED] = 0.0
     for i in range(WIDTH_ITERATIONS):
         if width > limit:
             width = limit
@@ -232,6 +237,7 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
         rise = gap - work[block + REGION_GAP]
         if rise < level:
             low = width
+            work[block + REGION_REACHED] = rise
             if width >= limit:
                 return limit
         else:
@@ -247,6 +253,8 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
                 following = newton
                 sharp = WIDTH_SHARP
         if fabs(following - width) < sharp * width:
+            if sharp == WIDTH_SHARP:
+                work[block + REGION_REACHED] = level
             return following
         width = following
     return width

@@ -22,12 +22,12 @@ static inline int64_t nodes__node_field(int64_t region, int64_t field)
     return layout__WORK_NODES + (region * layout__NODE_FIELDS + field) * layout__NODE_LIMIT + layout__NODE_MIDDLE;
 }
 
-/* Gap and A at the region's nodes, until the gap has risen above COVER ``level`` or the bound is passed, and
- * ``window`` nodes further.
+/* Gap and A at the region's nodes, until the gap has risen above ``low_reach`` or ``high_reach`` on that side or the
+ * bound is passed, and ``window`` nodes further.
  *
  * Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
  */
-static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window, int64_t stride)
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double low_reach, double high_reach, double spacing, int64_t window, int64_t stride)
 {
     int64_t block;
     int64_t gaps;
@@ -42,6 +42,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     int64_t ridges;
     int64_t direction;
     double rate;
+    double reach;
     int64_t k;
     int64_t traced;
     int64_t step;
@@ -75,6 +76,11 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     {
         contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
         rate = first_rate;
+        reach = high_reach;
+        if (direction < INT64_C(0))
+        {
+            reach = low_reach;
+        }
         k = INT64_C(0);
         traced = INT64_C(0);
         step = stride;
@@ -126,7 +132,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
             {
                 left -= INT64_C(1);
             }
-            else if ((ended == INT64_C(1)) || ((*cspan_at(&work, gaps + at)) > nodes__COVER * level))
+            else if ((ended == INT64_C(1)) || ((*cspan_at(&work, gaps + at)) > reach))
             {
                 passed = k;
             }
@@ -277,42 +283,6 @@ static inline double nodes__second_difference(array_double_1d work, int64_t at, 
     return result;
 }
 
-/* g / w^2 [1/m] at the half-width w of the interpenetration on one side, enlarged where that side is the narrower. */
-static inline double nodes__side_curvature(array_double_1d work, int64_t region, int64_t direction)
-{
-    int64_t block;
-    double own;
-    double mean;
-    double u;
-    int64_t k;
-    double x;
-    int64_t at;
-    double gap;
-    double curvature;
-    block = regions__region_block(region);
-    own = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
-    if (direction < INT64_C(0))
-    {
-        own = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
-    }
-    mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
-    if (own * nodes__NARROWER < mean)
-    {
-        mean = nodes__NARROWER * own;
-    }
-    u = own / (*cspan_at(&work, block + regions__REGION_SPACING));
-    k = (int64_t)(u);
-    x = u - (double)(k);
-    at = nodes__node_field(region, nodes__NODE_GAP) + direction * k;
-    gap = nodes__cubic_through((*cspan_at(&work, at - direction)), (*cspan_at(&work, at)), (*cspan_at(&work, at + direction)), (*cspan_at(&work, at + INT64_C(2) * direction)), x);
-    curvature = 0.0;
-    if (own > 0.0)
-    {
-        curvature = gap / (own * own) * (mean * mean) / (own * own);
-    }
-    return curvature;
-}
-
 /* g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end. */
 static inline double nodes__secant_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window, double middle)
 {
@@ -388,8 +358,8 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     yawed = nodes__is_yawed(work);
     spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
     mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
-    low_side = nodes__side_curvature(work, region, -INT64_C(1));
-    high_side = nodes__side_curvature(work, region, INT64_C(1));
+    low_side = (*cspan_at(&work, block + regions__REGION_SIDE_LOW));
+    high_side = (*cspan_at(&work, block + regions__REGION_SIDE_HIGH));
     middle = nodes__second_difference(work, gaps, spacing, window);
     if (middle < 0.0)
     {

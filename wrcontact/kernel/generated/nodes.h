@@ -39,8 +39,6 @@ static const int64_t nodes__NODE_UPRIGHT_RISE = INT64_C(10);
 static const int64_t nodes__NODE_UPRIGHT_A = INT64_C(11);
 static const int64_t nodes__NODE_UPRIGHT_SHARE = INT64_C(12);
 static const double nodes__FLOOR = 0.02;
-static const double nodes__COVER = 1.1;
-static const double nodes__NARROWER = 4.0;
 static const double nodes__WINDOW_FLOOR = 0.05;
 static const double nodes__GROWTH = 0.12;
 static const double nodes__TRACE_SHARE = 0.001;
@@ -53,13 +51,12 @@ static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t field, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction);
-static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level, double spacing, int64_t window, int64_t stride);
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double low_reach, double high_reach, double spacing, int64_t window, int64_t stride);
 static inline double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window);
-static inline double nodes__cubic_through(double before, double low, double high, double after, double x);
-static inline double nodes__side_curvature(array_double_1d work, int64_t region, int64_t direction);
 static inline double nodes__secant_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window, double middle);
 static inline double nodes__windowed_curvature(double averaged, double secant, double share);
 static inline int64_t nodes__turn_node(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region, int64_t k, double B, double slant, double alpha, double beta, double nr);
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window);
+static inline double nodes__cubic_through(double before, double low, double high, double after, double x);
 
 #endif

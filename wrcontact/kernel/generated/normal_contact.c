@@ -20,13 +20,16 @@ static inline double normal_contact__guess_penetration(double force, double A, d
     return pow((share * share * (1.0 + normal_contact__TYPICAL_RATIO) * A), (1.0 / 3.0));
 }
 
-/* Half-widths of the region's interpenetration at ``level`` [m], and the station its load is thought to act at. */
+/* Half-widths of the region's interpenetration at ``level`` [m], the lateral curvatures on both sides that follow from
+ * them, and the station its load is thought to act at.
+ */
 static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level)
 {
     int64_t block;
     double low;
     double high;
     double grown;
+    double high_reached;
     block = regions__region_block(region);
     low = sqrt(level / (4.0 * (*cspan_at(&work, block + regions__REGION_CURVATURE))));
     high = low;
@@ -37,16 +40,63 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
         high = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown;
     }
     high = regions__zone_width(tables, work, state, block, 1.0, level, high);
+    high_reached = (*cspan_at(&work, block + regions__REGION_REACHED));
     if (!((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0))
     {
         low = high;
     }
     low = regions__zone_width(tables, work, state, block, -1.0, level, low);
+    (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)) = normal_contact__side_curvature(high_reached, high, 0.5 * (low + high));
+    (*cspan_at(&work, block + regions__REGION_SIDE_LOW)) = normal_contact__side_curvature((*cspan_at(&work, block + regions__REGION_REACHED)), low, 0.5 * (low + high));
     (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) = high;
     (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) = low;
     (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) = level;
     (*cspan_at(&work, block + regions__REGION_MIDDLE)) = (*cspan_at(&work, block + regions__REGION_STATION)) + 0.5 * (high - low);
     return INT64_C(0);
+}
+
+/* g / w^2 [1/m] where the gap has risen to g = ``reached`` at the half-width w = ``own``, enlarged where that side is
+ * the narrower, up to NARROWER times.
+ */
+static inline double normal_contact__side_curvature(double reached, double own, double mean)
+{
+    double ratio;
+    double curvature;
+    curvature = 0.0;
+    if (own > 0.0)
+    {
+        ratio = mean / own;
+        if (ratio > normal_contact__NARROWER)
+        {
+            ratio = normal_contact__NARROWER;
+        }
+        curvature = reached / (own * own) * ratio * ratio;
+    }
+    return curvature;
+}
+
+/* Share of the level up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
+ * are loaded while (1 + beta) g is below the level.
+ */
+static inline double normal_contact__zone_share(array_double_1d tables, double A, double side)
+{
+    double spread;
+    double share;
+    if (side < nodes__FLOOR * A)
+    {
+        side = nodes__FLOOR * A;
+    }
+    spread = normal_contact__SPREAD;
+    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    {
+        spread = normal_contact__STRIP_SPREAD;
+    }
+    share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), INT64_C(0), log(A / side));
+    if (share > normal_contact__COVER)
+    {
+        share = normal_contact__COVER;
+    }
+    return share;
 }
 
 /* Widths, nodes and coefficients of all regions at their levels times ``enlarge``. */
@@ -61,6 +111,9 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     double widest;
     double least;
     double spacing;
+    double A;
+    double low_reach;
+    double high_reach;
     window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) * normal_contact__WINDOW + 0.5);
     stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -84,7 +137,10 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         {
             spacing = widest * enlarge / normal_contact__WIDEST;
         }
-        nodes__lay_nodes(tables, work, state, i, level * enlarge, spacing, window, stride);
+        A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        low_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_LOW)));
+        high_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)));
+        nodes__lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
         (*cspan_at(&work, block + regions__REGION_SQUARE)) = level / (*cspan_at(&work, nodes__node_field(i, nodes__NODE_LENGTH)));
     }

@@ -25,6 +25,10 @@
 
 static const double normal_contact__WINDOW = 0.26666666666666666;
 static const double normal_contact__MEASURED = 0.9;
+static const double normal_contact__NARROWER = 4.0;
+static const double normal_contact__COVER = 1.1;
+static const double normal_contact__SPREAD = 1.25;
+static const double normal_contact__STRIP_SPREAD = 1.8;
 static const double normal_contact__TYPICAL_RATIO = 2.0;
 static const double normal_contact__CEILING = 1000.0;
 static const double normal_contact__ESTIMATE_FACTOR = 1.5;
@@ -34,7 +38,9 @@ static const double normal_contact__NARROWEST = 0.01;
 static const double normal_contact__WIDEST = 110.0;
 
 static inline double normal_contact__guess_penetration(double force, double A, double contact_modulus);
+static inline double normal_contact__side_curvature(double reached, double own, double mean);
 static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level);
+static inline double normal_contact__zone_share(array_double_1d tables, double A, double side);
 static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
 static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration);
 static inline int64_t normal_contact__covered(array_double_1d work, int64_t count);

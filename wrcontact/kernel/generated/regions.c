@@ -270,7 +270,8 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
     return 0;
 }
 
-/* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound.
+/* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
+ * end of a profile; REGION_REACHED holds how far it has risen there.
  *
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
  */
@@ -307,6 +308,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
     low = 0.0;
     high = -1.0;
     width = guess;
+    (*cspan_at(&work, block + regions__REGION_REACHED)) = 0.0;
     for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
@@ -318,6 +320,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         if (rise < level)
         {
             low = width;
+            (*cspan_at(&work, block + regions__REGION_REACHED)) = rise;
             if (width >= limit)
             {
                 return limit;
@@ -345,6 +348,10 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         }
         if (fabs(following - width) < sharp * width)
         {
+            if (sharp == regions__WIDTH_SHARP)
+            {
+                (*cspan_at(&work, block + regions__REGION_REACHED)) = level;
+            }
             return following;
         }
         width = following;
