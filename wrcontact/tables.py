@@ -16,7 +16,7 @@ START_STEP = 0.5e-3    # [m] of the lateral shifts for which a start of the roll
 
 
 def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
-                 longitudinal_curvature, nodes=8, stride=2, strips=24, sweeps=2):
+                 longitudinal_curvature, nodes=15, stride=2, strips=24, sweeps=2):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
     ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_...

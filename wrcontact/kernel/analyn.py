@@ -23,8 +23,11 @@ from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
+#: Change of the load, relative, that tells the slope; and how far that may be from the slope's own estimate.
+ROUNDING: Final[float] = 1e-10
+SLOPE_ERROR: Final[float] = 0.1
 #: Missed by less, relative, the force is met by one more move, Newton's method squaring what is missed.
-NEARLY_SHARP: Final[float] = 1e-7
+NEARLY_SHARP: Final[float] = 1e-9
 #: Missed by more, relative, the power 2/3 of the load is taken for linear in the penetration.
 NEARLY: Final[float] = 1e-3
 #: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
@@ -96,7 +99,7 @@ def clip_to_bound(work: 'float[:]', block: int, k: int, outward: int, stop: floa
 
 
 def region_load(work: 'float[:]', region: int, level: float):
-    """Load [N] of ``region`` at local penetration ``level`` [m] and its derivative [N/m]."""
+    """Load [N] of ``region`` at local penetration ``level`` [m], and its derivative [N/m] to a few per mille."""
     block = region_block(region)
     spacing = work[block + REGION_SPACING]
     rises = node_field(region, NODE_RISE)
@@ -121,14 +124,14 @@ def region_load(work: 'float[:]', region: int, level: float):
                 if d_low > 0.0 and d_high > 0.0 and k < last - 1:
                     # a fully loaded cell: quadratic_integral from 0 to 1
                     load += 0.5 * (f_low + f_high) - bend_of(c_before * d_before, f_low, f_high) / 6.0
-                    stiffness += 0.5 * (c_low + c_high) - bend_of(c_before, c_low, c_high) / 6.0
+                    stiffness += 0.5 * (c_low + c_high)
                 elif d_low > 0.0 or d_high > 0.0:
                     start, stop = cell_part(d_before, d_low, d_high)
                     if k == last - 1:
                         stop = clip_to_bound(work, block, outward * k, outward, stop)
                     if stop > start:
                         load += quadratic_integral(c_before * d_before, f_low, f_high, start, stop)
-                        stiffness += quadratic_integral(c_before, c_low, c_high, start, stop)
+                        stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))
                 d_before = d_low
                 c_before = c_low
                 d_low = d_high
@@ -170,10 +173,20 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
         work[region_block(i) + REGION_LEVEL] = penetration - work[region_block(i) + REGION_GAP]
     low = 0.0
     high = HIGHEST * penetration
+    total_before = 0.0
+    slope_before = 0.0
+    move = 0.0
     for iteration in range(FORCE_ITERATIONS):
         state[STATE_SOLVE_COUNT] += 1.0
         total = load_regions(tables, work, count)
         residual, slope, rest = level_residuals(tables, work, count, penetration)
+        if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
+            # what the slopes of both ends made of the last move, against what came of it
+            share = (total - total_before) / (0.5 * (slope_before + slope) * move)
+            if fabs(share - 1.0) < SLOPE_ERROR:
+                slope *= share
+        total_before = total
+        slope_before = slope
         move = 0.0
         missed = 0.0
         if prescribed == 0:

@@ -36,9 +36,9 @@ NODE_SQUARE: Final[int] = 6          # square of the half-length [m^2] and
 NODE_PRESSURE: Final[int] = 7        # square of the pressure on x = 0 [Pa^2]
 NODE_B: Final[int] = 8               # lateral curvature B [1/m]
 NODE_X: Final[int] = 9               # where along the track the gap is smallest [m]; of a yawed wheel only, as is
-NODE_UPRIGHT_RISE: Final[int] = 10   # gap, A and penetration of the upright ellipse with the same strips, see
-NODE_UPRIGHT_A: Final[int] = 11      # hertz.upright_coefficients: the gap's rise [m], A [1/m] and
-NODE_UPRIGHT_SHARE: Final[int] = 12  # its penetration over the real one [-]
+NODE_UPRIGHT_RISE: Final[int] = 10   # the upright ellipse with the same strips (hertz.upright_coefficients), of a yawed wheel
+NODE_UPRIGHT_A: Final[int] = 11      # only: its gap's rise over the real one [-], its A [1/m], and its penetration over
+NODE_UPRIGHT_SHARE: Final[int] = 12  # the real one [-]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02
@@ -46,7 +46,7 @@ FLOOR: Final[float] = 0.02
 WINDOW_FLOOR: Final[float] = 0.05
 GROWTH: Final[float] = 0.12
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
-FINEST_TRACE: Final[float] = 5e-8    # [m]; leaves 1e-13 m in the gap, the residual being removed to first order
+FINEST_TRACE: Final[float] = 1e-8    # [m]; leaves 1e-13 m in the gap, the residual being removed to first order
 
 
 def node_field(region: int, field: int):
@@ -286,7 +286,7 @@ def turn_node(tables: 'float[:]', work: 'float[:]', region: int, k: int, B: floa
     turned_alpha, turned_beta, turned_nr = skewed_coefficients(tables, base, A, B, slant)
     if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
         upright_A, upright_B, share = upright_coefficients(tables, base, turned_alpha * A, turned_beta * B, turned_nr)
-        work[node_field(region, NODE_UPRIGHT_RISE) + k] = work[node_field(region, NODE_GAP) + k] * upright_B / B
+        work[node_field(region, NODE_UPRIGHT_RISE) + k] = upright_B / B
         work[node_field(region, NODE_UPRIGHT_A) + k] = upright_A
         work[node_field(region, NODE_UPRIGHT_SHARE) + k] = share
     return alpha * turned_alpha / one_alpha, beta * turned_beta / one_beta, nr * turned_nr / one_nr

@@ -64,8 +64,6 @@ EXCHANGES: Final[int] = 10
 EXCHANGE_LIMIT: Final[int] = 200
 #: A strip without load must penetrate by this share of the penetration to take some up; rounding is 1e-14.
 TOUCH: Final[float] = 1e-12
-#: No strip is cut to less than this share of its width.
-NARROW: Final[float] = 0.01
 #: Strips whose edges are closer than this share of their width touch.
 TOUCHING: Final[float] = 1e-6
 
@@ -237,6 +235,10 @@ def locate_strip(work: 'float[:]', i: int):
     block = region_block(region)
     u = (work[strip_field(STRIP_STATION) + i] - work[block + REGION_STATION]) / work[block + REGION_SPACING]
     k = int(u + float(NODE_MIDDLE)) - NODE_MIDDLE
+    if k > int(work[block + REGION_LAST]) - 1:
+        k = int(work[block + REGION_LAST]) - 1
+    if k < int(work[block + REGION_FIRST]):
+        k = int(work[block + REGION_FIRST])
     x = u - float(k)
     gap = cubic_value(work, node_field(region, NODE_GAP) + k, x)
     work[strip_field(STRIP_GAP) + i] = work[block + REGION_GAP] + gap
@@ -245,7 +247,7 @@ def locate_strip(work: 'float[:]', i: int):
     if is_yawed(work) == 1:
         # the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients)
         turn = node_value(work, region, NODE_UPRIGHT_SHARE, k, x)
-        rise = cubic_value(work, node_field(region, NODE_UPRIGHT_RISE) + k, x)
+        rise = gap * node_value(work, region, NODE_UPRIGHT_RISE, k, x)
         work[strip_field(STRIP_GAP) + i] = turn * work[block + REGION_GAP] + rise
         work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_UPRIGHT_A, k, x)
         work[strip_field(STRIP_TURN) + i] = turn
@@ -299,14 +301,14 @@ def keep_long(work: 'float[:]', strips: int, longest: float):
 
 
 def fit_edges(work: 'float[:]', strips: int):
-    """Let the outermost strip of every run of loaded ones end at the run's edge, or the next one begin to carry there."""
+    """Let the outermost strips of every run of loaded ones end at the run's edges."""
     lines = strip_field(STRIP_LINE)
     first = 0
     while first < strips:
         last = first
         if work[lines + first] > 0.0:
             last = run_end(work, strips, first)
-            if last > first:
+            if last > first + 2:
                 start = run_edge(work, strips, first, last, -1)
                 stop = run_edge(work, strips, last, first, 1)
                 fit_edge(work, strips, first, start, -1)
@@ -316,21 +318,42 @@ def fit_edges(work: 'float[:]', strips: int):
 
 
 def fit_edge(work: 'float[:]', strips: int, last: int, edge: float, outward: int):
-    """Let strip ``last``, or the one beyond it, end at ``edge`` [m]."""
-    stations = strip_field(STRIP_STATION)
-    widths = strip_field(STRIP_WIDTH)
-    at = last
-    bound = work[stations + last] + 0.5 * float(outward) * work[widths + last]
-    if (edge - bound) * float(outward) > NARROW * work[widths + last]:
-        at = last + outward
-    inner = work[stations + at] - 0.5 * float(outward) * work[widths + at]
-    width = fabs(edge - inner)
-    if width > NARROW * work[widths + at]:
-        work[widths + at] = width
-        work[stations + at] = 0.5 * (inner + edge)
-        work[strip_field(STRIP_LOADED) + at] = 1.0
-        region, k, x = locate_strip(work, at)
-        measure_distances(work, strips, at, strips)
+    """Let the run that ends with strip ``last`` end at ``edge`` [m], which lies within one and a half of its widths.
+
+    A strip is never narrower than half of what it was, since a narrow one answers the smallest mismatch with a large
+    pressure: the one before takes over what little is left of it.
+    """
+    direction = float(outward)
+    width = work[strip_field(STRIP_WIDTH) + last]
+    inner = work[strip_field(STRIP_STATION) + last] - 0.5 * direction * width
+    outer = inner + direction * width
+    beyond = last + outward
+    pair = last
+    if outward < 0:
+        pair = beyond
+    touching = 0.0
+    if pair >= 0 and pair < strips:
+        touching = work[strip_field(STRIP_JOINED) + pair]
+    if (edge - inner) * direction > 0.5 * width:
+        set_strip(work, strips, last, inner, edge)
+        if (edge - outer) * direction > 0.0 and touching == 1.0:
+            far = work[strip_field(STRIP_STATION) + beyond] + 0.5 * direction * work[strip_field(STRIP_WIDTH) + beyond]
+            set_strip(work, strips, beyond, edge, far)
+    else:
+        before = last - outward
+        near = work[strip_field(STRIP_STATION) + before] - 0.5 * direction * work[strip_field(STRIP_WIDTH) + before]
+        set_strip(work, strips, before, near, edge)
+        set_strip(work, strips, last, edge, outer)
+        work[strip_field(STRIP_LOADED) + last] = 0.0
+    return 0
+
+
+def set_strip(work: 'float[:]', strips: int, i: int, start: float, stop: float):
+    """Let strip ``i`` lie between two stations [m]."""
+    work[strip_field(STRIP_WIDTH) + i] = fabs(stop - start)
+    work[strip_field(STRIP_STATION) + i] = 0.5 * (start + stop)
+    region, k, x = locate_strip(work, i)
+    measure_distances(work, strips, i, strips)
     return 0
 
 

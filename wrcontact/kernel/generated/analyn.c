@@ -111,7 +111,7 @@ static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, 
     return stop;
 }
 
-/* Load [N] of ``region`` at local penetration ``level`` [m] and its derivative [N/m]. */
+/* Load [N] of ``region`` at local penetration ``level`` [m], and its derivative [N/m] to a few per mille. */
 static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level)
 {
     int64_t block;
@@ -164,7 +164,7 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
                 {
                     /* a fully loaded cell: quadratic_integral from 0 to 1 */
                     load += 0.5 * (f_low + f_high) - analyn__bend_of(c_before * d_before, f_low, f_high) / 6.0;
-                    stiffness += 0.5 * (c_low + c_high) - analyn__bend_of(c_before, c_low, c_high) / 6.0;
+                    stiffness += 0.5 * (c_low + c_high);
                 }
                 else if ((d_low > 0.0) || (d_high > 0.0))
                 {
@@ -176,7 +176,7 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
                     if (stop > start)
                     {
                         load += analyn__quadratic_integral(c_before * d_before, f_low, f_high, start, stop);
-                        stiffness += analyn__quadratic_integral(c_before, c_low, c_high, start, stop);
+                        stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low));
                     }
                 }
                 d_before = d_low;
@@ -238,12 +238,15 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     int64_t i;
     double low;
     double high;
+    double total_before;
+    double slope_before;
+    double move;
     int64_t iteration;
     double total;
     double residual;
     double slope;
     double rest;
-    double move;
+    double share;
     double missed;
     double following;
     double newton;
@@ -253,11 +256,25 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
+    total_before = 0.0;
+    slope_before = 0.0;
+    move = 0.0;
     for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
         total = analyn__load_regions(tables, work, count);
         analyn__level_residuals(&residual, &slope, &rest, tables, work, count, penetration);
+        if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__ROUNDING * force))
+        {
+            /* what the slopes of both ends made of the last move, against what came of it */
+            share = (total - total_before) / (0.5 * (slope_before + slope) * move);
+            if (fabs(share - 1.0) < analyn__SLOPE_ERROR)
+            {
+                slope *= share;
+            }
+        }
+        total_before = total;
+        slope_before = slope;
         move = 0.0;
         missed = 0.0;
         if (prescribed == INT64_C(0))

@@ -23,7 +23,9 @@
 
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;
-static const double analyn__NEARLY_SHARP = 1e-07;
+static const double analyn__ROUNDING = 1e-10;
+static const double analyn__SLOPE_ERROR = 0.1;
+static const double analyn__NEARLY_SHARP = 1e-09;
 static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
 static const double analyn__ELONGATED = 0.3;

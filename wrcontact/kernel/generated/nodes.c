@@ -434,7 +434,7 @@ static inline int64_t nodes__turn_node(double* result_0, double* result_1, doubl
     if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, turned_alpha * A, turned_beta * B, turned_nr);
-        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_RISE) + k)) = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_GAP) + k)) * upright_B / B;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_RISE) + k)) = upright_B / B;
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_A) + k)) = upright_A;
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_SHARE) + k)) = share;
     }

@@ -305,6 +305,14 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     block = regions__region_block((*region));
     u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
     (*k) = (int64_t)(u + (double)(layout__NODE_MIDDLE)) - layout__NODE_MIDDLE;
+    if ((*k) > (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1))
+    {
+        (*k) = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1);
+    }
+    if ((*k) < (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))))
+    {
+        (*k) = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+    }
     (*x) = u - (double)((*k));
     gap = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_GAP) + (*k), (*x));
     (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
@@ -314,7 +322,7 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     {
         /* the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients) */
         turn = strips__node_value(work, (*region), nodes__NODE_UPRIGHT_SHARE, (*k), (*x));
-        rise = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_UPRIGHT_RISE) + (*k), (*x));
+        rise = gap * strips__node_value(work, (*region), nodes__NODE_UPRIGHT_RISE, (*k), (*x));
         (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + rise;
         (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_UPRIGHT_A, (*k), (*x));
         (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn;
@@ -404,7 +412,7 @@ static inline int64_t strips__keep_long(array_double_1d work, int64_t strips, do
     return INT64_C(0);
 }
 
-/* Let the outermost strip of every run of loaded ones end at the run's edge, or the next one begin to carry there. */
+/* Let the outermost strips of every run of loaded ones end at the run's edges. */
 static inline int64_t strips__fit_edges(array_double_1d work, int64_t strips)
 {
     int64_t lines;
@@ -420,7 +428,7 @@ static inline int64_t strips__fit_edges(array_double_1d work, int64_t strips)
         if ((*cspan_at(&work, lines + first)) > 0.0)
         {
             last = strips__run_end(work, strips, first);
-            if (last > first)
+            if (last > first + INT64_C(2))
             {
                 start = strips__run_edge(work, strips, first, last, -INT64_C(1));
                 stop = strips__run_edge(work, strips, last, first, INT64_C(1));
@@ -433,36 +441,68 @@ static inline int64_t strips__fit_edges(array_double_1d work, int64_t strips)
     return INT64_C(0);
 }
 
-/* Let strip ``last``, or the one beyond it, end at ``edge`` [m]. */
+/* Let the run that ends with strip ``last`` end at ``edge`` [m], which lies within one and a half of its widths.
+ *
+ * A strip is never narrower than half of what it was, since a narrow one answers the smallest mismatch with a large
+ * pressure: the one before takes over what little is left of it.
+ */
 static inline int64_t strips__fit_edge(array_double_1d work, int64_t strips, int64_t last, double edge, int64_t outward)
 {
-    int64_t stations;
-    int64_t widths;
-    int64_t at;
-    double bound;
-    double inner;
+    double direction;
     double width;
+    double inner;
+    double outer;
+    int64_t beyond;
+    int64_t pair;
+    double touching;
+    double far;
+    int64_t before;
+    double near;
+    direction = (double)(outward);
+    width = (*cspan_at(&work, strips__strip_field(strips__STRIP_WIDTH) + last));
+    inner = (*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + last)) - 0.5 * direction * width;
+    outer = inner + direction * width;
+    beyond = last + outward;
+    pair = last;
+    if (outward < INT64_C(0))
+    {
+        pair = beyond;
+    }
+    touching = 0.0;
+    if ((pair >= INT64_C(0)) && (pair < strips))
+    {
+        touching = (*cspan_at(&work, strips__strip_field(strips__STRIP_JOINED) + pair));
+    }
+    if ((edge - inner) * direction > 0.5 * width)
+    {
+        strips__set_strip(work, strips, last, inner, edge);
+        if (((edge - outer) * direction > 0.0) && (touching == 1.0))
+        {
+            far = (*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + beyond)) + 0.5 * direction * (*cspan_at(&work, strips__strip_field(strips__STRIP_WIDTH) + beyond));
+            strips__set_strip(work, strips, beyond, edge, far);
+        }
+    }
+    else
+    {
+        before = last - outward;
+        near = (*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + before)) - 0.5 * direction * (*cspan_at(&work, strips__strip_field(strips__STRIP_WIDTH) + before));
+        strips__set_strip(work, strips, before, near, edge);
+        strips__set_strip(work, strips, last, edge, outer);
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_LOADED) + last)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Let strip ``i`` lie between two stations [m]. */
+static inline int64_t strips__set_strip(array_double_1d work, int64_t strips, int64_t i, double start, double stop)
+{
     int64_t region;
     int64_t k;
     double x;
-    stations = strips__strip_field(strips__STRIP_STATION);
-    widths = strips__strip_field(strips__STRIP_WIDTH);
-    at = last;
-    bound = (*cspan_at(&work, stations + last)) + 0.5 * (double)(outward) * (*cspan_at(&work, widths + last));
-    if ((edge - bound) * (double)(outward) > strips__NARROW * (*cspan_at(&work, widths + last)))
-    {
-        at = last + outward;
-    }
-    inner = (*cspan_at(&work, stations + at)) - 0.5 * (double)(outward) * (*cspan_at(&work, widths + at));
-    width = fabs(edge - inner);
-    if (width > strips__NARROW * (*cspan_at(&work, widths + at)))
-    {
-        (*cspan_at(&work, widths + at)) = width;
-        (*cspan_at(&work, stations + at)) = 0.5 * (inner + edge);
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_LOADED) + at)) = 1.0;
-        strips__locate_strip(&region, &k, &x, work, at);
-        strips__measure_distances(work, strips, at, strips);
-    }
+    (*cspan_at(&work, strips__strip_field(strips__STRIP_WIDTH) + i)) = fabs(stop - start);
+    (*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) = 0.5 * (start + stop);
+    strips__locate_strip(&region, &k, &x, work, i);
+    strips__measure_distances(work, strips, i, strips);
     return INT64_C(0);
 }
 

@@ -52,7 +52,6 @@ static const double strips__SQUARE = 0.5;
 static const int64_t strips__EXCHANGES = INT64_C(10);
 static const int64_t strips__EXCHANGE_LIMIT = INT64_C(200);
 static const double strips__TOUCH = 1e-12;
-static const double strips__NARROW = 0.01;
 static const double strips__TOUCHING = 1e-06;
 
 static inline int64_t strips__strip_field(int64_t field);
@@ -72,6 +71,7 @@ static inline int64_t strips__describe_strips(array_double_1d work, int64_t stri
 static inline int64_t strips__run_end(array_double_1d work, int64_t strips, int64_t first);
 static inline double strips__run_edge(array_double_1d work, int64_t strips, int64_t last, int64_t first, int64_t outward);
 static inline int64_t strips__measure_distances(array_double_1d work, int64_t strips, int64_t i, int64_t others);
+static inline int64_t strips__set_strip(array_double_1d work, int64_t strips, int64_t i, double start, double stop);
 static inline int64_t strips__fit_edge(array_double_1d work, int64_t strips, int64_t last, double edge, int64_t outward);
 static inline int64_t strips__fit_edges(array_double_1d work, int64_t strips);
 static inline double strips__influence_value(array_double_1d tables, int64_t base, double abscissa);
