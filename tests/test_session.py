@@ -181,7 +181,7 @@ def test_parameters_are_fixed_once_the_simulation_runs(running):
     (lambda s: s.set_integers([STATUS], [1]), "status is an output"),
     (lambda s: s.get_reals([STATUS]), "status is of type Integer"),
     (lambda s: s.get_reals([REFERENCE["load"]]), "load is of type String"),
-    (lambda s: s.get_integers([291]), "291 does not exist"),
+    (lambda s: s.get_integers([len(VARIABLES)]), f"{len(VARIABLES)} does not exist"),
     (lambda s: s.get_reals([-1]), "-1 does not exist"),
     (lambda s: s.set_reals([-1], [0.0]), "-1 does not exist"),
 ])  # fmt: skip

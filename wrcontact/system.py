@@ -17,6 +17,7 @@ from .kernel import layout
 from .kernel.library import default_kernel
 from .profiles.files import find_profile
 from .profiles.placement import place_rail, readable_wheel
+from .resolution import resolve
 from .state import WheelsetState
 from .status import Status
 from .tables import build_tables
@@ -32,9 +33,6 @@ RANGES = {
     "poisson_ratio": (0.0, 0.499, "1"),
     "tolerance": (1e-4, 0.1, "1"),
 }
-
-#: Smallest tolerance of the half-space model [1], halfspace.TOLERANCE_RANGE.
-HALFSPACE_TOLERANCE = 3e-4
 
 #: Numeric parameters that may be None: each method then uses its own.
 OPTIONAL = ("tolerance",)
@@ -76,13 +74,16 @@ class ContactSystem:
     youngs_modulus, poisson_ratio : of wheel and rail [Pa, 1].
     contact_mode : "rigid", contact where the undeformed profiles first touch.
     load : "normal", ``normal_force`` is the total over a wheel's patches.
-    normal_model : "analyn" (Sichani et al. 2014), "hertz" (curvatures at the contact point), or "halfspace" (complete theory
+    normal_model : "analyn" (Sichani et al. 2014), "analyn_strip" (the same, put right by a half-space of strips), "hertz" (curvatures at the contact point), or "halfspace" (complete theory
         on the true three-dimensional gap, wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel).
     separation : "normal", the undeformed distance is measured along the contact normal.
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
     lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).
-    tolerance : relative error of the numerics in penetration, area and peak pressure, 1e-4 ... 0.1; None is each model's own
-        (5e-3 for "halfspace", which reaches 3e-4).
+    tolerance : relative error of the numerics in penetration, area and peak pressure, as told in wrcontact/resolution.py;
+        None is each model's own, 0.01, and 0.005 for "halfspace".  "analyn" reaches 0.0015, "analyn_strip" 0.004,
+        "halfspace" 0.0003.
+    nodes : per half-width of the interpenetration, 4 ... 38, and
+    strips, sweeps : of the strip correction, 16 ... 64 and 1 ... 4, instead of what the tolerance asks for.
 
     Raises
     ------
@@ -93,7 +94,8 @@ class ContactSystem:
     def __init__(self, wheel="S1002", rail="UIC60", rail_inclination=1 / 40, gauge=1.435, gauge_depth=0.014,
                  running_circle_distance=1.5, nominal_radius=0.46, youngs_modulus=210e9, poisson_ratio=0.28,
                  contact_mode="rigid", load="normal", normal_model="analyn", separation="normal",
-                 longitudinal_curvature="effective", lateral_curvature="smooth", tolerance=None):
+                 longitudinal_curvature="effective", lateral_curvature="smooth", tolerance=None,
+                 nodes=None, strips=None, sweeps=None):
         given = dict(locals())
         self.parameters = {name: given[name] for name in signature(type(self)).parameters}
         for name, (low, high, unit) in RANGES.items():
@@ -103,6 +105,7 @@ class ContactSystem:
         for name, choices in CHOICES.items():
             check_choice(name, self.parameters[name], choices + OFFLINE_CHOICES.get(name, ()))
         _check_halfspace(self.parameters)
+        self.resolution = resolve(self.parameters["normal_model"], self.parameters["tolerance"], nodes, strips, sweeps)
         self.wheel = find_profile(wheel, "wheel")
         self.rail = find_profile(rail, "rail")
         self._tables = self._prepare()
@@ -116,7 +119,8 @@ class ContactSystem:
                             running_circle_distance=chosen["running_circle_distance"],
                             contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
                             normal_model=KERNEL_NUMBERS[chosen["normal_model"]],
-                            longitudinal_curvature=KERNEL_NUMBERS[chosen["longitudinal_curvature"]])
+                            longitudinal_curvature=KERNEL_NUMBERS[chosen["longitudinal_curvature"]],
+                            resolution=self.resolution)
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)
@@ -273,9 +277,6 @@ def _check_halfspace(chosen):
     if chosen["longitudinal_curvature"] != "effective":
         raise ValueError(f"longitudinal_curvature is {chosen['longitudinal_curvature']!r}; permitted with the normal_model "
                          "'halfspace', which knows the whole surface, is 'effective'")
-    if chosen["tolerance"] is not None and chosen["tolerance"] < HALFSPACE_TOLERANCE:
-        raise ValueError(f"tolerance is {chosen['tolerance']:g}; permitted with the normal_model 'halfspace' is "
-                         f"{HALFSPACE_TOLERANCE:g} ... {RANGES['tolerance'][1]:g} 1")
 
 
 def check_choice(name, value, choices):

@@ -16,10 +16,11 @@ START_STEP = 0.5e-3    # [m] of the lateral shifts for which a start of the roll
 
 
 def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
-                 longitudinal_curvature, nodes=15, stride=2, strips=24, sweeps=2):
+                 longitudinal_curvature, resolution):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
-    ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_...
+    ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_..., ``resolution``
+    is a :class:`~wrcontact.resolution.Resolution`.
     """
     wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
     parts = {
@@ -39,8 +40,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
     settings[layout.SET_NORMAL_MODEL] = normal_model
     settings[layout.SET_LONGITUDINAL] = longitudinal_curvature
-    settings[layout.SET_NODES], settings[layout.SET_STRIDE] = nodes, stride
-    settings[layout.SET_STRIPS], settings[layout.SET_SWEEPS] = strips, sweeps
+    settings[[layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]] = resolution
     settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
     settings[layout.SET_SIDES], settings[layout.SET_DEPTH] = layout.SIDES_BOTH, layout.DEPTH_ALL
     settings[layout.SET_ABSENT] = np.nan

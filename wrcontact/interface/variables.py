@@ -134,6 +134,7 @@ def _parameters():
         _number("nominal_radius", 0.46, 0.5, "Wheel radius at the running circle"),
         _number("youngs_modulus", 210e9, 1e11, "Young's modulus of wheel and rail"),
         _number("poisson_ratio", 0.28, 0.3, "Poisson's ratio of wheel and rail"),
+        _number("tolerance", 0.01, 0.01, "Relative error of the numerics in penetration, area and peak pressure; nodes and strips are as fine as it asks"),
         *(_method(name, *METHODS[name]) for name in CHOICES),
     ]  # fmt: skip
 

@@ -20,7 +20,7 @@ from .layout import (DEPTH_ALL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PAT
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
 from .nodes import FLOOR, NODE_LENGTH, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .patches import gather_islands, write_outline, write_patches
-from .regions import (FAR, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
+from .regions import (FAR, REGION_BEND, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
                       REGION_LOW, REGION_MIDDLE, REGION_REACHED, REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SQUARE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
                       REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
@@ -47,6 +47,9 @@ ESTIMATE_FACTOR: Final[float] = 1.5
 ESTIMATE_REPEATS: Final[int] = 4
 COVER_REPEATS: Final[int] = 6
 #: Smallest mean half-width, as a share of the half-length sqrt(level R_x), of a region that an end nearly closes.
+#: Second derivative of the gap, over 1/R_x, that a first half-width is guessed with.
+LEAST_BEND: Final[float] = 1.0
+MOST_BEND: Final[float] = 100.0
 NARROWEST: Final[float] = 0.01
 WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
 
@@ -61,7 +64,13 @@ def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', regi
     """Half-widths of the region's interpenetration at ``level`` [m], the lateral curvatures on both sides that follow from
     them, and the station its load is thought to act at."""
     block = region_block(region)
-    low = sqrt(level / (4.0 * work[block + REGION_CURVATURE]))
+    # the first guess: the gap's own second derivative, as far as it is a usual one
+    bend = work[block + REGION_BEND]
+    if bend < LEAST_BEND * work[block + REGION_CURVATURE]:
+        bend = LEAST_BEND * work[block + REGION_CURVATURE]
+    if bend > MOST_BEND * work[block + REGION_CURVATURE]:
+        bend = MOST_BEND * work[block + REGION_CURVATURE]
+    low = sqrt(2.0 * level / bend)
     high = low
     if work[block + REGION_WIDTH_LEVEL] > 0.0:
         grown = sqrt(level / work[block + REGION_WIDTH_LEVEL])

@@ -26,12 +26,23 @@ static inline double normal_contact__guess_penetration(double force, double A, d
 static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level)
 {
     int64_t block;
+    double bend;
     double low;
     double high;
     double grown;
     double high_reached;
     block = regions__region_block(region);
-    low = sqrt(level / (4.0 * (*cspan_at(&work, block + regions__REGION_CURVATURE))));
+    /* the first guess: the gap's own second derivative, as far as it is a usual one */
+    bend = (*cspan_at(&work, block + regions__REGION_BEND));
+    if (bend < normal_contact__LEAST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE)))
+    {
+        bend = normal_contact__LEAST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+    }
+    if (bend > normal_contact__MOST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE)))
+    {
+        bend = normal_contact__MOST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+    }
+    low = sqrt(2.0 * level / bend);
     high = low;
     if ((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0)
     {

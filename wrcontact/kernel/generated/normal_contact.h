@@ -34,6 +34,8 @@ static const double normal_contact__CEILING = 1000.0;
 static const double normal_contact__ESTIMATE_FACTOR = 1.5;
 static const int64_t normal_contact__ESTIMATE_REPEATS = INT64_C(4);
 static const int64_t normal_contact__COVER_REPEATS = INT64_C(6);
+static const double normal_contact__LEAST_BEND = 1.0;
+static const double normal_contact__MOST_BEND = 100.0;
 static const double normal_contact__NARROWEST = 0.01;
 static const double normal_contact__WIDEST = 110.0;
 
