@@ -12,9 +12,9 @@ from typing import Final
 from .gap import FOLDED
 from .layout import (LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT,
                      WORK_CONTACT)
-from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
                     around_wheel, outline_jet)
-from .profile_table import START, STOP, height_slope_bend
+from .profile_table import START, STOP, height_slope, height_slope_bend
 
 # the contact frame, at WORK_CONTACT
 FRAME_ABSCISSA: Final[int] = WORK_CONTACT + 0    # rail abscissa of the contact point [m]
@@ -253,3 +253,19 @@ def normal_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station:
     if on_rail == 0 or on_wheel == 0:
         gap = NO_GAP
     return gap, wheel_rate - rail_rate, wheel_bend - rail_bend, curvature
+
+
+def is_yawed(work: 'float[:]'):
+    """1 if the wheel of the open frame is yawed, else 0."""
+    return int(work[int(work[FRAME_PLACE]) + PLACE_YAWED])
+
+
+def ridge_place(tables: 'float[:]', work: 'float[:]'):
+    """Track coordinate x [m] of the wheel's outline where the tracer stands."""
+    at = int(work[FRAME_PLACE])
+    y = work[TRACER_WHEEL]
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    sin_phi, cos_phi = around_wheel(work, at, slope)
+    r = work[at + PLACE_RADIUS] + z
+    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
+    return work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral

@@ -331,3 +331,33 @@ static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, d
     (*result_2) = wheel_bend - rail_bend;
     return 0;
 }
+
+/* 1 if the wheel of the open frame is yawed, else 0. */
+static inline int64_t contact_plane__is_yawed(array_double_1d work)
+{
+    int64_t result;
+    result = (int64_t)((*cspan_at(&work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))) + locus__PLACE_YAWED)));
+    return result;
+}
+
+/* Track coordinate x [m] of the wheel's outline where the tracer stands. */
+static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work)
+{
+    int64_t at;
+    double y;
+    double z;
+    double slope;
+    double sin_phi;
+    double cos_phi;
+    double r;
+    double lateral;
+    double result;
+    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
+    y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
+    r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
+    result = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
+    return result;
+}

@@ -49,5 +49,7 @@ static inline int64_t contact_plane__trace_rail(double* ordinate, double* rate, 
 static inline int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance);
 static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
 static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
+static inline int64_t contact_plane__is_yawed(array_double_1d work);
+static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work);
 
 #endif
