@@ -1,0 +1,104 @@
+"""Random poses of random tracks: ANALYN and its strip correction against the complete theory, each wheel by itself.
+
+    |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or 1:20, up to 2 deg of yaw in half
+
+Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended goes on
+where it was, a larger one only adds, and a changed model is compared anew within a second.
+"""
+
+import csv
+import multiprocessing
+import os
+import time
+from functools import lru_cache
+from math import radians
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+import wrcontact
+
+SEED = 2014
+RAILS, INCLINATIONS = ("UIC60", "60E1", "54E1"), (1 / 40, 1 / 20)
+SHIFT, YAW = 6.6e-3, radians(2)  # [m, rad] largest
+FORCE = 3e3, 200e3  # [N]
+TOLERANCE = 0.01  # of the half-space
+STORE = Path("out") / "random_poses.csv"
+SIDES, PATCH = ("left", "right"), ("penetration", "area", "max_pressure")
+PERCENTILES = (50, 95, 99, 100)
+WORST = 5
+CHUNK = 8  # poses that a process takes at a time
+
+
+class Pose(NamedTuple):
+    """A wheelset on one of the tracks; SI units."""
+
+    rail: str
+    inclination: float
+    lateral_shift: float
+    yaw: float
+    normal_force: float
+
+    def __str__(self):
+        return (f"{self.rail} 1:{1 / self.inclination:.0f}, lateral_shift={self.lateral_shift:.9f}, yaw={self.yaw:.9f}, "
+                f"normal_force={self.normal_force:.2f}")
+
+
+def pose(index):
+    """Pose ``index`` of the endless list."""
+    random = np.random.default_rng((SEED, index))
+    low, high = np.log(FORCE)
+    return Pose(RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))],
+                random.uniform(-SHIFT, SHIFT), random.uniform(-YAW, YAW) * (index % 2), float(np.exp(random.uniform(low, high))))
+
+
+@lru_cache(maxsize=None)
+def system(rail, inclination, **options):
+    return wrcontact.ContactSystem(rail=rail, rail_inclination=inclination, **options)
+
+
+# ---------------------------------------------------------------------------------------------------- complete theory
+
+
+def solve(index):
+    """Row of the file: index, then penetration, area and peak pressure of both wheels; NaN where it does not converge."""
+    where = pose(index)
+    model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
+    state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
+    found = [getattr(getattr(state, side), name) for side in SIDES for name in PATCH]
+    return [str(index), *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
+
+
+def references(count, store=STORE, processes=None):
+    """Half-space answers (count, 6) of the first ``count`` poses; what is not in the file is solved and added to it."""
+    store.parent.mkdir(parents=True, exist_ok=True)
+    complete = whole_lines(store)
+    known = {int(index): values for index, *values in csv.reader(complete)}
+    missing = [index for index in range(count) if index not in known]
+    if missing:
+        store.write_text("".join(complete), encoding="utf-8")  # without what an ended run left of a line
+        with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
+                open(store, "a", newline="", encoding="utf-8") as file:
+            for row in told(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
+                file.write(",".join(row) + "\n")
+                file.flush()
+                known[int(row[0])] = row[1:]
+    return np.array([known[index] for index in range(count)], dtype=float)
+
+
+def whole_lines(store):
+    """Lines of the file that were written to their end."""
+    if not store.exists():
+        return []
+    return [line for line in store.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+
+
+def told(rows, count):
+    """The rows as they come; now and then a line says how long the rest will take."""
+    start = time.perf_counter()
+    for done, row in enumerate(rows, 1):
+        yield row
+        if done == 100 or done % 1000 == 0:
+            each = (time.perf_counter() - start) / done
+            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to go", flush=True)
