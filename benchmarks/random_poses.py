@@ -18,6 +18,9 @@ from typing import NamedTuple
 import numpy as np
 
 import wrcontact
+from wrcontact.resolution import COUNTS, LADDERS, USERS
+
+from .table import markdown, percent
 
 SEED = 2014
 RAILS, INCLINATIONS = ("UIC60", "60E1", "54E1"), (1 / 40, 1 / 20)
@@ -26,6 +29,7 @@ FORCE = 3e3, 200e3  # [N]
 TOLERANCE = 0.01  # of the half-space
 STORE = Path("out") / "random_poses.csv"
 SIDES, PATCH = ("left", "right"), ("penetration", "area", "max_pressure")
+PATCH_NAMES = ("penetration", "area", "peak pressure")
 PERCENTILES = (50, 95, 99, 100)
 WORST = 5
 CHUNK = 8  # poses that a process takes at a time
@@ -102,3 +106,73 @@ def told(rows, count):
         if done == 100 or done % 1000 == 0:
             each = (time.perf_counter() - start) / done
             print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to go", flush=True)
+
+
+# ------------------------------------------------------------------------------------------------------------- models
+
+
+def answers(poses, **options):
+    """A model's (n, 6), in the order of the half-space's, and status (n,)."""
+    found, status = np.full((len(poses), 6), np.nan), np.full(len(poses), -1)
+    tracks = np.array([(RAILS.index(each.rail), each.inclination) for each in poses])
+    for track in np.unique(tracks, axis=0):
+        here = np.flatnonzero((tracks == track).all(axis=1))
+        moving = np.array([each[2:] for each in poses])[here].T
+        table = system(RAILS[int(track[0])], float(track[1]), **options).evaluate_many(*moving)
+        found[here] = np.column_stack([getattr(getattr(table, side), name) for side in SIDES for name in PATCH])
+        status[here] = table.status
+    return found, status
+
+
+def compared(count, models=("analyn", "analyn_strip"), store=STORE):
+    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst poses."""
+    truth, poses = references(count, store), [pose(index) for index in range(count)]
+    lost = np.isnan(truth).any(axis=1)
+    header = ["", *PATCH_NAMES]
+    parts, rows = [f"{lost.sum()} of {count} poses are left out: the half-space does not converge to {TOLERANCE:g}."], []
+    for model in models:
+        found, status = answers(poses, normal_model=model)
+        refused = np.isin(status, (2, 3, 4)) & ~lost
+        parts.append(f"{model}: {refused.sum()} poses not solved.")
+        kept = np.flatnonzero(~lost & ~refused)
+        shares = np.abs(found[kept] / truth[kept] - 1).reshape(-1, 2, 3)
+        rows += [[f"{model}, {name}", *(f"{100 * value:.1f}" for value in values)] for name, values in quantiles(shares)]
+        parts.append("Worst:\n" + "\n".join(worst(poses, kept, shares)))
+    title = f"{count} random poses, {2 * count} wheels: error against the half-space at {TOLERANCE:g} in %"
+    return markdown(title, header, rows) + "\n" + "\n\n".join(parts) + "\n"
+
+
+def quantiles(shares):
+    """Name and values (3,) of mean and percentiles of shares (n, 2, 3)."""
+    wheels = shares.reshape(-1, 3)
+    yield "mean", wheels.mean(axis=0)
+    for percentile in PERCENTILES:
+        yield "worst" if percentile == 100 else f"{percentile} of 100", np.percentile(wheels, percentile, axis=0)
+
+
+def worst(poses, kept, shares):
+    """Lines on the wheels with the largest error of any kind, one for each."""
+    largest = shares.max(axis=2)
+    for place in np.argsort(largest, axis=None)[::-1][:WORST]:
+        row, side = np.unravel_index(place, largest.shape)
+        yield f"* {percent(shares[row, side])} %, {SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}"
+
+
+# ---------------------------------------------------------------------------------------------------------- tolerances
+
+
+def numerics(count):
+    """Text: what each tolerance keeps of the same model resolved as finely as the kernel can, S1002 on UIC60 1:40."""
+    poses = [pose(index)._replace(rail="UIC60", inclination=1 / 40) for index in range(count)]
+    rows = []
+    for model, ladder in LADDERS.items():
+        finest = {name: high for name, (_, high) in COUNTS.items() if model in USERS[name]}
+        truth, _ = answers(poses, normal_model=model, **finest)
+        for tolerance in ladder:
+            found, _ = answers(poses, normal_model=model, tolerance=tolerance)
+            wheels = np.abs(found / truth - 1).reshape(-1, 3)
+            rows.append([f"{model}, tolerance {tolerance:g}", *(percent(np.nanpercentile(wheels, at, axis=0))
+                                                                for at in PERCENTILES)])
+    header = ["error of the numerics in % of penetration / area / peak pressure",
+              *(f"{percentile} of 100" for percentile in PERCENTILES[:-1]), "worst"]
+    return markdown(f"What a tolerance keeps, {count} random poses", header, rows)
