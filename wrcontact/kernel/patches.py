@@ -4,7 +4,7 @@ A patch is a connected run of loaded strips.  Between nodes the line load and th
 are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
 """
 
-from math import asin, atan, fabs, pi, sqrt
+from math import atan, atan2, fabs, pi, sqrt
 from typing import Final
 
 from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
@@ -45,21 +45,21 @@ def quadratic_moment(before: float, low: float, high: float, start: float, stop:
 
 
 def root_primitive(low: float, slope: float, bend: float, x: float):
-    """A primitive of sqrt(low + slope x + bend x^2) for bend < 0."""
+    """A primitive of sqrt(low + slope x + bend x^2) for bend < 0.
+
+    Its angle is taken from the root itself, not from how far x has come: at the end of a loaded stretch the rounding of
+    both terms' roots then cancels.
+    """
     value = low + x * (slope + x * bend)
     if value < 0.0:
         value = 0.0
     spread = slope * slope - 4.0 * bend * low
     if not spread > 0.0:
         return 0.0
-    spread = sqrt(spread)
-    share = -(2.0 * bend * x + slope) / spread
-    if share > 1.0:
-        share = 1.0
-    if share < -1.0:
-        share = -1.0
-    return ((2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value)
-            + spread * spread / (8.0 * -bend * sqrt(-bend)) * asin(share))
+    rate = 2.0 * bend * x + slope
+    root = sqrt(value)
+    across = sqrt(-bend)
+    return rate / (4.0 * bend) * root + spread / (8.0 * -bend * across) * atan2(-rate, 2.0 * across * root)
 
 
 def root_integral(before: float, low: float, high: float, start: float, stop: float):

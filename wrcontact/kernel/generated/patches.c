@@ -22,12 +22,18 @@ static inline double patches__quadratic_moment(double before, double low, double
     return upper - lower;
 }
 
-/* A primitive of sqrt(low + slope x + bend x^2) for bend < 0. */
+/* A primitive of sqrt(low + slope x + bend x^2) for bend < 0.
+ *
+ * Its angle is taken from the root itself, not from how far x has come: at the end of a loaded stretch the rounding of
+ * both terms' roots then cancels.
+ */
 static inline double patches__root_primitive(double low, double slope, double bend, double x)
 {
     double value;
     double spread;
-    double share;
+    double rate;
+    double root;
+    double across;
     value = low + x * (slope + x * bend);
     if (value < 0.0)
     {
@@ -38,17 +44,10 @@ static inline double patches__root_primitive(double low, double slope, double be
     {
         return 0.0;
     }
-    spread = sqrt(spread);
-    share = (-(2.0 * bend * x + slope)) / spread;
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
-    if (share < -1.0)
-    {
-        share = -1.0;
-    }
-    return (2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value) + spread * spread / (8.0 * (-bend) * sqrt(-bend)) * asin(share);
+    rate = 2.0 * bend * x + slope;
+    root = sqrt(value);
+    across = sqrt(-bend);
+    return rate / (4.0 * bend) * root + spread / (8.0 * (-bend) * across) * atan2(-rate, 2.0 * across * root);
 }
 
 /* Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
