@@ -83,6 +83,8 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     work[block + regions.REGION_LOW], work[block + regions.REGION_HIGH] = -1.0, 1.0
     work[block + regions.REGION_SPACING] = spacing
     work[block + regions.REGION_FIRST], work[block + regions.REGION_LAST] = -last, last
+    work[block + regions.REGION_WIDTH_LOW] = work[block + regions.REGION_WIDTH_HIGH] = np.sqrt(penetration / B)
+    work[block + regions.REGION_SIDE_LOW] = work[block + regions.REGION_SIDE_HIGH] = B
     k = np.arange(-last - window, last + window + 1)
     work[nodes.node_field(0, nodes.NODE_GAP) + k] = B * (spacing * k) ** 2
     work[nodes.node_field(0, nodes.NODE_A) + k] = A

@@ -11,6 +11,7 @@ import wrcontact
 from wrcontact.kernel import gap, layout, locus, profile_table, roll, search
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail, readable_wheel
+from wrcontact.resolution import resolve
 from wrcontact.tables import build_tables
 
 REFERENCE = Path(__file__).parent / "reference"
@@ -213,7 +214,8 @@ def system_tables():
     wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435,
                                                         gauge_depth=0.014)
     return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
-                        normal_model=layout.MODEL_ANALYN, longitudinal_curvature=layout.LONGITUDINAL_EFFECTIVE)
+                        normal_model=layout.MODEL_ANALYN, longitudinal_curvature=layout.LONGITUDINAL_EFFECTIVE,
+                        resolution=resolve("analyn"))
 
 
 def on_rail(tables, work, places):

@@ -3,7 +3,7 @@
 Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
 plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
 n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
-residual is removed by the curve's own slope, which leaves an error of second order in a small residual.
+residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
 """
 
 from math import fabs, sqrt
@@ -162,7 +162,8 @@ def trace_profile(tables: 'float[:]', work: 'float[:]', base: int, tracer: int, 
     work[tracer] = u - offset * along
     work[tracer + 1] = along
     work[tracer + 2] = turn * sine
-    return (u - origin) * sine - (height - height_there) * cosine - offset * rate, rate, turn, slope, height, exists
+    ordinate = (u - origin) * sine - (height - height_there) * cosine
+    return ordinate - offset * (rate - 0.5 * offset * turn), rate - offset * turn, turn, slope, height, exists
 
 
 def trace_rail(tables: 'float[:]', work: 'float[:]', station: float, tolerance: float):
@@ -237,7 +238,7 @@ def trace_outline(tables: 'float[:]', work: 'float[:]', at: int, station: float,
     work[TRACER_WHEEL_RATE] = per_along * per_stretch
     work[TRACER_WHEEL_BEND] = turn * sine * per_stretch
     curvature = longitudinal_curvature(tables, work, at, z, slope, bend)
-    return across * sine - up * cosine - offset * rate, rate, turn, curvature, exists
+    return across * sine - up * cosine - offset * (rate - 0.5 * offset * turn), rate - offset * turn, turn, curvature, exists
 
 
 def normal_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):

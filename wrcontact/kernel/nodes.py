@@ -39,7 +39,7 @@ FLOOR: Final[float] = 0.02
 WINDOW_FLOOR: Final[float] = 0.05
 GROWTH: Final[float] = 0.12
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
-FINEST_TRACE: Final[float] = 1e-8    # [m]; leaves 1e-13 m in the gap, the residual being removed to first order
+FINEST_TRACE: Final[float] = 5e-8    # [m]; the residual is removed to second order
 
 
 def node_field(region: int, field: int):

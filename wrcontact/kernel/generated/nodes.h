@@ -36,7 +36,7 @@ static const double nodes__FLOOR = 0.02;
 static const double nodes__WINDOW_FLOOR = 0.05;
 static const double nodes__GROWTH = 0.12;
 static const double nodes__TRACE_SHARE = 0.001;
-static const double nodes__FINEST_TRACE = 1e-08;
+static const double nodes__FINEST_TRACE = 5e-08;
 
 static inline int64_t nodes__node_field(int64_t region, int64_t field);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station);
