@@ -13,7 +13,7 @@ from pathlib import Path
 
 from wrcontact.plots import style
 
-from . import counts, errors, growth, machine, picture, random_poses, rows, skips
+from . import counts, growth, machine, picture, random_poses, rows, skips
 from .peers import PEERS, SOURCE
 from .table import figure, markdown, percent
 

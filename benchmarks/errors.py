@@ -5,7 +5,7 @@ hunting with yaw and load transfer (tests/trajectories/hunting.csv).  Both are a
 three-dimensional gap; its own errors are 0.004, 0.9 and 0.6 %.
 """
 
-from functools import lru_cache
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -25,7 +25,7 @@ class Errors(NamedTuple):
     count: int  # wheels that were compared
 
 
-@lru_cache(maxsize=None)
+@cache
 def positions(system):
     """:class:`Errors` on the 20 positions."""
     run = runs.stored(runs.POSITIONS)
@@ -33,7 +33,7 @@ def positions(system):
     return compared(table, run, ("right",))
 
 
-@lru_cache(maxsize=None)
+@cache
 def hunting(system, every=1, yawed=True):
     """:class:`Errors` on each ``every``-th row of the hunting run; ``yawed`` = False leaves its yaw out."""
     run = {name: column[::every] for name, column in runs.stored(runs.HUNTING).items()}

@@ -16,12 +16,15 @@ THREADS = (1, 2)
 
 
 def wheelsets(numbers, rounds):
-    """Rows: number, units and microseconds of each wheelset, of evaluate_many on so many random poses."""
+    """Number, and cost of each wheelset in evaluate_many on so many random poses."""
     for number in numbers:
         poses, repeats = runs.anywhere(number), max(1, 300 // number)
-        work = batch(system(), poses)
-        found = cost(lambda: [work() for _ in range(repeats)], number * repeats, rounds)
-        yield number, found
+        yield number, cost(repeated(batch(system(), poses), repeats), number * repeats, rounds)
+
+
+def repeated(work, times):
+    """``work`` so many times."""
+    return lambda: [work() for _ in range(times)]
 
 
 def threads(number, rounds, counts=THREADS):

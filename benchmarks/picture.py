@@ -7,18 +7,18 @@ from wrcontact.plots.style import INK, QUIET
 
 from .machine import unit
 from .peers import PEERS
-from .rows import mean_error
+from .rows import SWEEPS, mean_error
 
-KINDS = {  # kind of row: label, marker, colour (Okabe and Ito)
+LADDERS = {  # kind of row: label, marker, colour (Okabe and Ito)
     "Hertz": ("Hertz", "s", "#E69F00"),
     "analyn": ("ANALYN, by tolerance", "o", "#0072B2"),
-    "strips": ("ANALYN with strips, strips × sweeps", ".", "#56B4E9"),
+    "FMU": ("FMU step with ANALYN", "p", "#D55E00"),
     "analyn_strip": ("ANALYN with strips, by tolerance", "D", "#009E73"),
     "halfspace": ("half-space in Python, by tolerance", "^", "#CC79A7"),
 }
-PEER_COLOUR = "#6E6E6E"
-LOWEST, HIGHEST = 0.1, 15.0  # [%] of the picture
-FASTEST, SLOWEST = 3.0, 2e6  # [us]
+STRIP_COLOUR, PEER_COLOUR = "#56B4E9", "#6E6E6E"
+LOWEST, HIGHEST = 0.05, 30.0  # [%] of the picture
+FASTEST, SLOWEST = 1.0, 3e6  # [us]
 
 
 @style.styled
@@ -31,48 +31,64 @@ def figure(rows):
              ylabel="error on 20 positions from tread to flange [%]\nmean of penetration, area and peak pressure")
     axes.grid(which="major", color="#E4E4E4", linewidth=0.7)
     axes.set_axisbelow(True)
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    for axis, form in ((axes.xaxis, ",.0f"), (axes.yaxis, "g")):
+        axis.set_major_formatter(lambda value, _, form=form: format(value, form))
     draw_units(axes)
-    draw_rows(axes, rows)
+    draw_strips(axes, [row for row in rows if row.kind == "strips"])
+    for kind in LADDERS:
+        draw_ladder(axes, kind, [row for row in rows if row.kind == kind and (row.setting or kind in ("Hertz", "FMU"))])
     draw_peers(axes)
-    axes.legend(loc="upper right", title="measured in this run", alignment="left")
+    axes.legend(loc="center", bbox_to_anchor=(0.52, 0.6), title="measured in this run", alignment="left")
     return picture
 
 
 def draw_units(axes):
     """A second axis on top, in units."""
-    seconds = 1e6 * unit()
-    top = axes.secondary_xaxis("top", functions=(lambda us: us / seconds, lambda units: units * seconds))
+    one = 1e6 * unit()
+    top = axes.secondary_xaxis("top", functions=(lambda us: us / one, lambda units: units * one))
     top.set_xlabel("in units: np.sqrt of 2000 doubles, same machine")
+    top.xaxis.set_major_formatter(lambda value, _: f"{value:,g}" if value < 1 else f"{value:,.0f}")
     top.spines["top"].set_visible(True)
 
 
-def draw_rows(axes, rows):
-    for kind, (label, marker, colour) in KINDS.items():
-        chosen = [row for row in rows if row.kind == kind and (row.setting or kind == "Hertz")]
-        time = np.array([row.cost.microseconds for row in chosen])
-        error = np.array([100 * mean_error(row.positions) for row in chosen])
-        lines = "-" if kind in ("analyn", "analyn_strip", "halfspace") else "none"
-        axes.plot(time, error, marker=marker, linestyle=lines, linewidth=1, color=colour, label=label,
-                  zorder=2 if kind == "strips" else 3)
-        if kind in ("analyn", "analyn_strip", "halfspace"):
-            ends = {0: (-4, 6, "right"), len(chosen) - 1: (6, -3, "left")}
-            for place, (right, up, side) in ends.items():
-                axes.annotate(chosen[place].setting, (time[place], error[place]), (right, up), textcoords="offset points",
-                              fontsize=7.5, color=colour, ha=side)
+def draw_strips(axes, rows):
+    """A line for each number of sweeps, its points the numbers of strips."""
+    for sweeps in SWEEPS:
+        chosen = [row for row in rows if row.setting == f"× {sweeps}"]
+        axes.plot(*places(chosen), ".-", color=STRIP_COLOUR, linewidth=0.8,
+                  label="ANALYN with 16 … 64 strips × sweeps" if sweeps == SWEEPS[0] else None)
+        annotate(axes, chosen[-1], STRIP_COLOUR, (6, -3), "left")
+
+
+def draw_ladder(axes, kind, rows):
+    """The rows of a kind as a line; its first and last tolerance in figures."""
+    label, marker, colour = LADDERS[kind]
+    axes.plot(*places(rows), marker=marker, linewidth=1, color=colour, label=label, linestyle="-" if len(rows) > 1 else "none")
+    if len(rows) > 1:
+        annotate(axes, rows[0], colour, (-6, -9) if kind == "analyn_strip" else (-5, 5), "right")
+        annotate(axes, rows[-1], colour, (6, -9), "left")
+
+
+def places(rows):
+    """Time [us] and error [%] of rows."""
+    return np.array([(row.cost.microseconds, 100 * mean_error(row.positions)) for row in rows]).T
+
+
+def annotate(axes, row, colour, offset, side):
+    axes.annotate(row.setting, places([row]).ravel(), offset, textcoords="offset points", fontsize=7.5, color=colour, ha=side)
 
 
 def draw_peers(axes):
-    """Bars; the one without error stands on the lower edge, the one without a time is a mark on its error's axis."""
+    """Bars; the one without error stands on the lower edge, the one without a time is a mark at the right edge."""
     for peer in PEERS:
-        error = max(100 * float(np.mean(peer.mean)), LOWEST * 1.06)
+        error = max(100 * float(np.mean(peer.mean)), LOWEST * 1.07)
         if peer.milliseconds is None:
             axes.plot(SLOWEST, error, "<", color=PEER_COLOUR, clip_on=False)
-            axes.annotate(f"{peer.name} (error only)", (SLOWEST, error), (-10, 0), textcoords="offset points", fontsize=8,
-                          color=QUIET, ha="right", va="center")
+            axes.annotate(f"{peer.name}\n(no time told)", (SLOWEST, error), (-10, 0), textcoords="offset points", fontsize=8,
+                          color=INK, ha="right", va="center")
             continue
-        axes.plot(peer.microseconds, (error, error), color=PEER_COLOUR, linewidth=5, alpha=0.75)
+        axes.plot(peer.microseconds, (error, error), color=PEER_COLOUR, linewidth=5, solid_capstyle="butt")
         note = ", error 0 by definition" if not peer.mean.any() else ""
         axes.annotate(f"{peer.name}{note}", (peer.microseconds[0], error), (0, 6), textcoords="offset points", fontsize=8,
                       color=INK)
-    axes.text(0.01, 0.015, "grey: CONTACT v25.2, quoted, another machine", transform=axes.transAxes, fontsize=8, color=QUIET)
+    axes.text(0.01, 0.02, "grey: CONTACT v25.2, quoted, on another machine", transform=axes.transAxes, fontsize=8, color=QUIET)

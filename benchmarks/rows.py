@@ -4,9 +4,9 @@ A row is one wheelset: search, roll, both wheels' patches.  Where nothing else i
 trajectory without yaw and are evaluated by evaluate_many.
 """
 
-from dataclasses import dataclass, field
-from functools import lru_cache
-from typing import Callable
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -52,7 +52,7 @@ class Row:
     positions: errors.Errors = None
     hunting: errors.Errors = None
     rigid: str = ""
-    setting: str = field(default="")  # in the picture
+    setting: str = ""  # in the picture
 
     def measure(self):
         """Fill in cost and errors."""
@@ -64,7 +64,7 @@ class Row:
         return self
 
 
-@lru_cache(maxsize=None)
+@cache
 def system(**options):
     return wrcontact.ContactSystem(**options)
 
@@ -119,7 +119,7 @@ def strips(effort):
         for strips in STRIPS:
             of = system(normal_model="analyn_strip", strips=strips, sweeps=sweeps)
             yield Row(f"analyn_strip, {strips} strips × {sweeps}", "strips", batch(of, poses), effort.count, of,
-                      max(2, effort.rounds // 3), setting=f"{strips} × {sweeps}")
+                      max(2, effort.rounds // 3), setting=f"× {sweeps}")
 
 
 def orders(effort):
@@ -129,7 +129,8 @@ def orders(effort):
         for name, poses in (("trajectory with yaw", runs.trajectory(effort.count)),
                             ("random poses", runs.anywhere(effort.count, yaw=0.0)),
                             ("random poses with yaw", runs.anywhere(effort.count))):
-            yield Row(f"{model}, {name}", "order", batch(of, poses), effort.count, of, effort.rounds, short=short)
+            yield Row(f"{model}, {name}", "order", batch(of, poses), effort.count, of, effort.rounds,
+                      short=short and "with yaw" in name)
 
 
 def doors(effort):
@@ -152,7 +153,7 @@ def fmu_row(folder, effort):
     """The FMU's step through fmpy's slave object, measured."""
     from . import fmu_step
 
-    row = Row("analyn, hunting with yaw, FMU step through fmpy: 5 inputs in, all outputs out", "door", None, 0, system(), 0,
+    row = Row("analyn, hunting with yaw, FMU step through fmpy: 5 inputs in, all outputs out", "FMU", None, 0, system(), 0,
               short=True)
     row.cost = Cost(*fmu_step.whole_step(folder, effort.rounds))
     row.positions, row.hunting = errors.positions(system()), errors.hunting(system())

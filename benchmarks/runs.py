@@ -1,7 +1,7 @@
 """Poses that are timed, and stored runs that errors are measured against."""
 
 import csv
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +26,7 @@ def anywhere(count, yaw=ANY_YAW):
     return random.uniform(-SHIFT, SHIFT, count), yaw * random.uniform(-1, 1, count)
 
 
-@lru_cache(maxsize=None)
+@cache
 def stored(path):
     """Columns of a stored run by name, arrays (n,)."""
     with open(path, newline="", encoding="utf-8") as file:

@@ -1,7 +1,7 @@
 """What need not be computed: each skip beside the full cost, and what it does to the answer."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Callable
 
 import numpy as np
 
@@ -54,17 +54,16 @@ def resting(count):
     """Steps of a stepper at one pose, and at poses that change in the last digits."""
     stepper = system().stepper()
     stepper.inputs[:] = 1e-3, 0.0, 0.0, runs.FORCE, 0.0
-    step, inputs = stepper.step, stepper.inputs
 
     def rest():
-        inputs[0] = 1e-3
+        stepper.inputs[0] = 1e-3
         for _ in range(count):
-            step()
+            stepper.step()
 
     def move():
         for k in range(count):
-            inputs[0] = 1e-3 + 1e-9 * k
-            step()
+            stepper.inputs[0] = 1e-3 + 1e-9 * k
+            stepper.step()
 
     return rest, move
 
