@@ -32,7 +32,7 @@ def main(arguments=None):
     measured = measure(rows.all_rows(effort), effort)
     print(full_table(measured, effort), flush=True)
     if options.picture:
-        print(style.save(picture.figure(measured), options.picture), "\n")
+        print(style.save(picture.figure(measured), options.picture), file=sys.stderr)
     for part in (skip_table, count_table, growth_table, thread_table):
         print(part(effort), flush=True)
     print(random_poses.numerics(effort.count), flush=True)

@@ -6,9 +6,10 @@ Pose i is the same whatever their number, and the half-space's answers are kept 
 where it was, a larger one only adds, and a changed model is compared anew within a second.
 """
 
-import csv
+import math
 import multiprocessing
 import os
+import sys
 import time
 from functools import cache
 from math import radians
@@ -52,9 +53,9 @@ class Pose(NamedTuple):
 def pose(index):
     """Pose ``index`` of the endless list."""
     random = np.random.default_rng((SEED, index))
-    low, high = np.log(FORCE)
-    return Pose(RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))],
-                random.uniform(-SHIFT, SHIFT), random.uniform(-YAW, YAW) if index % 2 else 0.0, float(np.exp(random.uniform(low, high))))
+    rail, inclination = RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))]
+    shift, yaw, force = random.uniform((-SHIFT, -YAW, np.log(FORCE[0])), (SHIFT, YAW, np.log(FORCE[1]))).tolist()
+    return Pose(rail, inclination, shift, yaw if index % 2 else 0.0, math.exp(force))
 
 
 @cache
@@ -66,36 +67,44 @@ def system(rail, inclination, **options):
 
 
 def solve(index):
-    """Row of the file: index, then penetration, area and peak pressure of both wheels; NaN where it does not converge."""
+    """Line of the file: index, pose, penetration, area and peak pressure of both wheels; NaN where it does not converge."""
     where = pose(index)
     model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
     state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
     found = [getattr(getattr(state, side), name) for side in SIDES for name in PATCH]
-    return [str(index), *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
+    return [*heading(index), *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
+
+
+def heading(index):
+    """First cells of a line."""
+    return [str(index), *map(str, pose(index))]
 
 
 def references(count, store=STORE, processes=None):
     """Half-space answers (count, 6) of the first ``count`` poses; what is not in the file is solved and added to it."""
     store.parent.mkdir(parents=True, exist_ok=True)
-    complete = whole_lines(store)
-    known = {int(index): values for index, *values in csv.reader(complete)}
+    known = {int(row[0]): row for row in stored(store)}
     missing = [index for index in range(count) if index not in known]
     if missing:
-        store.write_text("".join(complete), encoding="utf-8")  # without what an ended run left of a line
+        store.write_text("".join(map(line, known.values())), encoding="utf-8")
         with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
                 open(store, "a", newline="", encoding="utf-8") as file:
             for row in told(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
-                file.write(",".join(row) + "\n")
+                file.write(line(row))
                 file.flush()
-                known[int(row[0])] = row[1:]
-    return np.array([known[index] for index in range(count)], dtype=float)
+                known[int(row[0])] = row
+    return np.array([known[index][-6:] for index in range(count)], dtype=float)
 
 
-def whole_lines(store):
-    """Lines of the file that were written to their end."""
-    if not store.exists():
-        return []
-    return [line for line in store.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+def line(row):
+    return ",".join(row) + "\n"
+
+
+def stored(store):
+    """Rows of the file; not what an ended run left of a line, and not other poses than these."""
+    lines = store.read_text(encoding="utf-8").splitlines(keepends=True) if store.exists() else []
+    rows = [text.strip().split(",") for text in lines if text.endswith("\n")]
+    return [row for row in rows if row[:-6] == heading(int(row[0]))]
 
 
 def told(rows, count):
@@ -105,7 +114,7 @@ def told(rows, count):
         yield row
         if done == 100 or done % 1000 == 0:
             each = (time.perf_counter() - start) / done
-            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to go", flush=True)
+            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to go", file=sys.stderr, flush=True)
 
 
 # ------------------------------------------------------------------------------------------------------------- models
