@@ -27,7 +27,7 @@ ANALYN = {
     0.0015: Resolution(30, 2, 24, 2),
 }
 ANALYN_STRIP = {
-    0.025: Resolution(8, 2, 16, 2),
+    0.025: Resolution(8, 2, 16, 1),
     0.015: Resolution(8, 1, 20, 2),
     0.01: Resolution(15, 2, 24, 2),
     0.007: Resolution(15, 1, 32, 2),

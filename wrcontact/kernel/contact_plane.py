@@ -3,7 +3,7 @@
 Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
 plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
 n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
-residual is removed by the curve's own slope, which leaves an error of second order in a small residual.
+residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
 """
 
 from math import fabs, sqrt
@@ -12,9 +12,9 @@ from typing import Final
 from .gap import FOLDED
 from .layout import (LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT,
                      WORK_CONTACT)
-from .locus import (PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
                     around_wheel, outline_jet)
-from .profile_table import START, STOP, height_slope_bend
+from .profile_table import START, STOP, height_slope, height_slope_bend
 
 # the contact frame, at WORK_CONTACT
 FRAME_ABSCISSA: Final[int] = WORK_CONTACT + 0    # rail abscissa of the contact point [m]
@@ -162,7 +162,8 @@ def trace_profile(tables: 'float[:]', work: 'float[:]', base: int, tracer: int, 
     work[tracer] = u - offset * along
     work[tracer + 1] = along
     work[tracer + 2] = turn * sine
-    return (u - origin) * sine - (height - height_there) * cosine - offset * rate, rate, turn, slope, height, exists
+    ordinate = (u - origin) * sine - (height - height_there) * cosine
+    return ordinate - offset * (rate - 0.5 * offset * turn), rate - offset * turn, turn, slope, height, exists
 
 
 def trace_rail(tables: 'float[:]', work: 'float[:]', station: float, tolerance: float):
@@ -237,7 +238,7 @@ def trace_outline(tables: 'float[:]', work: 'float[:]', at: int, station: float,
     work[TRACER_WHEEL_RATE] = per_along * per_stretch
     work[TRACER_WHEEL_BEND] = turn * sine * per_stretch
     curvature = longitudinal_curvature(tables, work, at, z, slope, bend)
-    return across * sine - up * cosine - offset * rate, rate, turn, curvature, exists
+    return across * sine - up * cosine - offset * (rate - 0.5 * offset * turn), rate - offset * turn, turn, curvature, exists
 
 
 def normal_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):
@@ -253,3 +254,19 @@ def normal_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station:
     if on_rail == 0 or on_wheel == 0:
         gap = NO_GAP
     return gap, wheel_rate - rail_rate, wheel_bend - rail_bend, curvature
+
+
+def is_yawed(work: 'float[:]'):
+    """1 if the wheel of the open frame is yawed, else 0."""
+    return int(work[int(work[FRAME_PLACE]) + PLACE_YAWED])
+
+
+def ridge_place(tables: 'float[:]', work: 'float[:]'):
+    """Track coordinate x [m] of the wheel's outline where the tracer stands."""
+    at = int(work[FRAME_PLACE])
+    y = work[TRACER_WHEEL]
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    sin_phi, cos_phi = around_wheel(work, at, slope)
+    r = work[at + PLACE_RADIUS] + z
+    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
+    return work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral

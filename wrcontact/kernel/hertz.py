@@ -22,7 +22,7 @@ TABLE_CELLS: Final[int] = 4
 TABLE_ROW: Final[int] = 12
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
-STEEPEST: Final[float] = 0.15
+STEEPEST: Final[float] = 0.3
 #: d ln((b/a)^-2) / d ln(B/A) of a nearly circular ellipse; where the secants start.
 TYPICAL_SLOPE: Final[float] = 1.3
 RATIO_ITERATIONS: Final[int] = 12

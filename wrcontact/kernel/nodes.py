@@ -15,15 +15,12 @@ follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to ze
 from math import fabs, log, sqrt
 from typing import Final
 
-from .contact_plane import FRAME_PLACE, NO_GAP, TRACER_WHEEL, normal_gap, start_tracer
+from .contact_plane import NO_GAP, is_yawed, normal_gap, start_tracer
 from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
 from .layout import (MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ,
-                     SET_NORMAL_MODEL, SET_WHEEL, WORK_NODES)
-from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
-                    around_wheel)
-from .profile_table import height_slope
+                     SET_NORMAL_MODEL, WORK_NODES)
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
-                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_STATION, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, region_block)
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_STATION, REGION_UPRIGHT_A, REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, region_block)
 
 # node fields
 NODE_GAP: Final[int] = 0             # rise of the gap over the region's minimum [m]
@@ -35,10 +32,6 @@ NODE_LOAD: Final[int] = 5            # line load [N/m] at the solved level; nega
 NODE_SQUARE: Final[int] = 6          # square of the half-length [m^2] and
 NODE_PRESSURE: Final[int] = 7        # square of the pressure on x = 0 [Pa^2]
 NODE_B: Final[int] = 8               # lateral curvature B [1/m]
-NODE_X: Final[int] = 9               # where along the track the gap is smallest [m]; of a yawed wheel only, as is
-NODE_UPRIGHT_RISE: Final[int] = 10   # the upright ellipse with the same strips (hertz.upright_coefficients), of a yawed wheel
-NODE_UPRIGHT_A: Final[int] = 11      # only: its gap's rise over the real one [-], its A [1/m], and its penetration over
-NODE_UPRIGHT_SHARE: Final[int] = 12  # the real one [-]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02
@@ -46,7 +39,7 @@ FLOOR: Final[float] = 0.02
 WINDOW_FLOOR: Final[float] = 0.05
 GROWTH: Final[float] = 0.12
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
-FINEST_TRACE: Final[float] = 1e-8    # [m]; leaves 1e-13 m in the gap, the residual being removed to first order
+FINEST_TRACE: Final[float] = 5e-8    # [m]; the residual is removed to second order
 
 
 def node_field(region: int, field: int):
@@ -73,10 +66,6 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     gap, first_rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
-    yawed = is_yawed(work)
-    ridges = node_field(region, NODE_X)
-    if yawed == 1:
-        work[ridges] = ridge_place(tables, work)
     for direction in range(-1, 2, 2):
         start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
         rate = first_rate
@@ -106,9 +95,6 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
                 else:
                     work[gaps + at] = gap - work[block + REGION_GAP]
                     work[longitudinal + at] = 0.5 * curvature
-                    if yawed == 1:
-                        work[ridges + at] = ridge_place(tables, work)
-                        fill_straight(work, ridges, direction * traced, at, step)
                     fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
                     rate = next_rate
                     traced += step
@@ -117,7 +103,6 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
             station = origin + spacing * float(at)
             if ended == 1:
                 extrapolate_node(work, gaps, longitudinal, at, direction)
-                work[ridges + at] = 2.0 * work[ridges + at - direction] - work[ridges + at - 2 * direction]
             if passed > 0:
                 left -= 1
             elif ended == 1 or work[gaps + at] > reach:
@@ -131,22 +116,6 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         else:
             work[block + REGION_LAST] = float(passed)
     return 0
-
-
-def is_yawed(work: 'float[:]'):
-    """1 if the wheel of the open frame is yawed, else 0."""
-    return int(work[int(work[FRAME_PLACE]) + PLACE_YAWED])
-
-
-def ridge_place(tables: 'float[:]', work: 'float[:]'):
-    """Track coordinate x [m] of the wheel's outline where the tracer stands."""
-    at = int(work[FRAME_PLACE])
-    y = work[TRACER_WHEEL]
-    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
-    sin_phi, cos_phi = around_wheel(work, at, slope)
-    r = work[at + PLACE_RADIUS] + z
-    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
-    return work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral
 
 
 def fill_straight(work: 'float[:]', field: int, start: int, stop: int, count: int):
@@ -238,6 +207,11 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
     longitudinal = node_field(region, NODE_A)
     base = int(tables[SET_HERTZ])
     yawed = is_yawed(work)
+    alpha_turn = 1.0
+    beta_turn = 1.0
+    nr_turn = 1.0
+    if yawed == 1:
+        alpha_turn, beta_turn, nr_turn = turn_region(tables, work, region)
     spacing = work[block + REGION_SPACING]
     mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
     low_side = work[block + REGION_SIDE_LOW]
@@ -266,9 +240,9 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
         beta = table_value(tables, base, 0, log(A / side))
         nr = table_value(tables, base, 6, log(B / A))
         if yawed == 1:
-            across = node_field(region, NODE_X) + k
-            slant = (work[across + window] - work[across - window]) / (2.0 * float(window) * spacing)
-            alpha, beta, nr = turn_node(tables, work, region, k, B, slant, alpha, beta, nr)
+            alpha *= alpha_turn
+            beta *= beta_turn
+            nr *= nr_turn
         work[node_field(region, NODE_B) + k] = B
         work[node_field(region, NODE_RISE) + k] = beta * work[gaps + k]
         work[node_field(region, NODE_LINE) + k] = tables[SET_CONTACT_MODULUS] / nr
@@ -276,20 +250,23 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
     return 0
 
 
-def turn_node(tables: 'float[:]', work: 'float[:]', region: int, k: int, B: float, slant: float, alpha: float, beta: float,
-              nr: float):
-    """ANALYN's coefficients ``alpha``, ``beta``, ``nr`` times what the slant of the ridge makes of an ellipse with A and
-    ``B``; and for the strips the upright ellipse that cuts into the same ones."""
+def turn_region(tables: 'float[:]', work: 'float[:]', region: int):
+    """What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region, from
+    its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones."""
+    block = region_block(region)
     base = int(tables[SET_HERTZ])
-    A = work[node_field(region, NODE_A) + k]
-    one_alpha, one_beta, one_nr = hertz_coefficients(tables, base, A, B)
-    turned_alpha, turned_beta, turned_nr = skewed_coefficients(tables, base, A, B, slant)
+    A = work[node_field(region, NODE_A)]
+    B = 0.5 * (work[block + REGION_SIDE_LOW] + work[block + REGION_SIDE_HIGH])
+    if B < FLOOR * A:
+        B = FLOOR * A
+    alpha, beta, nr = hertz_coefficients(tables, base, A, B)
+    turned_alpha, turned_beta, turned_nr = skewed_coefficients(tables, base, A, B, work[block + REGION_SLANT])
     if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
         upright_A, upright_B, share = upright_coefficients(tables, base, turned_alpha * A, turned_beta * B, turned_nr)
-        work[node_field(region, NODE_UPRIGHT_RISE) + k] = upright_B / B
-        work[node_field(region, NODE_UPRIGHT_A) + k] = upright_A
-        work[node_field(region, NODE_UPRIGHT_SHARE) + k] = share
-    return alpha * turned_alpha / one_alpha, beta * turned_beta / one_beta, nr * turned_nr / one_nr
+        work[block + REGION_UPRIGHT_A] = upright_A / A
+        work[block + REGION_UPRIGHT_B] = upright_B / B
+        work[block + REGION_UPRIGHT_SHARE] = share
+    return turned_alpha / alpha, turned_beta / beta, turned_nr / nr
 
 
 def cubic_through(before: float, low: float, high: float, after: float, x: float):

@@ -12,6 +12,7 @@ from math import isfinite, log, pi, sqrt
 from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
+from .contact_plane import TRACER_STATION, is_yawed, ridge_place
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
 from .layout import (DEPTH_ALL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE,
                      PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_NODES, SET_NORMAL_MODEL, SET_STRIDE,
@@ -21,7 +22,7 @@ from .layout import (DEPTH_ALL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PAT
 from .nodes import FLOOR, NODE_LENGTH, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .patches import gather_islands, write_outline, write_patches
 from .regions import (FAR, REGION_BEND, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
-                      REGION_LOW, REGION_MIDDLE, REGION_REACHED, REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SQUARE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
+                      REGION_LOW, REGION_MIDDLE, REGION_REACHED, REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SQUARE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
                       REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
 from .strips import correct_strips
@@ -78,9 +79,18 @@ def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', regi
         high = work[block + REGION_WIDTH_HIGH] * grown
     high = zone_width(tables, work, state, block, 1.0, level, high)
     high_reached = work[block + REGION_REACHED]
+    slant = 0.0
+    start = work[TRACER_STATION]
+    yawed = is_yawed(work)
+    if yawed == 1:
+        slant = ridge_place(tables, work)
     if not work[block + REGION_WIDTH_LEVEL] > 0.0:
         low = high
     low = zone_width(tables, work, state, block, -1.0, level, low)
+    if yawed == 1:
+        slant -= ridge_place(tables, work)
+        if start > work[TRACER_STATION]:
+            work[block + REGION_SLANT] = slant / (start - work[TRACER_STATION])
     work[block + REGION_SIDE_HIGH] = side_curvature(high_reached, high, 0.5 * (low + high))
     work[block + REGION_SIDE_LOW] = side_curvature(work[block + REGION_REACHED], low, 0.5 * (low + high))
     work[block + REGION_WIDTH_HIGH] = high
@@ -191,6 +201,7 @@ def gather_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side
     """Open the regions that ``penetration`` [m] reaches, with their bounds and first levels; their number."""
     for i in range(REGION_LIMIT):
         work[region_block(i) + REGION_WIDTH_LEVEL] = 0.0
+        work[region_block(i) + REGION_SLANT] = 0.0
     open_contact_region(tables, work, state)
     count = find_regions(tables, work, state, side, penetration)
     count = bound_regions(tables, work, state, count, penetration)

@@ -4,7 +4,7 @@ A patch is a connected run of loaded strips.  Between nodes the line load and th
 are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
 """
 
-from math import asin, atan, fabs, pi, sqrt
+from math import atan, atan2, fabs, pi, sqrt
 from typing import Final
 
 from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
@@ -44,22 +44,31 @@ def quadratic_moment(before: float, low: float, high: float, start: float, stop:
     return upper - lower
 
 
-def root_primitive(low: float, slope: float, bend: float, x: float):
-    """A primitive of sqrt(low + slope x + bend x^2) for bend < 0."""
-    value = low + x * (slope + x * bend)
-    if value < 0.0:
-        value = 0.0
+def bent_integral(low: float, slope: float, bend: float, start: float, stop: float):
+    """Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
+
+    The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of a loaded
+    stretch the rounding of root and angle then cancels.
+    """
+    first = low + start * (slope + start * bend)
+    last = low + stop * (slope + stop * bend)
+    if first < 0.0:
+        first = 0.0
+    if last < 0.0:
+        last = 0.0
     spread = slope * slope - 4.0 * bend * low
     if not spread > 0.0:
         return 0.0
-    spread = sqrt(spread)
-    share = -(2.0 * bend * x + slope) / spread
-    if share > 1.0:
-        share = 1.0
-    if share < -1.0:
-        share = -1.0
-    return ((2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value)
-            + spread * spread / (8.0 * -bend * sqrt(-bend)) * asin(share))
+    first_root = sqrt(first)
+    last_root = sqrt(last)
+    first_rate = 2.0 * bend * start + slope
+    last_rate = 2.0 * bend * stop + slope
+    across = sqrt(-bend)
+    height = 2.0 * across * last_root
+    height_before = 2.0 * across * first_root
+    angle = atan2(height * first_rate - height_before * last_rate, height * height_before + last_rate * first_rate)
+    return ((last_rate * last_root - first_rate * first_root) / (4.0 * bend)
+            + spread / (8.0 * -bend * across) * angle)
 
 
 def root_integral(before: float, low: float, high: float, start: float, stop: float):
@@ -71,7 +80,7 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
     bend = bend_of(before, low, high)
     slope = high - low - bend
     if bend < -STRAIGHT * (fabs(low) + fabs(high)):
-        return root_primitive(low, slope, bend, stop) - root_primitive(low, slope, bend, start)
+        return bent_integral(low, slope, bend, start, stop)
     first = low + start * (slope + start * bend)
     last = low + stop * (slope + stop * bend)
     if first < 0.0:

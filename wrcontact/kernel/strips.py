@@ -14,12 +14,13 @@ One round of 2 and 3 is a sweep.  Where the true patch differs from ANALYN's, st
 from math import fabs, log, pi, sqrt
 from typing import Final
 
+from .contact_plane import is_yawed
 from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT, STRIP_FIELDS,
                      STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
-from .nodes import (NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, NODE_UPRIGHT_A,
-                    NODE_UPRIGHT_RISE, NODE_UPRIGHT_SHARE, cubic_through, is_yawed, node_field)
+from .nodes import (NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, cubic_through, node_field)
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_SPACING,
-                      REGION_START, REGION_STATION, REGION_STOP, REGION_WEIGHT, region_block)
+                      REGION_START, REGION_STATION, REGION_STOP, REGION_UPRIGHT_A, REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE,
+                      REGION_WEIGHT, region_block)
 
 # strip fields
 STRIP_STATION: Final[int] = 0        # middle [m]
@@ -246,10 +247,9 @@ def locate_strip(work: 'float[:]', i: int):
     work[strip_field(STRIP_TURN) + i] = 1.0
     if is_yawed(work) == 1:
         # the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients)
-        turn = node_value(work, region, NODE_UPRIGHT_SHARE, k, x)
-        rise = gap * node_value(work, region, NODE_UPRIGHT_RISE, k, x)
-        work[strip_field(STRIP_GAP) + i] = turn * work[block + REGION_GAP] + rise
-        work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_UPRIGHT_A, k, x)
+        turn = work[block + REGION_UPRIGHT_SHARE]
+        work[strip_field(STRIP_GAP) + i] = turn * work[block + REGION_GAP] + gap * work[block + REGION_UPRIGHT_B]
+        work[strip_field(STRIP_A) + i] *= work[block + REGION_UPRIGHT_A]
         work[strip_field(STRIP_TURN) + i] = turn
     return region, k, x
 

@@ -5,7 +5,7 @@
  * Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
  * plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
  * n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
- * residual is removed by the curve's own slope, which leaves an error of second order in a small residual.
+ * residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
  */
 
 #include "contact_plane.h"
@@ -130,7 +130,7 @@ static inline double contact_plane__first_abscissa(array_double_1d work, int64_t
  * frame : where cosine and sine of the plane's angle against the profile stand.
  * origin, height_there : the profile's point at station zero [m].
  */
-static inline int64_t contact_plane__trace_profile(double* result_0, double* rate, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
+static inline int64_t contact_plane__trace_profile(double* result_0, double* result_1, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
 {
     double cosine;
     double sine;
@@ -142,6 +142,8 @@ static inline int64_t contact_plane__trace_profile(double* result_0, double* rat
     double bend;
     int64_t i;
     double along;
+    double rate;
+    double ordinate;
     cosine = (*cspan_at(&work, frame));
     sine = (*cspan_at(&work, frame + INT64_C(1)));
     start = (*cspan_at(&tables, base + profile_table__START));
@@ -177,12 +179,14 @@ static inline int64_t contact_plane__trace_profile(double* result_0, double* rat
         u -= offset / forward;
     }
     along = 1.0 / forward;
-    (*rate) = (sine - (*slope) * cosine) * along;
+    rate = (sine - (*slope) * cosine) * along;
     (*turn) = (-bend) * along * along * along;
     (*cspan_at(&work, tracer)) = u - offset * along;
     (*cspan_at(&work, tracer + INT64_C(1))) = along;
     (*cspan_at(&work, tracer + INT64_C(2))) = (*turn) * sine;
-    (*result_0) = (u - origin) * sine - ((*height) - height_there) * cosine - offset * (*rate);
+    ordinate = (u - origin) * sine - ((*height) - height_there) * cosine;
+    (*result_0) = ordinate - offset * (rate - 0.5 * offset * (*turn));
+    (*result_1) = rate - offset * (*turn);
     return 0;
 }
 
@@ -222,7 +226,7 @@ static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate,
 }
 
 /* ``trace_wheel`` with yaw. */
-static inline int64_t contact_plane__trace_outline(double* result_0, double* rate, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance)
+static inline int64_t contact_plane__trace_outline(double* result_0, double* result_1, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance)
 {
     int64_t wheel;
     double cosine;
@@ -247,6 +251,7 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* rat
     double z_track;
     double per_along;
     double per_stretch;
+    double rate;
     wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
     cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
     sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
@@ -294,13 +299,14 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* rat
     }
     per_along = 1.0 / along;
     per_stretch = 1.0 / stretch;
-    (*rate) = (sine - outline_slope * cosine) * per_along;
+    rate = (sine - outline_slope * cosine) * per_along;
     (*turn) = (-outline_rate) * per_stretch * per_along * per_along * per_along;
     (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y - offset * per_along * per_stretch;
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = per_along * per_stretch;
     (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (*turn) * sine * per_stretch;
     (*curvature) = contact_plane__longitudinal_curvature(tables, work, at, z, slope, bend);
-    (*result_0) = across * sine - up * cosine - offset * (*rate);
+    (*result_0) = across * sine - up * cosine - offset * (rate - 0.5 * offset * (*turn));
+    (*result_1) = rate - offset * (*turn);
     return 0;
 }
 
@@ -330,4 +336,34 @@ static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, d
     (*result_1) = wheel_rate - rail_rate;
     (*result_2) = wheel_bend - rail_bend;
     return 0;
+}
+
+/* 1 if the wheel of the open frame is yawed, else 0. */
+static inline int64_t contact_plane__is_yawed(array_double_1d work)
+{
+    int64_t result;
+    result = (int64_t)((*cspan_at(&work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))) + locus__PLACE_YAWED)));
+    return result;
+}
+
+/* Track coordinate x [m] of the wheel's outline where the tracer stands. */
+static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work)
+{
+    int64_t at;
+    double y;
+    double z;
+    double slope;
+    double sin_phi;
+    double cos_phi;
+    double r;
+    double lateral;
+    double result;
+    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
+    y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
+    r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
+    result = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
+    return result;
 }

@@ -38,8 +38,6 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     double first_rate;
     double bend;
     double curvature;
-    int64_t yawed;
-    int64_t ridges;
     int64_t direction;
     double rate;
     double reach;
@@ -66,12 +64,6 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     contact_plane__normal_gap(&gap, &first_rate, &bend, &curvature, tables, work, state, origin, tolerance);
     (*cspan_at(&work, gaps)) = 0.0;
     (*cspan_at(&work, longitudinal)) = 0.5 * curvature;
-    yawed = nodes__is_yawed(work);
-    ridges = nodes__node_field(region, nodes__NODE_X);
-    if (yawed == INT64_C(1))
-    {
-        (*cspan_at(&work, ridges)) = nodes__ridge_place(tables, work);
-    }
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
         contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
@@ -110,11 +102,6 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
                 {
                     (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
                     (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
-                    if (yawed == INT64_C(1))
-                    {
-                        (*cspan_at(&work, ridges + at)) = nodes__ridge_place(tables, work);
-                        nodes__fill_straight(work, ridges, direction * traced, at, step);
-                    }
                     nodes__fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate);
                     rate = next_rate;
                     traced += step;
@@ -126,7 +113,6 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
             if (ended == INT64_C(1))
             {
                 nodes__extrapolate_node(work, gaps, longitudinal, at, direction);
-                (*cspan_at(&work, ridges + at)) = 2.0 * (*cspan_at(&work, ridges + at - direction)) - (*cspan_at(&work, ridges + at - INT64_C(2) * direction));
             }
             if (passed > INT64_C(0))
             {
@@ -155,36 +141,6 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
         }
     }
     return INT64_C(0);
-}
-
-/* 1 if the wheel of the open frame is yawed, else 0. */
-static inline int64_t nodes__is_yawed(array_double_1d work)
-{
-    int64_t result;
-    result = (int64_t)((*cspan_at(&work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))) + locus__PLACE_YAWED)));
-    return result;
-}
-
-/* Track coordinate x [m] of the wheel's outline where the tracer stands. */
-static inline double nodes__ridge_place(array_double_1d tables, array_double_1d work)
-{
-    int64_t at;
-    double y;
-    double z;
-    double slope;
-    double sin_phi;
-    double cos_phi;
-    double r;
-    double lateral;
-    double result;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-    r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
-    result = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
-    return result;
 }
 
 /* ``field`` at the ``count`` - 1 nodes between two, on a straight line. */
@@ -333,6 +289,9 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     int64_t longitudinal;
     int64_t base;
     int64_t yawed;
+    double alpha_turn;
+    double beta_turn;
+    double nr_turn;
     double spacing;
     double mean;
     double low_side;
@@ -349,13 +308,18 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     double alpha;
     double beta;
     double nr;
-    int64_t across;
-    double slant;
     block = regions__region_block(region);
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
-    yawed = nodes__is_yawed(work);
+    yawed = contact_plane__is_yawed(work);
+    alpha_turn = 1.0;
+    beta_turn = 1.0;
+    nr_turn = 1.0;
+    if (yawed == INT64_C(1))
+    {
+        nodes__turn_region(&alpha_turn, &beta_turn, &nr_turn, tables, work, region);
+    }
     spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
     mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
     low_side = (*cspan_at(&work, block + regions__REGION_SIDE_LOW));
@@ -399,9 +363,9 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
         nr = hertz__table_value(tables, base, INT64_C(6), log(B / A));
         if (yawed == INT64_C(1))
         {
-            across = nodes__node_field(region, nodes__NODE_X) + k;
-            slant = ((*cspan_at(&work, across + window)) - (*cspan_at(&work, across - window))) / (2.0 * (double)(window) * spacing);
-            nodes__turn_node(&alpha, &beta, &nr, tables, work, region, k, B, slant, alpha, beta, nr);
+            alpha *= alpha_turn;
+            beta *= beta_turn;
+            nr *= nr_turn;
         }
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + k)) = B;
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k)) = beta * (*cspan_at(&work, gaps + k));
@@ -411,36 +375,44 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     return INT64_C(0);
 }
 
-/* ANALYN's coefficients ``alpha``, ``beta``, ``nr`` times what the slant of the ridge makes of an ellipse with A and
- * ``B``; and for the strips the upright ellipse that cuts into the same ones.
+/* What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region, from
+ * its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones.
  */
-static inline int64_t nodes__turn_node(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region, int64_t k, double B, double slant, double alpha, double beta, double nr)
+static inline int64_t nodes__turn_region(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region)
 {
+    int64_t block;
     int64_t base;
     double A;
-    double one_alpha;
-    double one_beta;
-    double one_nr;
+    double B;
+    double alpha;
+    double beta;
+    double nr;
     double turned_alpha;
     double turned_beta;
     double turned_nr;
     double upright_A;
     double upright_B;
     double share;
+    block = regions__region_block(region);
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
-    A = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_A) + k));
-    hertz__hertz_coefficients(&one_alpha, &one_beta, &one_nr, tables, base, A, B);
-    hertz__skewed_coefficients(&turned_alpha, &turned_beta, &turned_nr, tables, base, A, B, slant);
+    A = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_A)));
+    B = 0.5 * ((*cspan_at(&work, block + regions__REGION_SIDE_LOW)) + (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)));
+    if (B < nodes__FLOOR * A)
+    {
+        B = nodes__FLOOR * A;
+    }
+    hertz__hertz_coefficients(&alpha, &beta, &nr, tables, base, A, B);
+    hertz__skewed_coefficients(&turned_alpha, &turned_beta, &turned_nr, tables, base, A, B, (*cspan_at(&work, block + regions__REGION_SLANT)));
     if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, turned_alpha * A, turned_beta * B, turned_nr);
-        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_RISE) + k)) = upright_B / B;
-        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_A) + k)) = upright_A;
-        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_UPRIGHT_SHARE) + k)) = share;
+        (*cspan_at(&work, block + regions__REGION_UPRIGHT_A)) = upright_A / A;
+        (*cspan_at(&work, block + regions__REGION_UPRIGHT_B)) = upright_B / B;
+        (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE)) = share;
     }
-    (*result_0) = alpha * turned_alpha / one_alpha;
-    (*result_1) = beta * turned_beta / one_beta;
-    (*result_2) = nr * turned_nr / one_nr;
+    (*result_0) = turned_alpha / alpha;
+    (*result_1) = turned_beta / beta;
+    (*result_2) = turned_nr / nr;
     return 0;
 }
 

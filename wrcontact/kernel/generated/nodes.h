@@ -21,8 +21,6 @@
 #include "contact_plane.h"
 #include "hertz.h"
 #include "layout.h"
-#include "locus.h"
-#include "profile_table.h"
 #include "regions.h"
 
 static const int64_t nodes__NODE_GAP = INT64_C(0);
@@ -34,19 +32,13 @@ static const int64_t nodes__NODE_LOAD = INT64_C(5);
 static const int64_t nodes__NODE_SQUARE = INT64_C(6);
 static const int64_t nodes__NODE_PRESSURE = INT64_C(7);
 static const int64_t nodes__NODE_B = INT64_C(8);
-static const int64_t nodes__NODE_X = INT64_C(9);
-static const int64_t nodes__NODE_UPRIGHT_RISE = INT64_C(10);
-static const int64_t nodes__NODE_UPRIGHT_A = INT64_C(11);
-static const int64_t nodes__NODE_UPRIGHT_SHARE = INT64_C(12);
 static const double nodes__FLOOR = 0.02;
 static const double nodes__WINDOW_FLOOR = 0.05;
 static const double nodes__GROWTH = 0.12;
 static const double nodes__TRACE_SHARE = 0.001;
-static const double nodes__FINEST_TRACE = 1e-08;
+static const double nodes__FINEST_TRACE = 5e-08;
 
 static inline int64_t nodes__node_field(int64_t region, int64_t field);
-static inline int64_t nodes__is_yawed(array_double_1d work);
-static inline double nodes__ridge_place(array_double_1d tables, array_double_1d work);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t field, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
@@ -55,7 +47,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 static inline double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window);
 static inline double nodes__secant_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window, double middle);
 static inline double nodes__windowed_curvature(double averaged, double secant, double share);
-static inline int64_t nodes__turn_node(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region, int64_t k, double B, double slant, double alpha, double beta, double nr);
+static inline int64_t nodes__turn_region(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region);
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window);
 static inline double nodes__cubic_through(double before, double low, double high, double after, double x);
 

@@ -31,6 +31,9 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
     double high;
     double grown;
     double high_reached;
+    double slant;
+    double start;
+    int64_t yawed;
     block = regions__region_block(region);
     /* the first guess: the gap's own second derivative, as far as it is a usual one */
     bend = (*cspan_at(&work, block + regions__REGION_BEND));
@@ -52,11 +55,26 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
     }
     high = regions__zone_width(tables, work, state, block, 1.0, level, high);
     high_reached = (*cspan_at(&work, block + regions__REGION_REACHED));
+    slant = 0.0;
+    start = (*cspan_at(&work, contact_plane__TRACER_STATION));
+    yawed = contact_plane__is_yawed(work);
+    if (yawed == INT64_C(1))
+    {
+        slant = contact_plane__ridge_place(tables, work);
+    }
     if (!((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0))
     {
         low = high;
     }
     low = regions__zone_width(tables, work, state, block, -1.0, level, low);
+    if (yawed == INT64_C(1))
+    {
+        slant -= contact_plane__ridge_place(tables, work);
+        if (start > (*cspan_at(&work, contact_plane__TRACER_STATION)))
+        {
+            (*cspan_at(&work, block + regions__REGION_SLANT)) = slant / (start - (*cspan_at(&work, contact_plane__TRACER_STATION)));
+        }
+    }
     (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)) = normal_contact__side_curvature(high_reached, high, 0.5 * (low + high));
     (*cspan_at(&work, block + regions__REGION_SIDE_LOW)) = normal_contact__side_curvature((*cspan_at(&work, block + regions__REGION_REACHED)), low, 0.5 * (low + high));
     (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) = high;
@@ -241,6 +259,7 @@ static inline int64_t normal_contact__gather_regions(array_double_1d tables, arr
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
         (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
+        (*cspan_at(&work, regions__region_block(i) + regions__REGION_SLANT)) = 0.0;
     }
     regions__open_contact_region(tables, work, state);
     count = regions__find_regions(tables, work, state, side, penetration);

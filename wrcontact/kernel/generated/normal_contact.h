@@ -15,6 +15,7 @@
 
 #include "../native/spans.h"
 #include "analyn.h"
+#include "contact_plane.h"
 #include "hertz.h"
 #include "layout.h"
 #include "nodes.h"

@@ -22,33 +22,48 @@ static inline double patches__quadratic_moment(double before, double low, double
     return upper - lower;
 }
 
-/* A primitive of sqrt(low + slope x + bend x^2) for bend < 0. */
-static inline double patches__root_primitive(double low, double slope, double bend, double x)
+/* Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
+ *
+ * The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of a loaded
+ * stretch the rounding of root and angle then cancels.
+ */
+static inline double patches__bent_integral(double low, double slope, double bend, double start, double stop)
 {
-    double value;
+    double first;
+    double last;
     double spread;
-    double share;
-    value = low + x * (slope + x * bend);
-    if (value < 0.0)
+    double first_root;
+    double last_root;
+    double first_rate;
+    double last_rate;
+    double across;
+    double height;
+    double height_before;
+    double angle;
+    first = low + start * (slope + start * bend);
+    last = low + stop * (slope + stop * bend);
+    if (first < 0.0)
     {
-        value = 0.0;
+        first = 0.0;
+    }
+    if (last < 0.0)
+    {
+        last = 0.0;
     }
     spread = slope * slope - 4.0 * bend * low;
     if (!(spread > 0.0))
     {
         return 0.0;
     }
-    spread = sqrt(spread);
-    share = (-(2.0 * bend * x + slope)) / spread;
-    if (share > 1.0)
-    {
-        share = 1.0;
-    }
-    if (share < -1.0)
-    {
-        share = -1.0;
-    }
-    return (2.0 * bend * x + slope) / (4.0 * bend) * sqrt(value) + spread * spread / (8.0 * (-bend) * sqrt(-bend)) * asin(share);
+    first_root = sqrt(first);
+    last_root = sqrt(last);
+    first_rate = 2.0 * bend * start + slope;
+    last_rate = 2.0 * bend * stop + slope;
+    across = sqrt(-bend);
+    height = 2.0 * across * last_root;
+    height_before = 2.0 * across * first_root;
+    angle = atan2(height * first_rate - height_before * last_rate, height * height_before + last_rate * first_rate);
+    return (last_rate * last_root - first_rate * first_root) / (4.0 * bend) + spread / (8.0 * (-bend) * across) * angle;
 }
 
 /* Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
@@ -71,7 +86,7 @@ static inline double patches__root_integral(double before, double low, double hi
     slope = high - low - bend;
     if (bend < (-patches__STRAIGHT) * (fabs(low) + fabs(high)))
     {
-        return patches__root_primitive(low, slope, bend, stop) - patches__root_primitive(low, slope, bend, start);
+        return patches__bent_integral(low, slope, bend, start, stop);
     }
     first = low + start * (slope + start * bend);
     last = low + stop * (slope + stop * bend);

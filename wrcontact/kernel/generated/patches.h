@@ -30,7 +30,7 @@ static const double patches__STRAIGHT = 0.0001;
 static const double patches__JOINED = 1e-09;
 
 static inline double patches__quadratic_moment(double before, double low, double high, double start, double stop);
-static inline double patches__root_primitive(double low, double slope, double bend, double x);
+static inline double patches__bent_integral(double low, double slope, double bend, double start, double stop);
 static inline double patches__root_integral(double before, double low, double high, double start, double stop);
 static inline int64_t patches__load_nodes(array_double_1d work, int64_t region, double level);
 static inline double patches__peak_square(array_double_1d work, int64_t field, int64_t k);

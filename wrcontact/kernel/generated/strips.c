@@ -300,7 +300,6 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     double u;
     double gap;
     double turn;
-    double rise;
     (*region) = (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
     block = regions__region_block((*region));
     u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
@@ -318,13 +317,12 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
     (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_A, (*k), (*x));
     (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = 1.0;
-    if (nodes__is_yawed(work) == INT64_C(1))
+    if (contact_plane__is_yawed(work) == INT64_C(1))
     {
         /* the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients) */
-        turn = strips__node_value(work, (*region), nodes__NODE_UPRIGHT_SHARE, (*k), (*x));
-        rise = gap * strips__node_value(work, (*region), nodes__NODE_UPRIGHT_RISE, (*k), (*x));
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + rise;
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_UPRIGHT_A, (*k), (*x));
+        turn = (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + gap * (*cspan_at(&work, block + regions__REGION_UPRIGHT_B));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) *= (*cspan_at(&work, block + regions__REGION_UPRIGHT_A));
         (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn;
     }
     return 0;

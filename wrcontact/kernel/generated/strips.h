@@ -17,6 +17,7 @@
 #define WRCONTACT_KERNEL_STRIPS_H
 
 #include "../native/spans.h"
+#include "contact_plane.h"
 #include "layout.h"
 #include "nodes.h"
 #include "regions.h"
