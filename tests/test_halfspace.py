@@ -18,6 +18,7 @@ from wrcontact.conventions import MIRROR
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
+from wrcontact.resolution import FINEST
 from wrcontact.system import CHOICES
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -426,7 +427,7 @@ def test_what_does_not_converge_is_status_3_and_keeps_the_outputs():
 
 
 def test_tolerance_decides_the_grid(system):
-    assert wrcontact.system.HALFSPACE_TOLERANCE == halfspace.TOLERANCE_RANGE[0]
+    assert FINEST["halfspace"] == halfspace.TOLERANCE_RANGE[0]
     coarse = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.03)
     fine = wrcontact.ContactSystem(normal_model="halfspace", tolerance=2e-3)
     assert pickle.loads(pickle.dumps(coarse)).stepper().tolerance == 0.03
@@ -497,4 +498,3 @@ def test_the_session_of_an_fmu_refuses_it():
     permitted = ", ".join(repr(choice) for choice in CHOICES["normal_model"])
     assert "halfspace" not in permitted
     assert str(refusal.value) == f"normal_model is 'halfspace'; permitted are {permitted}"
-    assert "tolerance" not in REFERENCE
