@@ -1,11 +1,14 @@
-"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo]`` writes docs/img/*.png.
+"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] [models]`` writes docs/img/*.png.
 
     frames      frames and signs (docs/conventions.md)
     demo        the picture of ``wrcontact demo`` (README)
+    models      the pressures of examples/compare_models.py (README)
 
 Wheel and rail are the real S1002 and UIC60 at their real places; roll and yaw of the sketches are exaggerated.
 """
 
+import os
+import runpy
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -28,6 +31,18 @@ def main(names):
     IMAGES.mkdir(exist_ok=True)
     for name in names:
         print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
+
+
+def models():
+    """The picture of the example that compares the normal models."""
+    example = Path(__file__).resolve().parents[1] / "examples" / "compare_models.py"
+    home = Path.cwd()
+    with TemporaryDirectory() as folder:
+        os.chdir(folder)  # the example saves its picture where it is run
+        try:
+            return runpy.run_path(str(example))["figure"]
+        finally:
+            os.chdir(home)
 
 
 def demo():
@@ -62,7 +77,7 @@ def frames():
     return figure
 
 
-PICTURES = {"frames": frames, "demo": demo}
+PICTURES = {"frames": frames, "demo": demo, "models": models}
 
 
 # --- sketches --------------------------------------------------------------------------------------

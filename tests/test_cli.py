@@ -363,7 +363,7 @@ def test_entry_point():
     assert 'wrcontact = "wrcontact.cli:main"' in (ROOT / "pyproject.toml").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", ["one_pose", "lateral_sweep", "step_the_fmu"])
+@pytest.mark.parametrize("name", ["one_pose", "lateral_sweep", "compare_models", "step_the_fmu"])
 def test_example(tmp_path, name):
     """Each example ends with an assertion of its own."""
     script = ROOT / "examples" / f"{name}.py"

@@ -32,13 +32,12 @@ POSITION = 1e-6  # [m]
 LOADED = {"penetration": 0.05, "area": 0.12, "max_pressure": 0.15}  # of the complete theory's value, but for a few rows
 #: where the load moves between two regions, which ANALYN sees as a jump (the run "jumps" is made of such rows):
 WORST = {"penetration": 0.16, "area": 0.18, "max_pressure": 0.30}
-LEAST_WITHIN = {"hunting": 0.97, "jumps": 0.80, "load": 1.0}  # share of a run's values that LOADED holds for
+LEAST_WITHIN = {"hunting": 0.99, "jumps": 0.95, "load": 1.0}  # share of a run's values that LOADED holds for
 #: The wheel as printed has a step at y = -35 mm, on which the reference's contact rests for 1 um of lateral shift; ours
 #: is led over it within half a millimetre, half the step (6e-8 m) up or down.
-#: There two regions are nearly equal, and ANALYN's peak pressure is up to 45 % above the complete theory's.
 RESTING, ON_THE_STEP = -0.035, {"roll": 1e-7, "contact_angle": 0.065}  # [m]; [rad], and 77 1/m times the arc that belongs to
-PRESSURE_ON_THE_STEP = 0.45
 POSITION_ON_THE_STEP = 6e-4  # [m]
+PRESSURE_ON_THE_STEP = 0.40  # of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
 
 #: From Python 3.13 on PythonFMU 0.7 loses the log line of a process's first refusal; the console has the sentence.
 LOST = 1 if sys.version_info >= (3, 13) else 0
@@ -315,7 +314,7 @@ def allowance(name, value, resting):
     last = name.split(".")[-1]
     if last in ("status", "patch_count"):
         return 0
-    if resting and last == "max_pressure":
+    if last == "max_pressure" and resting:
         return PRESSURE_ON_THE_STEP * abs(value)
     if last in WORST:
         return WORST[last] * abs(value)

@@ -249,7 +249,7 @@ def test_prescribed_penetration_is_the_inverse(system):
             ratios.append(other.normal_force / one.normal_force)
             assert other.penetration == one.penetration, (shift[k], yaw[k], force[k])
     error = np.abs(np.array(ratios) - 1)
-    assert np.median(error) < 2e-3 and np.percentile(error, 90) < 0.02 and error.max() < 0.1
+    assert np.median(error) < 2e-3 and np.percentile(error, 90) < 0.02 and error.max() < 0.2
     with pytest.raises(ValueError, match=r"penetration \(left\) is -1 m; permitted is 0 ... 0.01 m"):
         system.evaluate(penetration=-1.0)
     assert system.evaluate().right.normal_force == pytest.approx(78.5e3)

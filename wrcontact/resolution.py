@@ -55,7 +55,8 @@ def resolve(model, tolerance=None, nodes=None, strips=None, sweeps=None):
     tolerance = DEFAULT if tolerance is None else tolerance
     ladder = LADDERS.get(model, ANALYN)
     if tolerance < FINEST[model]:
-        raise ValueError(f"tolerance is {tolerance:g}; permitted with the normal_model {model!r} is {FINEST[model]:g} ... 0.1 1")
+        raise ValueError(f"tolerance is {tolerance:g}; permitted with the normal_model {model!r} is "
+                         f"{FINEST[model]:g} ... 0.1 1")
     keeping = [resolution for kept, resolution in ladder.items() if kept <= tolerance]
     chosen = keeping[0] if keeping else list(ladder.values())[-1]
     given = {name: value for name, value in (("nodes", nodes), ("strips", strips), ("sweeps", sweeps)) if value is not None}

@@ -74,8 +74,9 @@ class ContactSystem:
     youngs_modulus, poisson_ratio : of wheel and rail [Pa, 1].
     contact_mode : "rigid", contact where the undeformed profiles first touch.
     load : "normal", ``normal_force`` is the total over a wheel's patches.
-    normal_model : "analyn" (Sichani et al. 2014), "analyn_strip" (the same, put right by a half-space of strips), "hertz" (curvatures at the contact point), or "halfspace" (complete theory
-        on the true three-dimensional gap, wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel).
+    normal_model : "analyn" (Sichani et al. 2014), "analyn_strip" (the same, put right by strips on one half-space), "hertz"
+        (curvatures at the contact point), or "halfspace" (complete theory on the true three-dimensional gap,
+        wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel).
     separation : "normal", the undeformed distance is measured along the contact normal.
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
     lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).

@@ -170,7 +170,8 @@ class Session:
     def _refresh(self):
         """Evaluate if an input has changed since the last time; before initialisation there is nothing to evaluate."""
         if self._stale and self._stepper is not None:
-            self.initialise()
+            if not self.locked:
+                self.initialise()
             self._evaluate()
 
     def _evaluate(self):

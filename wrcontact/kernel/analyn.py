@@ -17,8 +17,8 @@ from typing import Final
 from .layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
 from .nodes import NODE_LINE, NODE_RISE, node_field
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD, REGION_LOW,
-                      REGION_MIDDLE, REGION_MOVE, REGION_RESIDUAL, REGION_SLOPE, REGION_SPACING, REGION_SQUARE, REGION_STATION,
-                      REGION_STIFFNESS, region_block)
+                      REGION_MIDDLE, REGION_MOVE, REGION_RESIDUAL, REGION_SLOPE, REGION_SPACING, REGION_SQUARE,
+                      REGION_STATION, REGION_STIFFNESS, region_block)
 
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.

@@ -20,7 +20,9 @@ from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright
 from .layout import (MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ,
                      SET_NORMAL_MODEL, WORK_NODES)
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
-                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_STATION, REGION_UPRIGHT_A, REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW, region_block)
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_STATION, REGION_UPRIGHT_A,
+                      REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW,
+                      region_block)
 
 # node fields
 NODE_GAP: Final[int] = 0             # rise of the gap over the region's minimum [m]
@@ -251,8 +253,8 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
 
 
 def turn_region(tables: 'float[:]', work: 'float[:]', region: int):
-    """What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region, from
-    its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones."""
+    """What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region,
+    from its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones."""
     block = region_block(region)
     base = int(tables[SET_HERTZ])
     A = work[node_field(region, NODE_A)]

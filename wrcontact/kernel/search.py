@@ -15,7 +15,7 @@ from .gap import FOLDED, above_rail, vertical_gap
 from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y,
                      SIDE_FIRST, SIDE_LAST, SIDE_NODE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
 from .locus import PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED, outline_point
-from .profile_table import START, STOP, height_slope
+from .profile_table import START, height_slope
 
 # the scan table: sizes, then the nodes, then the raster of the rail's bounds, then the first node of each bin
 SCAN_COUNT: Final[int] = 0           # nodes

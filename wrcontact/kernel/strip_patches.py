@@ -6,19 +6,22 @@ distance, so the edge is where the straight line through the last two strips' li
 
 from math import atan, sqrt
 
-from .layout import (SET_RAIL, SIDE_HALF_LENGTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS)
-from .patches import (ISLAND_ANGLE, ISLAND_AREA, ISLAND_HALF_LENGTH, ISLAND_LIMIT, ISLAND_LOAD, ISLAND_MOMENT,
-                      ISLAND_PRESSURE, ISLAND_SIZE, ISLAND_START, ISLAND_STOP, open_island, root_integral)
+from .layout import SET_RAIL, SIDE_HALF_LENGTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS
+from .patches import (ISLAND_AREA, ISLAND_HALF_LENGTH, ISLAND_LIMIT, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_PRESSURE,
+                      ISLAND_SIZE, ISLAND_START, ISLAND_STOP, open_island, root_integral)
 from .profile_table import height_slope
 from .regions import REGION_RAIL, region_block
-from .strips import (STRIP_LINE, STRIP_PRESSURE, STRIP_REGION, STRIP_SQUARE, STRIP_STATION, STRIP_WIDTH, run_edge, run_end, strip_field)
+from .strips import (STRIP_LINE, STRIP_PRESSURE, STRIP_REGION, STRIP_SQUARE, STRIP_STATION, STRIP_WIDTH, run_edge,
+                     run_end, strip_field)
 
 def divided_bend(work: 'float[:]', field: int, i: int):
     """Second divided difference of ``field`` over the strips ``i`` - 1, ``i``, ``i`` + 1."""
     stations = strip_field(STRIP_STATION)
     left = work[stations + i] - work[stations + i - 1]
     right = work[stations + i + 1] - work[stations + i]
-    return ((work[field + i + 1] - work[field + i]) / right - (work[field + i] - work[field + i - 1]) / left) / (left + right)
+    after = (work[field + i + 1] - work[field + i]) / right
+    before = (work[field + i] - work[field + i - 1]) / left
+    return (after - before) / (left + right)
 
 
 def cell_bend(work: 'float[:]', field: int, i: int, first: int, last: int):

@@ -15,12 +15,12 @@ from math import fabs, log, pi, sqrt
 from typing import Final
 
 from .contact_plane import is_yawed
-from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT, STRIP_FIELDS,
+from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT,
                      STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
-from .nodes import (NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, cubic_through, node_field)
+from .nodes import NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, cubic_through, node_field
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_SPACING,
-                      REGION_START, REGION_STATION, REGION_STOP, REGION_UPRIGHT_A, REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE,
-                      REGION_WEIGHT, region_block)
+                      REGION_START, REGION_STATION, REGION_STOP, REGION_UPRIGHT_A, REGION_UPRIGHT_B,
+                      REGION_UPRIGHT_SHARE, REGION_WEIGHT, region_block)
 
 # strip fields
 STRIP_STATION: Final[int] = 0        # middle [m]
@@ -386,7 +386,8 @@ def influence_value(tables: 'float[:]', base: int, abscissa: float):
 def near_share(share: float):
     """What the mean of -2 ln(distance) over a strip exceeds its middle value by; ``share`` is half-width over distance."""
     square = share * share
-    return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * (1.0 / 42.0 + square * (1.0 / 72.0 + square / 110.0))))
+    rest = 1.0 / 42.0 + square * (1.0 / 72.0 + square / 110.0)
+    return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest))
 
 
 def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int):

@@ -375,8 +375,8 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     return INT64_C(0);
 }
 
-/* What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region, from
- * its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones.
+/* What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region,
+ * from its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones.
  */
 static inline int64_t nodes__turn_region(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region)
 {

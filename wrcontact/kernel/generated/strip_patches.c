@@ -14,12 +14,14 @@ static inline double strip_patches__divided_bend(array_double_1d work, int64_t f
     int64_t stations;
     double left;
     double right;
-    double result;
+    double after;
+    double before;
     stations = strips__strip_field(strips__STRIP_STATION);
     left = (*cspan_at(&work, stations + i)) - (*cspan_at(&work, stations + i - INT64_C(1)));
     right = (*cspan_at(&work, stations + i + INT64_C(1))) - (*cspan_at(&work, stations + i));
-    result = (((*cspan_at(&work, field + i + INT64_C(1))) - (*cspan_at(&work, field + i))) / right - ((*cspan_at(&work, field + i)) - (*cspan_at(&work, field + i - INT64_C(1)))) / left) / (left + right);
-    return result;
+    after = ((*cspan_at(&work, field + i + INT64_C(1))) - (*cspan_at(&work, field + i))) / right;
+    before = ((*cspan_at(&work, field + i)) - (*cspan_at(&work, field + i - INT64_C(1)))) / left;
+    return (after - before) / (left + right);
 }
 
 /* Second coefficient of ``field`` between strips ``i`` and ``i`` + 1 of the run first ... last. */

@@ -554,8 +554,10 @@ static inline double strips__influence_value(array_double_1d tables, int64_t bas
 static inline double strips__near_share(double share)
 {
     double square;
+    double rest;
     square = share * share;
-    return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * (1.0 / 42.0 + square * (1.0 / 72.0 + square / 110.0))));
+    rest = 1.0 / 42.0 + square * (1.0 / 72.0 + square / 110.0);
+    return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest));
 }
 
 /* F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4). */
