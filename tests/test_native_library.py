@@ -1,6 +1,7 @@
 """The compiled kernel and its Python source are one program: the same bits, and a library that does not fit is not used."""
 
 import gc
+import json
 import os
 import shutil
 import subprocess
@@ -24,10 +25,11 @@ needs_library = pytest.mark.skipif(not (KERNEL / LIBRARY_NAME).exists(), reason=
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
 
 RUN = """
+import json
 import sys
 import numpy as np
 import {package} as wrcontact
-stepper = wrcontact.ContactSystem().stepper()
+stepper = wrcontact.ContactSystem(**json.loads(sys.argv[3])).stepper()
 rows = []
 for pose in np.load(sys.argv[1]):
     stepper.inputs[:] = pose
@@ -54,10 +56,11 @@ def poses(count, seed=20):
     return rows
 
 
-def run_steps(rows, folder, *, choice, package=PACKAGE):
+def run_steps(rows, folder, *, choice, package=PACKAGE, **parameters):
     """[status, outputs] of each pose, from a fresh process in which ``package`` runs the ``choice`` of kernel."""
     np.save(folder / "poses.npy", rows)
-    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy", folder / "steps.npy")
+    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy", folder / "steps.npy",
+                       json.dumps(parameters))
     assert child.returncode == 0, child.stderr
     return np.load(folder / "steps.npy")
 
@@ -79,10 +82,16 @@ def bits(array):
 
 
 @needs_library
-def test_compiled_and_python_agree_to_the_last_bit(tmp_path):
+@pytest.mark.parametrize("parameters", [
+    {},
+    {"normal_model": "hertz", "longitudinal_curvature": "basic"},
+    {"normal_model": "analyn_strip"},
+    {"normal_model": "analyn_strip", "nodes": 38, "strips": 33, "sweeps": 3},
+], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
+def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
     rows = poses(80)
-    compiled = run_steps(rows, tmp_path, choice="compiled")
-    source = run_steps(rows, tmp_path, choice="python")
+    compiled = run_steps(rows, tmp_path, choice="compiled", **parameters)
+    source = run_steps(rows, tmp_path, choice="python", **parameters)
     assert len(set(compiled[:, 0])) > 1, "the poses should meet more than one status"
     if sys.platform == "win32":                     # the compiler's sin and atan are not CPython's there
         np.testing.assert_allclose(compiled, source, rtol=1e-9)
@@ -90,15 +99,45 @@ def test_compiled_and_python_agree_to_the_last_bit(tmp_path):
         np.testing.assert_array_equal(bits(compiled), bits(source))
 
 
+@pytest.fixture(scope="module")
+def checked_package(tmp_path_factory):
+    """A copy of the package whose library ends the process at the first index outside its array."""
+    package = copy_package(tmp_path_factory.mktemp("checked"), "checked_wheelset", with_library=False)
+    compile_library(package / "kernel", extra_flags=["-DWRCONTACT_CHECK_BOUNDS"])
+    return package
+
+
 @needs_library
 @needs_compiler
-def test_no_index_leaves_its_array(tmp_path):
-    """The library with checked indices takes the same steps: it would end the process at the first bad one."""
-    package = copy_package(tmp_path, "checked_wheelset", with_library=False)
-    compile_library(package / "kernel", extra_flags=["-DWRCONTACT_CHECK_BOUNDS"])
-    rows = poses(400, seed=21)
-    checked = run_steps(rows, tmp_path, choice="compiled", package=package)
-    usual = run_steps(rows, tmp_path, choice="compiled")
+@pytest.mark.parametrize("parameters", [
+    {},
+    {"nodes": 4},
+    {"nodes": 38},
+    {"normal_model": "analyn_strip", "nodes": 4, "strips": 16, "sweeps": 1},
+    {"normal_model": "analyn_strip"},
+    {"normal_model": "analyn_strip", "nodes": 38, "strips": 64, "sweeps": 4},
+], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
+def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
+    """The library with checked indices takes the same steps: 1200 over tread and flange, from 1 mN to 1 MN."""
+    rows = poses(1200, seed=21)
+    rows[::3, 3] = 10 ** np.random.default_rng(22).uniform(-3, 6, len(rows[::3]))
+    checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package, **parameters)
+    usual = run_steps(rows, tmp_path, choice="compiled", **parameters)
+    np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
+
+
+@needs_library
+@needs_compiler
+@pytest.mark.slow
+@pytest.mark.parametrize("strips", [16, 64])
+@pytest.mark.parametrize("pair", [{}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425}],
+                         ids=["default", "54E1", "narrow"])
+def test_no_index_leaves_its_array_in_very_many_poses(tmp_path, checked_package, strips, pair):
+    rows = poses(6000, seed=23)
+    rows[::3, 3] = 10 ** np.random.default_rng(24).uniform(-3, 6, len(rows[::3]))
+    checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package, normal_model="analyn_strip",
+                        strips=strips, **pair)
+    usual = run_steps(rows, tmp_path, choice="compiled", normal_model="analyn_strip", strips=strips, **pair)
     np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
 
 

@@ -1,0 +1,204 @@
+"""Tolerance, nodes, strips and sweeps: what a tolerance promises, and what is refused."""
+
+import functools
+import pickle
+
+import numpy as np
+import pytest
+
+import wrcontact
+from wrcontact.interface.session import Refused, Session
+from wrcontact.interface.variables import REFERENCE
+from wrcontact.kernel import layout
+from wrcontact.resolution import ANALYN, ANALYN_STRIP, COUNTS, DEFAULT, FINEST, LADDERS, Resolution, resolve
+
+NAMES = ("penetration", "area", "max_pressure")
+SIDES = ("left", "right")
+FINEST_COUNTS = {"analyn": dict(nodes=38), "analyn_strip": dict(nodes=38, strips=64, sweeps=4)}
+
+
+def random_poses(count, seed):
+    """Lateral shift, yaw, force (count,): as wrcontact/resolution.py describes them."""
+    rng = np.random.default_rng(seed)
+    return (rng.uniform(-6.6e-3, 6.6e-3, count), np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
+            np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)))
+
+
+def numbers(system, poses):
+    """Penetration, area and peak pressure (3, 2 n) of both wheels at all poses."""
+    table = system.evaluate_many(*poses, outputs="patches")
+    assert not table.status.any()
+    return np.array([np.concatenate([getattr(getattr(table, side), name) for side in SIDES]) for name in NAMES])
+
+
+@functools.lru_cache
+def finest(model, count, seed):
+    return numbers(wrcontact.ContactSystem(normal_model=model, **FINEST_COUNTS[model]), random_poses(count, seed))
+
+
+RUNGS = [(model, tolerance) for model, ladder in LADDERS.items() for tolerance in ladder]
+
+
+@pytest.mark.parametrize("model, tolerance", RUNGS)
+def test_tolerance_is_kept_by_95_of_100(model, tolerance):
+    """Each of the three numbers, for 600 wheels: 0.95 less two standard deviations of such a sample."""
+    found = numbers(wrcontact.ContactSystem(normal_model=model, tolerance=tolerance), random_poses(300, 51))
+    error = np.abs(found / finest(model, 300, 51) - 1)
+    assert np.all((error <= tolerance).mean(axis=1) >= 0.932), dict(zip(NAMES, (error <= tolerance).mean(axis=1)))
+    assert (error.max(axis=0) <= tolerance).mean() >= 0.91      # all three at once: 0.94 to 0.96
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("model, tolerance", RUNGS)
+def test_tolerance_is_kept_by_95_of_100_of_very_many(model, tolerance):
+    found = numbers(wrcontact.ContactSystem(normal_model=model, tolerance=tolerance), random_poses(10000, 52))
+    error = np.abs(found / finest(model, 10000, 52) - 1)
+    assert np.all((error <= tolerance).mean(axis=1) >= 0.945), dict(zip(NAMES, (error <= tolerance).mean(axis=1)))
+    assert (error.max(axis=0) <= tolerance).mean() >= 0.93
+
+
+@pytest.mark.parametrize("model", LADDERS)
+def test_smaller_tolerances_err_less_and_work_more(model):
+    """From the coarsest to the finest: the 95th percentile falls, nodes and strips do not."""
+    poses = random_poses(300, 51)
+    errors, work = [], []
+    for tolerance in LADDERS[model]:
+        system = wrcontact.ContactSystem(normal_model=model, tolerance=tolerance)
+        error = np.abs(numbers(system, poses) / finest(model, 300, 51) - 1)
+        errors.append(np.percentile(error.max(axis=0), 95))
+        chosen = system.resolution
+        work.append((chosen.nodes / chosen.stride, chosen.strips * chosen.sweeps if model == "analyn_strip" else 0))
+    assert errors == sorted(errors, reverse=True) and errors[-1] < 0.3 * errors[0], errors
+    assert [strips for _, strips in work] == sorted(strips for _, strips in work)
+
+
+def test_default_is_one_in_a_hundred():
+    for model in LADDERS:
+        plain, told = (wrcontact.ContactSystem(normal_model=model, tolerance=given) for given in (None, DEFAULT))
+        assert DEFAULT == 0.01 and plain.resolution == told.resolution == LADDERS[model][0.01]
+        np.testing.assert_array_equal(plain.evaluate(3e-3, 0.01).values, told.evaluate(3e-3, 0.01).values)
+
+
+@pytest.mark.parametrize("model, tolerance, resolution", [
+    ("analyn", 0.1, ANALYN[0.02]),              # coarser than the coarsest: the coarsest
+    ("analyn", 0.02, ANALYN[0.02]),
+    ("analyn", 0.0199, ANALYN[0.01]),           # the coarsest that keeps it
+    ("analyn", 0.0015, ANALYN[0.0015]),
+    ("analyn_strip", 0.1, ANALYN_STRIP[0.025]),
+    ("analyn_strip", 0.008, ANALYN_STRIP[0.007]),
+    ("analyn_strip", 0.004, ANALYN_STRIP[0.004]),
+])
+def test_the_coarsest_that_keeps_a_tolerance(model, tolerance, resolution):
+    assert resolve(model, tolerance) == resolution
+
+
+def test_counts_take_the_place_of_single_numbers():
+    assert resolve("analyn_strip", strips=40) == ANALYN_STRIP[0.01]._replace(strips=40)
+    assert resolve("analyn_strip", 0.004, sweeps=1) == ANALYN_STRIP[0.004]._replace(sweeps=1)
+    assert resolve("analyn", nodes=20).nodes == 20 and resolve("analyn", nodes=20).stride == 1      # each of them traced
+    assert resolve("analyn_strip", 0.1, 30.0, 64, 4) == Resolution(30, 1, 64, 4)
+    assert all(isinstance(value, int) for value in resolve("analyn_strip", nodes=30.0, strips=np.int64(32)))
+
+
+def test_resolution_reaches_the_kernel():
+    tables = wrcontact.ContactSystem(normal_model="analyn_strip", nodes=20, strips=40, sweeps=3)._tables
+    places = [layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]
+    assert tables[places].tolist() == [20, 1, 40, 3]
+
+
+def test_every_permitted_count_gives_an_answer():
+    """All ends and some between: within 20 % of the finest, where nothing is near a jump."""
+    shifts = np.array([-3e-3, 0.0, 2e-3, 6.4e-3])
+    for model in LADDERS:
+        fine = wrcontact.ContactSystem(normal_model=model, **FINEST_COUNTS[model]).evaluate_many(shifts, 0.005)
+        for nodes in (4, 5, 9, 17, 38):
+            for strips, sweeps in ((None, None),) if model == "analyn" else ((16, 1), (17, 4), (33, 2), (64, 1), (64, 4)):
+                table = wrcontact.ContactSystem(normal_model=model, nodes=nodes, strips=strips, sweeps=sweeps).evaluate_many(
+                    shifts, 0.005)
+                assert not table.status.any()
+                for name in NAMES:
+                    np.testing.assert_allclose(getattr(table.right, name), getattr(fine.right, name), rtol=0.2)
+
+
+def test_pickled_and_shown():
+    system = wrcontact.ContactSystem(normal_model="analyn_strip", tolerance=0.02, strips=40)
+    assert repr(system) == "ContactSystem(normal_model='analyn_strip', tolerance=0.02, strips=40)"
+    assert pickle.loads(pickle.dumps(system)).resolution == system.resolution
+
+
+# --- refusals -----------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("arguments, sentence", [
+    ({"tolerance": 0.2}, "tolerance is 0.2; permitted is 0.0001 ... 0.1 1"),
+    ({"tolerance": 0.0}, "tolerance is 0.0; permitted is 0.0001 ... 0.1 1"),
+    ({"tolerance": "fine"}, "tolerance is 'fine'; permitted is 0.0001 ... 0.1 1"),
+    ({"tolerance": float("nan")}, "tolerance is nan; permitted is 0.0001 ... 0.1 1"),
+    ({"tolerance": 0.001}, "tolerance is 0.001; permitted with the normal_model 'analyn' is 0.0015 ... 0.1 1"),
+    ({"normal_model": "analyn_strip", "tolerance": 0.002},
+     "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1 1"),
+    ({"nodes": 3}, "nodes is 3; permitted are whole numbers 4 ... 38"),
+    ({"nodes": 39}, "nodes is 39; permitted are whole numbers 4 ... 38"),
+    ({"nodes": 10.5}, "nodes is 10.5; permitted are whole numbers 4 ... 38"),
+    ({"nodes": "many"}, "nodes is 'many'; permitted are whole numbers 4 ... 38"),
+    ({"nodes": True}, "nodes is True; permitted are whole numbers 4 ... 38"),
+    ({"nodes": float("nan")}, "nodes is nan; permitted are whole numbers 4 ... 38"),
+    ({"normal_model": "analyn_strip", "strips": 15}, "strips is 15; permitted are whole numbers 16 ... 64"),
+    ({"normal_model": "analyn_strip", "strips": 65}, "strips is 65; permitted are whole numbers 16 ... 64"),
+    ({"normal_model": "analyn_strip", "sweeps": 0}, "sweeps is 0; permitted are whole numbers 1 ... 4"),
+    ({"normal_model": "analyn_strip", "sweeps": 5}, "sweeps is 5; permitted are whole numbers 1 ... 4"),
+    ({"strips": 24}, "strips is 24; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has strips"),
+    ({"sweeps": 2}, "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has sweeps"),
+    ({"normal_model": "hertz", "nodes": 15},
+     "nodes is 15; permitted with the normal_model 'hertz' is None, only 'analyn' or 'analyn_strip' has nodes"),
+    ({"normal_model": "halfspace", "strips": 24},
+     "strips is 24; permitted with the normal_model 'halfspace' is None, only 'analyn_strip' has strips"),
+])
+def test_refusals(arguments, sentence):
+    with pytest.raises(ValueError) as refusal:
+        wrcontact.ContactSystem(**arguments)
+    assert str(refusal.value) == sentence
+
+
+@pytest.mark.parametrize("model", ["analyn", "analyn_strip", "hertz", "halfspace"])
+def test_the_smallest_tolerance_of_each_model_is_permitted(model):
+    wrcontact.ContactSystem(normal_model=model, tolerance=FINEST[model])
+    with pytest.raises(ValueError, match="tolerance is"):
+        wrcontact.ContactSystem(normal_model=model, tolerance=0.999 * FINEST[model])
+
+
+def test_ends_of_the_counts_are_permitted():
+    for name, (low, high) in COUNTS.items():
+        for value in (low, high):
+            assert getattr(wrcontact.ContactSystem(normal_model="analyn_strip", **{name: value}).resolution, name) == value
+
+
+# --- the parameter of an FMU -----------------------------------------------------------------------------------------------------
+
+
+def session_of(tolerance, model="analyn_strip"):
+    session = Session()
+    session.set_strings([REFERENCE["normal_model"]], [model])
+    session.set_reals([REFERENCE["tolerance"]], [tolerance])
+    session.set_reals([REFERENCE["lateral_shift"]], [5e-3])
+    return session
+
+
+@pytest.mark.parametrize("tolerance", [0.025, 0.01, 0.004])
+def test_session_takes_the_tolerance(tolerance):
+    session = session_of(tolerance)
+    session.start()
+    side = wrcontact.ContactSystem(normal_model="analyn_strip", tolerance=tolerance).evaluate(5e-3).right
+    assert session.get_reals([REFERENCE["right.area"]]) == [side.area]
+    assert session.get_reals([REFERENCE["right.max_pressure"]]) == [side.max_pressure]
+    with pytest.raises(Refused, match="tolerance is fixed at .* after initialisation"):
+        session.set_reals([REFERENCE["tolerance"]], [0.02])
+
+
+def test_session_refuses_a_tolerance_out_of_range():
+    with pytest.raises(Refused) as refusal:
+        session_of(0.002).start()
+    assert str(refusal.value) == "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1 1"
+    with pytest.raises(Refused) as refusal:
+        session_of(0.5).start()
+    assert str(refusal.value) == "tolerance is 0.5; permitted is 0.0001 ... 0.1 1"
