@@ -121,6 +121,7 @@ def test_a_random_pose_is_the_same_again():
                                                                 for slope in random_poses.INCLINATIONS}
 
 
+@pytest.mark.slow
 def test_an_ended_run_goes_on(tmp_path, monkeypatch):
     store = tmp_path / "poses.csv"
     whole = random_poses.references(2, store, processes=1)

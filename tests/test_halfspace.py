@@ -281,7 +281,7 @@ def plane_of(system, shift, yaw, side):
     return true_gap.contact_plane(stepper._tables, rigid_state.values, stepper.inputs, int(side == "right"))
 
 
-@pytest.mark.parametrize("name", POSES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] if k else []) for k, name in enumerate(POSES)])
 def test_true_gap_is_that_of_the_independent_program(system, track, name):
     """Wherever the gap is below 2 mm: to 1e-11 m, or 1.2e-7 m across the printed steps of S1002, which both take out in
     their own ways (wrcontact/profiles/compiled.py; without_steps)."""

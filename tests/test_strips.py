@@ -242,7 +242,7 @@ def test_yawed_ball_end_to_end(yaw):
 
 
 POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6.2, 6.3, 6.4, 6.5)      # [mm]
-FEW = (0.5, 3, 5.5, 6.3)
+FEW = (0.5, 5.5)
 #: Where ANALYN and strips are worst: a second region takes up load, and the load leaves the first one.
 HARD = (4.55, 4.6, 4.65, 4.7, 4.75, 5.0, 5.1, 5.2, 5.3, 5.4)
 
@@ -260,7 +260,7 @@ def errors_at(model, shifts):
 
 
 @pytest.mark.parametrize("shift", FEW)
-def test_half_space_on_four_positions(shift):
+def test_half_space_on_two_positions(shift):
     assert np.all(np.abs(errors_at("analyn", (shift,))) < (0.035, 0.05, 0.05))
     assert np.all(np.abs(errors_at("analyn_strip", (shift,))) < (0.007, 0.01, 0.012))
 

@@ -90,6 +90,7 @@ def test_contact_with_its_own_geometry(row):
     assert found.area * 1e6 == pytest.approx(row["area_fit_mm2"], rel=1e-2)
 
 
+@pytest.mark.slow
 def test_small_load_is_hertz_with_the_local_curvatures():
     """Flank (straight) on the rail's R13 corner: B = 1/2 R13; along the rail A = cos(delta) / 2 r."""
     system = track()
@@ -103,6 +104,7 @@ def test_small_load_is_hertz_with_the_local_curvatures():
     assert found.area == pytest.approx(pi * a * b, rel=1e-2)
 
 
+@pytest.mark.slow
 def test_left_is_the_mirror_image():
     """The left wheel at -y, -yaw is the right wheel at y, yaw."""
     system = track()
