@@ -1,104 +1,130 @@
-"""Run time and error of the wheelset, side by side, as a Markdown table.
+"""Run time beside error, as Markdown tables and a picture.
 
-    python -m benchmarks [--quick]
+    python -m benchmarks [--quick] [--readme] [--picture PATH] [--random N]
 
-The unit is ``np.sqrt`` of 2000 doubles, timed in turn with each row, so that figures of two machines compare; a row is
-the smallest of several rounds, since noise only adds.  A row is one wheelset: search, roll and both wheels' patches.
-Errors are against tests/trajectories/hunting.csv: rigid positions by brute force, patches by a half-space solver
-(complete theory) on the true three-dimensional gap.
+What is measured and what came out is in docs/benchmarks.md.  The unit is ``np.sqrt`` of 2000 doubles, timed in turn with
+each row, so that figures of two machines compare; a row is the smallest of several rounds, since noise only adds.
 """
 
-import csv
+import argparse
 import sys
 import tempfile
-import timeit
 from pathlib import Path
 
-import numpy as np
+from wrcontact.plots import style
 
-import wrcontact
+from . import counts, growth, machine, picture, random_poses, rows, skips
+from .peers import PEERS, SOURCE
+from .table import figure, markdown, percent
 
-from . import fmu_step
+HEADER = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean", "worst"]
+RANDOM = 2000  # poses of a full run
+QUICK_RANDOM = 4
 
-RUN = Path(__file__).parents[1] / "tests" / "trajectories" / "hunting.csv"
-PATCH = ("penetration", "area", "max_pressure")
+
+def main(arguments=None):
+    options = parsed(arguments)
+    effort = rows.QUICK if options.quick else rows.FULL
+    if options.readme:
+        print(readme(effort))
+        return
+    print(machine.description() + "\n", flush=True)
+    measured = measure(rows.all_rows(effort), effort)
+    print(full_table(measured, effort), flush=True)
+    if options.picture:
+        print(style.save(picture.figure(measured), options.picture), file=sys.stderr)
+    for part in (skip_table, count_table, growth_table, thread_table):
+        print(part(effort), flush=True)
+    print(random_poses.numerics(effort.count), flush=True)
+    print(random_part(options), flush=True)
+    print(machine.description())
 
 
-def main(quick=False):
-    rounds, count = (3, 500) if quick else (15, 2000)
-    analyn, hertz = wrcontact.ContactSystem(), wrcontact.ContactSystem(normal_model="hertz")
-    turn, random = np.linspace(0.0, 12.0, count), np.random.default_rng(0)
-    trajectory, anywhere = 6.6e-3 * np.sin(turn), random.uniform(-6.6e-3, 6.6e-3, count)
-    swing, any_yaw = 0.02 * np.cos(turn), random.uniform(-0.03, 0.03, count)
-    rigid, patches, ellipses = rigid_error(analyn), patch_error(analyn), patch_error(hertz)
-    rows = [
-        ("geometry alone (unloaded), trajectory", many(analyn, trajectory, 0.0, 0.0), count, rigid),
-        ("Hertz, trajectory", many(hertz, trajectory, 0.0), count, ellipses),
-        ("ANALYN, trajectory", many(analyn, trajectory, 0.0), count, patches),
-        ("ANALYN, trajectory with yaw", many(analyn, trajectory, swing), count, patches),
-        ("ANALYN, random poses", many(analyn, anywhere, 0.0), count, patches),
-        ("ANALYN, random poses with yaw", many(analyn, anywhere, any_yaw), count, patches),
-        ("ANALYN, `evaluate()` from Python, trajectory", one_by_one(analyn, trajectory), count, patches),
-    ]
-    print("| one wheelset, both patches | units | µs | error (mean / worst) |")
-    print("|---|---|---|---|")
-    for name, work, calls, error in rows:
-        seconds, units = cost(work, calls, rounds)
-        print(f"| {name} | {units:.1f} | {seconds * 1e6:.1f} | {error} |", flush=True)
+def parsed(arguments):
+    parser = argparse.ArgumentParser("python -m benchmarks", description="Run time beside error; see docs/benchmarks.md.")
+    parser.add_argument("--quick", action="store_true", help="few poses and rounds: does everything run? (half a minute)")
+    parser.add_argument("--readme", action="store_true", help="only the README's table")
+    parser.add_argument("--picture", metavar="PATH", help="draw run time against error")
+    parser.add_argument("--random", metavar="N", type=int, default=None, help="random poses against the half-space, about "
+                        f"0.1 s each with two free cores ({RANDOM}); kept in {random_poses.STORE}, so that a run that was "
+                        "ended goes on")
+    return parser.parse_args(arguments)
+
+
+def measure(chosen, effort, short=False):
+    """Rows with their figures, the FMU's the last one."""
+    measured = []
+    for row in chosen:
+        if row.short or not short:
+            measured.append(row.measure())
+            print(f"{row.name}: {row.cost.microseconds:.1f} µs", file=sys.stderr, flush=True)
     with tempfile.TemporaryDirectory() as folder:
-        seconds, units = fmu_step.whole_step(folder, rounds)
-    print(f"| FMU step through fmpy's slave object: 5 inputs, all outputs | {units:.1f} | {seconds * 1e6:.1f} | {patches} |")
-    print(f"\nunit: np.sqrt of 2000 doubles, {unit() * 1e6:.2f} µs here; kernel "
-          f"{'compiled' if analyn.stepper().compiled else 'UNCOMPILED'}")
+        return [*measured, rows.fmu_row(folder, effort)]
 
 
-def many(system, shift, yaw, force=78.5e3):
-    return lambda: system.evaluate_many(shift, yaw, force)
+# --------------------------------------------------------------------------------------------------------------- tables
 
 
-def one_by_one(system, shift):
-    shifts = shift.tolist()
-    return lambda: [system.evaluate(lateral_shift=value) for value in shifts]
+def full_table(measured, effort):
+    """Every row, and what other programs tell."""
+    text = markdown("Run time and error", HEADER, [cells(row) for row in measured] + [peer_cells(peer) for peer in PEERS])
+    notes = ["Errors in % of penetration / area / peak pressure, mean and worst."]
+    if effort.every > 1:
+        notes.append(f"Quick run: the half-space solves every {effort.every}th row of the hunting run.")
+    return text + "\n" + " ".join(notes) + "\n"
 
 
-def cost(work, calls, rounds):
-    """Seconds of one call and units, each the smallest of ``rounds`` taken in turn."""
-    found = [(timeit.timeit(work, number=1) / calls, unit()) for _ in range(rounds)]
-    return min(seconds for seconds, _ in found), min(seconds / one for seconds, one in found)
+def cells(row):
+    figures = [row.name, figure(row.cost.units), figure(row.cost.microseconds)]
+    if row.rigid:
+        return [*figures, "", "", "", row.rigid]
+    return [*figures, *(percent(part) for found in (row.positions, row.hunting) for part in (found.mean, found.worst))]
 
 
-def unit():
-    values = np.linspace(0.0, 1.0, 2000)
-    return min(timeit.repeat(lambda: np.sqrt(values), number=300, repeat=5)) / 300
+def peer_cells(peer):
+    time = " … ".join(figure(time) for time in peer.microseconds) if peer.milliseconds else "not told"
+    errors = ("0 by definition", "") if not peer.mean.any() else (percent(peer.mean), percent(peer.worst))
+    return [f"{peer.name} ({SOURCE})", "", time, *errors, "", ""]
 
 
-def stored_run():
-    with open(RUN, newline="", encoding="utf-8") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, np.array(rows, dtype=float).T))
+def readme(effort):
+    """The README's rows: errors as one figure for each quantity, on the positions and, at worst, on the run."""
+    measured = measure(rows.all_rows(effort), effort, short=True)
+    return markdown("Run time and error", HEADER, [cells(row) for row in measured] + [peer_cells(peer) for peer in PEERS])
 
 
-def evaluated(system, run):
-    return system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"], run["load_transfer"])
+def skip_table(effort):
+    found = [skip.measure(effort.rounds) for skip in skips.all_skips(effort)]
+    return markdown("What is not wanted is not computed", ["skipped", "units", "full cost", "share", "answer"],
+                    [[skip.name, figure(skip.less.units), figure(skip.more.units),
+                      f"{100 * skip.less.units / skip.more.units:.0f} %", skip.answer] for skip in found])
 
 
-def rigid_error(system):
-    run = stored_run()
-    table = evaluated(system, run)
-    roll = np.max(np.abs(table.roll - run["roll"]))
-    place = max(np.max(np.abs(getattr(getattr(table, side).contact, name) - run[f"{side}.contact.{name}"]))
-                for side in ("left", "right") for name in ("x_wheel", "y_wheel", "z_wheel"))
-    return f"roll {roll:.0e} rad, position {place * 1e3:.0e} mm (worst)"
+def count_table(effort):
+    return markdown("How much work a pose is", *counts.table(effort.count))
 
 
-def patch_error(system):
-    run = stored_run()
-    table = evaluated(system, run)
-    errors = [100 * np.abs(np.concatenate([getattr(getattr(table, side), name) / run[f"{side}.{name}"] - 1
-                                           for side in ("left", "right")])) for name in PATCH]
-    mean, worst = (" / ".join(f"{figure(error):.1f}" for error in errors) for figure in (np.mean, np.max))
-    return f"{mean} % mean, {worst} % worst (penetration / area / peak pressure)"
+def growth_table(effort):
+    numbers = growth.NUMBERS[:4] if effort.rounds < rows.FULL.rounds else growth.NUMBERS
+    return markdown("Growth with the number of wheelsets, evaluate_many, random poses with yaw",
+                    ["wheelsets", "units each", "µs each"],
+                    [[f"{number:,}", figure(cost.units), figure(cost.microseconds)]
+                     for number, cost in growth.wheelsets(numbers, effort.rounds)])
+
+
+def thread_table(effort):
+    found = growth.threads(10 * effort.count, effort.rounds)
+    return markdown(f"Growth with threads, each with its own stepper; load average {machine.load_average():.1f}",
+                    ["threads", "µs a wheelset", "speed-up"],
+                    [[count, figure(1e6 * seconds), f"{gain:.2f}"] for count, seconds, gain in found])
+
+
+def random_part(options):
+    if not options.quick:
+        return random_poses.compared(RANDOM if options.random is None else options.random)
+    with tempfile.TemporaryDirectory() as folder:
+        return random_poses.compared(options.random or QUICK_RANDOM, store=Path(folder) / "random_poses.csv")
 
 
 if __name__ == "__main__":
-    main(quick="--quick" in sys.argv[1:])
+    main()

@@ -1,0 +1,62 @@
+"""How much work a pose is, counted by the kernel itself (STATE_... in wrcontact/kernel/layout.py)."""
+
+import numpy as np
+
+from wrcontact.kernel import layout, search
+
+from . import runs
+from .rows import system
+
+COUNTS = {  # per wheelset; the scan is asked for a smaller gap, one per side and roll
+    "gap evaluations": layout.STATE_GAP_COUNT,
+    "scans": layout.STATE_SCAN_COUNT,
+    "roll iterations": layout.STATE_ROLL_COUNT,
+    "normal-gap nodes": layout.STATE_NODE_COUNT,
+    "force solves": layout.STATE_SOLVE_COUNT,
+    "strip systems": layout.STATE_STRIP_COUNT,
+}
+ROOT, FLANGE = 4.848e-3, 6.252e-3  # [m] where the contact jumps without yaw
+
+
+def classes(count):
+    """Poses by class."""
+    turn = np.linspace(0.0, 1.0, count)
+    straight = 0.0 * turn
+    return {
+        "trajectory": runs.trajectory(count, yaw=0.0),
+        "trajectory with yaw": runs.trajectory(count),
+        "random": runs.anywhere(count, yaw=0.0),
+        "random with yaw": runs.anywhere(count),
+        "tread (0 … 4.8 mm), slowly": (ROOT * turn, straight),
+        "flange root (4.85 … 6.25 mm), slowly": (ROOT + (FLANGE - ROOT) * turn, straight),
+        "flange (6.25 … 7.5 mm), slowly": (FLANGE + (7.5e-3 - FLANGE) * turn, straight),
+    }
+
+
+def per_wheelset(model, poses):
+    """Mean counts (6,) of a model's poses, those of :data:`COUNTS`."""
+    stepper = system(normal_model=model).stepper()
+    shift, yaw = poses
+    inputs = np.column_stack([shift, yaw, 0 * shift, np.full(len(shift), runs.FORCE), 0 * shift])
+    outputs, status = np.empty((len(shift), layout.OUTPUT_COUNT)), np.empty(len(shift))
+    stepper.step_many(inputs, outputs, status)
+    if np.any(status != 0):
+        raise ArithmeticError(f"{np.sum(status != 0)} poses are not solved")
+    return stepper.state[list(COUNTS.values())] / len(shift)
+
+
+def raster():
+    """Nodes of the wheel's raster: gap evaluations of a scan that knew no bounds."""
+    tables = system()._tables
+    return int(tables[int(tables[layout.SET_SCAN]) + search.SCAN_COUNT])
+
+
+def table(count):
+    """Header and rows."""
+    header = ["per wheelset", "full raster: gap evaluations", *COUNTS]
+    rows = []
+    for model in ("analyn", "analyn_strip"):
+        for name, poses in classes(count).items():
+            found = per_wheelset(model, poses)
+            rows.append([f"{model}, {name}", f"{raster() * found[1]:.0f}", *(f"{value:.1f}" for value in found)])
+    return header, rows

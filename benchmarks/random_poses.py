@@ -1,0 +1,189 @@
+"""Random poses of random tracks: ANALYN and its strip correction against the complete theory, each wheel by itself.
+
+    |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or 1:20, up to 2 deg of yaw in half
+
+Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended goes on
+where it was, a larger one only adds, and a changed model is compared anew within a second.
+"""
+
+import math
+import multiprocessing
+import os
+import sys
+import time
+from functools import cache
+from math import radians
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+import wrcontact
+from wrcontact.resolution import COUNTS, LADDERS, USERS
+
+from .table import markdown, percent
+
+SEED = 2014
+RAILS, INCLINATIONS = ("UIC60", "60E1", "54E1"), (1 / 40, 1 / 20)
+SHIFT, YAW = 6.6e-3, radians(2)  # [m, rad] largest
+FORCE = 3e3, 200e3  # [N]
+TOLERANCE = 0.01  # of the half-space
+STORE = Path("out") / "random_poses.csv"
+SIDES, PATCH = ("left", "right"), ("penetration", "area", "max_pressure")
+PATCH_NAMES = ("penetration", "area", "peak pressure")
+PERCENTILES = (50, 95, 99, 100)
+WORST = 5
+CHUNK = 8  # poses that a process takes at a time
+
+
+class Pose(NamedTuple):
+    """A wheelset on one of the tracks; SI units."""
+
+    rail: str
+    inclination: float
+    lateral_shift: float
+    yaw: float
+    normal_force: float
+
+    def __str__(self):
+        return (f"{self.rail} 1:{1 / self.inclination:.0f}, lateral_shift={self.lateral_shift:.9f}, yaw={self.yaw:.9f}, "
+                f"normal_force={self.normal_force:.2f}")
+
+
+def pose(index):
+    """Pose ``index`` of the endless list."""
+    random = np.random.default_rng((SEED, index))
+    rail, inclination = RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))]
+    shift, yaw, force = random.uniform((-SHIFT, -YAW, np.log(FORCE[0])), (SHIFT, YAW, np.log(FORCE[1]))).tolist()
+    return Pose(rail, inclination, shift, yaw if index % 2 else 0.0, math.exp(force))
+
+
+@cache
+def system(rail, inclination, **options):
+    return wrcontact.ContactSystem(rail=rail, rail_inclination=inclination, **options)
+
+
+# ---------------------------------------------------------------------------------------------------- complete theory
+
+
+def solve(index):
+    """Line of the file: index, pose, penetration, area and peak pressure of both wheels; NaN where it does not converge."""
+    where = pose(index)
+    model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
+    state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
+    found = [getattr(getattr(state, side), name) for side in SIDES for name in PATCH]
+    return [*heading(index), *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
+
+
+def heading(index):
+    """First cells of a line."""
+    return [str(index), *map(str, pose(index))]
+
+
+def references(count, store=STORE, processes=None):
+    """Half-space answers (count, 6) of the first ``count`` poses; what is not in the file is solved and added to it."""
+    store.parent.mkdir(parents=True, exist_ok=True)
+    known = {int(row[0]): row for row in stored(store)}
+    missing = [index for index in range(count) if index not in known]
+    if missing:
+        store.write_text("".join(map(line, known.values())), encoding="utf-8")
+        with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
+                open(store, "a", newline="", encoding="utf-8") as file:
+            for row in told(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
+                file.write(line(row))
+                file.flush()
+                known[int(row[0])] = row
+    return np.array([known[index][-6:] for index in range(count)], dtype=float)
+
+
+def line(row):
+    return ",".join(row) + "\n"
+
+
+def stored(store):
+    """Rows of the file; not what an ended run left of a line, and not other poses than these."""
+    lines = store.read_text(encoding="utf-8").splitlines(keepends=True) if store.exists() else []
+    rows = [text.strip().split(",") for text in lines if text.endswith("\n")]
+    return [row for row in rows if row[:-6] == heading(int(row[0]))]
+
+
+def told(rows, count):
+    """The rows as they come; now and then a line says how long the rest will take."""
+    start = time.perf_counter()
+    for done, row in enumerate(rows, 1):
+        yield row
+        if done == 100 or done % 1000 == 0:
+            each = (time.perf_counter() - start) / done
+            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to go", file=sys.stderr, flush=True)
+
+
+# ------------------------------------------------------------------------------------------------------------- models
+
+
+def answers(poses, **options):
+    """A model's (n, 6), in the order of the half-space's, and status (n,)."""
+    found, status = np.full((len(poses), 6), np.nan), np.full(len(poses), -1)
+    tracks = np.array([(RAILS.index(each.rail), each.inclination) for each in poses])
+    for track in np.unique(tracks, axis=0):
+        here = np.flatnonzero((tracks == track).all(axis=1))
+        moving = np.array([each[2:] for each in poses])[here].T
+        table = system(RAILS[int(track[0])], float(track[1]), **options).evaluate_many(*moving)
+        found[here] = np.column_stack([getattr(getattr(table, side), name) for side in SIDES for name in PATCH])
+        status[here] = table.status
+    return found, status
+
+
+def compared(count, models=("analyn", "analyn_strip"), store=STORE):
+    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst poses."""
+    truth, poses = references(count, store), [pose(index) for index in range(count)]
+    lost = np.isnan(truth).any(axis=1)
+    header = ["", *PATCH_NAMES]
+    parts, rows = [f"{lost.sum()} of {count} poses are left out: the half-space does not converge to {TOLERANCE:g}."], []
+    for model in models:
+        found, status = answers(poses, normal_model=model)
+        refused = np.isin(status, (2, 3, 4)) & ~lost
+        parts.append(f"{model}: {refused.sum()} poses not solved.")
+        kept = np.flatnonzero(~lost & ~refused)
+        shares = np.abs(found[kept] / truth[kept] - 1).reshape(-1, 2, 3)
+        rows += [[f"{model}, {name}", *(f"{100 * value:.1f}" for value in values)] for name, values in quantiles(shares)]
+        parts.append("Worst:\n" + "\n".join(worst(poses, kept, shares)))
+    title = f"{count} random poses, {2 * count} wheels: error against the half-space at {TOLERANCE:g} in %"
+    return markdown(title, header, rows) + "\n" + "\n\n".join(parts) + "\n"
+
+
+def quantiles(shares):
+    """Name and values (3,) of mean and percentiles of shares (n, 2, 3)."""
+    wheels = shares.reshape(-1, 3)
+    yield "mean", wheels.mean(axis=0)
+    for percentile in PERCENTILES:
+        yield "worst" if percentile == 100 else f"{percentile} of 100", np.percentile(wheels, percentile, axis=0)
+
+
+def worst(poses, kept, shares):
+    """Lines on the wheels with the largest error of any kind, one for each."""
+    largest = shares.max(axis=2)
+    for place in np.argsort(largest, axis=None)[::-1][:WORST]:
+        row, side = np.unravel_index(place, largest.shape)
+        yield f"* {percent(shares[row, side])} %, {SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}"
+
+
+# ---------------------------------------------------------------------------------------------------------- tolerances
+
+
+def numerics(count):
+    """Text: what each tolerance keeps of the same model resolved as finely as the kernel can, S1002 on UIC60 1:40."""
+    poses = [pose(index)._replace(rail="UIC60", inclination=1 / 40) for index in range(count)]
+    rows = []
+    for model, ladder in LADDERS.items():
+        finest = {name: high for name, (_, high) in COUNTS.items() if model in USERS[name]}
+        truth, _ = answers(poses, normal_model=model, **finest)
+        for tolerance in ladder:
+            found, _ = answers(poses, normal_model=model, tolerance=tolerance)
+            wheels = np.abs(found / truth - 1).reshape(-1, 3)
+            wheel = int(np.nanargmax(wheels.max(axis=1)))
+            rows.append([f"{model}, tolerance {tolerance:g}",
+                         *(percent(np.nanpercentile(wheels, at, axis=0)) for at in PERCENTILES),
+                         f"{SIDES[wheel % 2]}, pose {wheel // 2}"])
+    header = ["numerics", *(f"{percentile} of 100" for percentile in PERCENTILES[:-1]), "worst", "where"]
+    return markdown(f"What a tolerance keeps of the same model at its finest, {count} random poses on UIC60 1:40, in % of "
+                    "penetration / area / peak pressure", header, rows)

@@ -1,0 +1,165 @@
+"""What is timed, each with its errors: models by tolerance, strips and sweeps, the ways to call them.
+
+A row is one wheelset: search, roll, both wheels' patches.  Where nothing else is said, poses come in the order of a
+trajectory without yaw and are evaluated by evaluate_many.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+import wrcontact
+from wrcontact.resolution import LADDERS
+
+from . import errors, runs
+from .machine import Cost, cost
+
+HALFSPACE = (0.1, 0.03, 0.01, 0.005, 0.003)  # tolerances
+STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
+EVERY = 10  # row of the hunting run that the half-space solves in a quick run
+HALFSPACE_FORM = "halfspace, tolerance {:g}"
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How much is spent on measuring."""
+
+    count: int  # poses of a timed run
+    rounds: int
+    halfspace: tuple  # tolerances
+    every: int  # row of the hunting run that the half-space solves
+
+
+FULL = Effort(2000, 12, HALFSPACE, 1)
+QUICK = Effort(300, 3, HALFSPACE[:2], EVERY)
+
+
+@dataclass
+class Row:
+    """One line of the table: ``work`` makes ``calls``; ``kind`` is its group, and its marker in the picture."""
+
+    name: str
+    kind: str
+    work: Callable
+    calls: int
+    system: object
+    rounds: int
+    every: int = 1
+    short: bool = False  # also in the README
+    cost: Cost = None
+    positions: errors.Errors = None
+    hunting: errors.Errors = None
+    rigid: str = ""
+    setting: str = ""  # in the picture
+
+    def measure(self):
+        """Fill in cost and errors."""
+        self.cost = cost(self.work, self.calls, self.rounds)
+        if self.kind == "geometry":
+            self.rigid = errors.rigid(self.system)
+        else:
+            self.positions, self.hunting = errors.positions(self.system), errors.hunting(self.system, self.every)
+        return self
+
+
+@cache
+def system(**options):
+    return wrcontact.ContactSystem(**options)
+
+
+def all_rows(effort):
+    """Every measured row, not yet measured."""
+    return [*formulas(effort), *ladders(effort), *halfspace(effort), *strips(effort), *orders(effort), *doors(effort)]
+
+
+def batch(system, poses, **options):
+    """A call of evaluate_many."""
+    shift, yaw = poses
+    return lambda: system.evaluate_many(shift, yaw, runs.FORCE, **options)
+
+
+def formulas(effort):
+    """Geometry alone; Hertz."""
+    poses = runs.trajectory(effort.count, yaw=0.0)
+    yield Row("geometry and roll alone", "geometry", batch(system(), poses, outputs="geometry"), effort.count, system(),
+              effort.rounds, short=True)
+    hertz = system(normal_model="hertz")
+    yield Row("Hertz", "Hertz", batch(hertz, poses), effort.count, hertz, effort.rounds, short=True)
+
+
+def ladders(effort):
+    """ANALYN and the strip correction at each tolerance that they know, and ANALYN's other choice of A(s)."""
+    poses = runs.trajectory(effort.count, yaw=0.0)
+    for model, ladder in LADDERS.items():
+        for tolerance, resolution in ladder.items():
+            of = system(normal_model=model, tolerance=tolerance)
+            strips = f", {resolution.strips} strips × {resolution.sweeps}" if model == "analyn_strip" else ""
+            yield Row(f"{model}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})", model, batch(of, poses),
+                      effort.count, of, effort.rounds, setting=f"{tolerance:g}",
+                      short=tolerance in (0.01, min(ladder)) and (model, tolerance) != ("analyn", min(ladder)))
+    basic = system(longitudinal_curvature="basic")
+    yield Row("analyn, longitudinal curvature basic", "analyn", batch(basic, poses), effort.count, basic, effort.rounds)
+
+
+def halfspace(effort):
+    """The complete theory by tolerance, timed on the 20 positions."""
+    shift = runs.stored(runs.POSITIONS)["lateral_shift"]
+    for tolerance in effort.halfspace:
+        of = system(normal_model="halfspace", tolerance=tolerance)
+        yield Row(HALFSPACE_FORM.format(tolerance), "halfspace", batch(of, (shift, 0.0 * shift)), len(shift), of,
+                  min(2, effort.rounds), effort.every, short=tolerance == 0.01, setting=f"{tolerance:g}")
+
+
+def strips(effort):
+    """Number of strips and sweeps, nodes as at the default tolerance."""
+    poses = runs.trajectory(effort.count, yaw=0.0)
+    for sweeps in SWEEPS:
+        for strips in STRIPS:
+            of = system(normal_model="analyn_strip", strips=strips, sweeps=sweeps)
+            yield Row(f"analyn_strip, {strips} strips × {sweeps}", "strips", batch(of, poses), effort.count, of,
+                      max(2, effort.rounds // 3), setting=f"× {sweeps}")
+
+
+def orders(effort):
+    """The order of the poses, and yaw."""
+    for of, short in ((system(), True), (system(normal_model="analyn_strip"), False)):
+        model = of.parameters["normal_model"]
+        for name, poses in (("trajectory with yaw", runs.trajectory(effort.count)),
+                            ("random poses", runs.anywhere(effort.count, yaw=0.0)),
+                            ("random poses with yaw", runs.anywhere(effort.count))):
+            yield Row(f"{model}, {name}", "order", batch(of, poses), effort.count, of, effort.rounds,
+                      short=short and "with yaw" in name)
+
+
+def doors(effort):
+    """evaluate() and stepper; the FMU is in :func:`fmu_row`."""
+    shift, yaw = runs.trajectory(effort.count)
+    poses = list(zip(shift.tolist(), yaw.tolist()))
+    stepper = system().stepper()
+
+    def step():
+        for stepper.inputs[0], stepper.inputs[1] in poses:
+            stepper.step()
+
+    stepper.inputs[3] = runs.FORCE
+    yield Row("analyn, trajectory with yaw, `evaluate()` from Python", "door",
+              lambda: [system().evaluate(shift, yaw) for shift, yaw in poses], effort.count, system(), effort.rounds, short=True)
+    yield Row("analyn, trajectory with yaw, stepper from Python", "door", step, effort.count, system(), effort.rounds)
+
+
+def fmu_row(folder, effort):
+    """The FMU's step through fmpy's slave object, measured."""
+    from . import fmu_step
+
+    row = Row("analyn, hunting with yaw, FMU step through fmpy: 5 inputs in, all outputs out", "FMU", None, 0, system(), 0,
+              short=True)
+    row.cost = Cost(*fmu_step.whole_step(folder, effort.rounds))
+    row.positions, row.hunting = errors.positions(system()), errors.hunting(system())
+    return row
+
+
+def mean_error(found):
+    """One figure of three: the mean of the means, a share."""
+    return float(np.mean(found.mean))

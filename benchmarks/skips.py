@@ -1,0 +1,98 @@
+"""What need not be computed: each skip beside the full cost, and what it does to the answer."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import errors, runs
+from .machine import Cost, cost
+from .rows import batch, system
+from .table import percent
+
+
+@dataclass
+class Skip:
+    """``work`` without what is skipped and ``full`` with it, ``calls`` each; ``answer`` is what becomes of the answer."""
+
+    name: str
+    work: Callable
+    full: Callable
+    calls: int
+    answer: str
+    less: Cost = None
+    more: Cost = None
+
+    def measure(self, rounds):
+        self.less, self.more = cost(self.work, self.calls, rounds), cost(self.full, self.calls, rounds)
+        return self
+
+
+def all_skips(effort):
+    """Every :class:`Skip`, not yet measured."""
+    straight, yawed = runs.trajectory(effort.count, yaw=0.0), runs.trajectory(effort.count)
+    count, full = effort.count, batch(system(), runs.trajectory(effort.count, yaw=0.0))
+    coarse, fine = system(tolerance=0.02), system(tolerance=0.0015)
+    ignored = errors.hunting(system(), yawed=False)
+    yield Skip("no yaw", full, batch(system(), yawed), count,
+               f"run with its yaw left out: {percent(ignored.mean)} mean, {percent(ignored.worst)} worst")
+    yield Skip("inputs unchanged, stepper", *resting(count), count, "the same bits")
+    yield Skip("inputs unchanged, `evaluate()`", *resting_evaluate(count), count, "the same bits")
+    yield Skip('geometry alone, `outputs="geometry"`', batch(system(), straight, outputs="geometry"), full, count,
+               "the same bits")
+    yield Skip('no outline, `outputs="patches"`', batch(system(), straight, outputs="patches"), full, count, "the same bits")
+    yield Skip('one side, `side="right"`', batch(system(), straight, side="right"), full, count, "the same bits")
+    yield Skip("a wheel without load, `load_transfer=1`", loaded(straight, 1.0), full, count, "its patch is empty")
+    yield Skip("known basin: the search starts at the last contact (geometry alone)",
+               batch(system(), straight, outputs="geometry"), wrong_start(straight), count, "the same minimum, bounded")
+    yield Skip("force solve: penetration prescribed, the most that its history could save", sunk(straight), full, count,
+               "another question")
+    yield Skip("tolerance 0.02 instead of 0.0015", batch(coarse, straight), batch(fine, straight), count, compared(coarse, fine))
+
+
+def resting(count):
+    """Steps of a stepper at one pose, and at poses that change in the last digits."""
+    stepper = system().stepper()
+    stepper.inputs[:] = 1e-3, 0.0, 0.0, runs.FORCE, 0.0
+
+    def rest():
+        stepper.inputs[0] = 1e-3
+        for _ in range(count):
+            stepper.step()
+
+    def move():
+        for k in range(count):
+            stepper.inputs[0] = 1e-3 + 1e-9 * k
+            stepper.step()
+
+    return rest, move
+
+
+def resting_evaluate(count):
+    evaluate = system().evaluate
+    return (lambda: [evaluate(1e-3) for _ in range(count)]), (lambda: [evaluate(1e-3 + 1e-9 * k) for k in range(count)])
+
+
+def loaded(poses, transfer):
+    shift, yaw = poses
+    return lambda: system().evaluate_many(shift, yaw, runs.FORCE, transfer)
+
+
+def wrong_start(poses):
+    """Poses whose roll guess is given: nothing is known of the contacts then."""
+    shift, yaw = poses
+    return lambda: system().evaluate_many(shift, yaw, runs.FORCE, roll_guess=1e-3, outputs="geometry")
+
+
+def sunk(poses):
+    """Poses at their own mean penetration instead of their force."""
+    shift, yaw = poses
+    table = system().evaluate_many(shift, yaw, runs.FORCE)
+    mean = tuple(float(np.mean(side.penetration)) for side in (table.left, table.right))
+    return batch(system(), poses, penetration=mean)
+
+
+def compared(coarse, fine):
+    """Mean errors of two systems on the hunting run, in words."""
+    before, after = errors.hunting(coarse), errors.hunting(fine)
+    return f"run: {percent(before.mean)} instead of {percent(after.mean)} mean"
