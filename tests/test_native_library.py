@@ -254,3 +254,13 @@ def test_end_of_a_range_is_read_once(tmp_path):
     path = tmp_path / "turns.py"
     path.write_text("def turns(n: int) -> int:\n    for i in range(1, n + 1):\n        n = 2\n    return n\n")
     assert "    i_end = n + 1\n    for i in range(1, i_end):\n" in Module(path).source().decode()
+
+
+def test_a_bare_step_keeps_its_arrays():
+    """``step`` may outlive its stepper; its arrays then stay."""
+    stepper = wrcontact.ContactSystem().stepper()
+    stepper.inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    kept, step = weakref.ref(stepper.outputs), stepper.step
+    del stepper
+    gc.collect()
+    assert step() == 0 and kept() is not None

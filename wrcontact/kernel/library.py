@@ -71,8 +71,9 @@ class CompiledKernel:
 
     def __init__(self, library, arrays):
         self._library = library
-        self._arrays = arrays                       # the handle holds bare addresses: they live as long as it does
-        self._handle = ctypes.byref(Handle(*map(span, arrays)))
+        handle = Handle(*map(span, arrays))
+        handle.arrays = arrays                      # it holds bare addresses: they live as long as it, or a bare ``step``, does
+        self._handle = ctypes.byref(handle)
         self.step = partial(library.wrcontact_step, self._handle)       # no method: a third of the cost is the look-up
 
     def step_many(self, count, inputs, outputs, statuses):

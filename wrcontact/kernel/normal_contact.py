@@ -40,7 +40,7 @@ COVER: Final[float] = 1.1
 #: this share; the estimate of the level is within 12 % for nine of ten poses.
 SPREAD: Final[float] = 1.25
 #: The same where strips follow, which lie beyond ANALYN's patch too (strips.BEYOND).
-STRIP_SPREAD: Final[float] = 1.8
+STRIP_SPREAD: Final[float] = 3.0
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
 #: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no curvature.

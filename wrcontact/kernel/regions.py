@@ -7,7 +7,7 @@ between them stays below MERGE of the penetration; otherwise the hump bounds bot
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_SIN, FRAME_Y, TRACER_RAIL,
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_SIN, FRAME_Y, NO_GAP, TRACER_RAIL,
                             TRACER_WHEEL, normal_gap, start_tracer)
 from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
                      SIDE_NODE, WORK_REGION)
@@ -238,6 +238,9 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
             width = limit
         gap, rate, bend, curvature = normal_gap(tables, work, state,
                                                 work[block + REGION_STATION] + direction * width, tolerance)
+        if gap >= NO_GAP:
+            # beyond an end the tracer has lost its way
+            start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
         rise = gap - work[block + REGION_GAP]
         if rise < level:
             low = width

@@ -316,6 +316,11 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
             width = limit;
         }
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, tolerance);
+        if (gap >= contact_plane__NO_GAP)
+        {
+            /* beyond an end the tracer has lost its way */
+            contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        }
         rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));
         if (rise < level)
         {
