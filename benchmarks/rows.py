@@ -16,7 +16,7 @@ from wrcontact.resolution import LADDERS
 from . import errors, runs
 from .machine import Cost, cost
 
-HALFSPACE = (0.1, 0.03, 0.01, 0.005, 0.003)  # tolerances
+HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
 EVERY = 10  # row of the hunting run that the half-space solves in a quick run
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
