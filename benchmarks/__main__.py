@@ -53,11 +53,9 @@ def parsed(arguments):
 
 def measure(chosen, effort, short=False):
     """Rows with their figures, the FMU's the last one."""
-    measured = []
-    for row in chosen:
-        if row.short or not short:
-            measured.append(row.measure())
-            print(f"{row.name}: {row.cost.microseconds:.1f} µs", file=sys.stderr, flush=True)
+    measured = [row for row in chosen if row.short or not short]
+    for row in measured * effort.passes:
+        print(f"{row.measure().name}: {row.cost.microseconds:.1f} µs", file=sys.stderr, flush=True)
     with tempfile.TemporaryDirectory() as folder:
         return [*measured, rows.fmu_row(folder, effort)]
 
@@ -94,7 +92,9 @@ def readme(effort):
 
 
 def skip_table(effort):
-    found = [skip.measure(effort.rounds) for skip in skips.all_skips(effort)]
+    found = list(skips.all_skips(effort))
+    for skip in found * effort.passes:
+        skip.measure(effort.rounds)
     return markdown("What is not wanted is not computed", ["skipped", "units", "full cost", "share", "answer"],
                     [[skip.name, figure(skip.less.units), figure(skip.more.units),
                       f"{100 * skip.less.units / skip.more.units:.0f} %", skip.answer] for skip in found])
@@ -105,15 +105,15 @@ def count_table(effort):
 
 
 def growth_table(effort):
-    numbers = growth.NUMBERS[:4] if effort.rounds < rows.FULL.rounds else growth.NUMBERS
+    numbers = growth.NUMBERS[:4] if effort.passes == 1 else growth.NUMBERS
     return markdown("Growth with the number of wheelsets, evaluate_many, random poses with yaw",
                     ["wheelsets", "units each", "µs each"],
                     [[f"{number:,}", figure(cost.units), figure(cost.microseconds)]
-                     for number, cost in growth.wheelsets(numbers, effort.rounds)])
+                     for number, cost in growth.wheelsets(numbers, effort.passes * effort.rounds)])
 
 
 def thread_table(effort):
-    found = growth.threads(10 * effort.count, effort.rounds)
+    found = growth.threads(10 * effort.count, effort.passes * effort.rounds)
     return markdown(f"Growth with threads, each with its own stepper; load average {machine.load_average():.1f}",
                     ["threads", "µs a wheelset", "speed-up"],
                     [[count, figure(1e6 * seconds), f"{gain:.2f}"] for count, seconds, gain in found])

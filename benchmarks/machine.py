@@ -22,6 +22,10 @@ class Cost(NamedTuple):
     def microseconds(self):
         return 1e6 * self.seconds
 
+    def least(self, other):
+        """The smaller of each; ``other`` may be None."""
+        return Cost(min(self.seconds, other.seconds), min(self.units, other.units)) if other else self
+
 
 def unit():
     """Seconds of ``np.sqrt`` of 2000 doubles."""

@@ -24,7 +24,8 @@ class Skip:
     more: Cost = None
 
     def measure(self, rounds):
-        self.less, self.more = cost(self.work, self.calls, rounds), cost(self.full, self.calls, rounds)
+        self.less = cost(self.work, self.calls, rounds).least(self.less)
+        self.more = cost(self.full, self.calls, rounds).least(self.more)
         return self
 
 

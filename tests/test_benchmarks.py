@@ -7,7 +7,17 @@ import numpy as np
 import pytest
 
 import wrcontact
-from benchmarks import __main__, counts, errors, growth, peers, picture, random_poses, rows, skips
+from benchmarks import (
+    __main__,
+    counts,
+    errors,
+    growth,
+    peers,
+    picture,
+    random_poses,
+    rows,
+    skips,
+)
 from benchmarks.table import figure, markdown
 from wrcontact.plots import style
 from wrcontact.resolution import LADDERS
