@@ -65,6 +65,7 @@ class Session:
         self._stale = True  # an input has changed since the last evaluation
         self._told = False  # this step's status has been told
         self._asked = self._places = None  # the last request for Reals, and where it was found
+        self._asked_integers = self._integer_places = None  # and for Integers
 
     # --- parameters ------------------------------------------------------------------------------
 
@@ -138,9 +139,9 @@ class Session:
         """Real values, up to date with the inputs."""
         self._refresh()
         if references != self._asked:
-            self._places = np.array([_place(reference, REAL) for reference in references], dtype=np.intp)
+            self._places = _as_slice([_place(reference, REAL) for reference in references])
             self._asked = list(references)
-        return self._values.take(self._places).tolist()
+        return self._values[self._places].tolist()
 
     def set_integers(self, references, values):
         """Refuse: no Integer can be set."""
@@ -150,7 +151,11 @@ class Session:
     def get_integers(self, references):
         """Integer values, up to date with the inputs."""
         self._refresh()
-        return [int(self._values[_place(reference, INTEGER)]) for reference in references]
+        if references != self._asked_integers:
+            self._integer_places = [_place(reference, INTEGER) for reference in references]
+            self._asked_integers = list(references)
+        values = self._values
+        return [int(values[place]) for place in self._integer_places]
 
     def step(self):
         """Bring the outputs up to date; a status other than 0 is told once per step."""
@@ -244,6 +249,13 @@ def _place(reference, type):
     """``reference`` itself, once it is known to be a variable of this type."""
     _variable(reference, type)
     return reference
+
+
+def _as_slice(places):
+    """``places`` as an index: a slice where they are neighbours in order, which is read faster."""
+    if places and places == list(range(places[0], places[0] + len(places))):
+        return slice(places[0], places[0] + len(places))
+    return np.array(places, dtype=np.intp)
 
 
 def _read_snapshot(saved):
