@@ -82,6 +82,10 @@ def test_left_is_the_mirror_image_of_right(system):
 # ------------------------------------------------------------------------------------------------------------------ errata
 
 
+def test_step_with_the_sign_as_printed_turns_away(system):
+    assert not Search2D(system, gain=-1.2).solve(1e-3).converged
+
+
 @pytest.mark.parametrize("roll, yaw, slope", [(3e-3, 0.03, -1.2), (-5e-3, -0.05, 0.4), (0.0, 0.0, -0.1)])
 def test_corrected_shift_of_wang_is_the_contact_locus(roll, yaw, slope):
     t = math.tan(yaw) * math.sin(roll)
@@ -122,10 +126,22 @@ def test_flange_contact_comes_earlier_with_yaw_but_not_in_the_source_as_describe
 
 
 def test_the_gain_of_the_source_suits_the_tread(system):
-    """A step is K times the difference over 2 * 750 mm, right on the tread; on the flange the true lever is a sixth."""
+    """A step is K times the difference over 2 * 750 mm, right on the tread; on the flange the true lever is a fifth."""
     steps = {gain: [Search2D(system, gain=gain).solve(shift).steps for shift in (3e-3, 6.5e-3)] for gain in (1.0, 1.2, 1.9)}
     assert steps[1.0][0] <= 5 and steps[1.9][0] > 30
     assert steps[1.2][1] > 30 and steps[1.9][1] < 0.7 * steps[1.2][1]
+
+
+@pytest.mark.parametrize("shift, share", [(3e-3, 0.968), (6.5e-3, 0.228), (8e-3, 0.544)])
+def test_lever_of_the_roll(system, shift, share):
+    """Against the difference of the smallest distances 1e-5 rad to either side of the balance."""
+    search, roll, gaps = Search2D(system, 1e-5), exact_result(system, shift).roll, []
+    for turned in (roll - 1e-5, roll + 1e-5):
+        left, right = (search._matrices[side][0].lowest(Pose(shift, 0.0, turned).of(side)) for side in ("left", "right"))
+        gaps.append(left.gap - right.gap)
+    measured = (gaps[1] - gaps[0]) / 2e-5 / (left.y_axle + right.y_axle)
+    assert compare.lever_share(system, shift) == pytest.approx(share, abs=1e-3)
+    assert measured == pytest.approx(share, abs=5e-3)
 
 
 # --------------------------------------------------------------------------------------------------------------- proposals

@@ -32,6 +32,7 @@ ELSEWHERE = 1e-3
 #: y_wheel that parts contacts in the flange root of S1002 (to -34.4 mm) from those on its flange (from -38.4 mm) [m].
 FLANGE = -36.5e-3
 GAINS = (0.5, 0.8, 1.0, 1.2, 1.5, 1.9, 2.0, 3.0)
+GAIN_SHIFTS = (3, 6, 6.3, 6.5, 8)   # [mm]
 
 #: A method at one pose; errors of roll [rad], y_wheel and x_wheel [m], of the worse side.
 Trial = namedtuple("Trial", "shift yaw roll y x result units seconds")
@@ -61,26 +62,28 @@ class FromLevel:
 
 
 def methods(system, quick=False):
-    """Name and search (with ``solve(lateral_shift, yaw)``) of all that is compared."""
-    yield "2-D, dy 0.1 mm", Search2D(system)
-    yield "3-D, dx 0.1 mm", Search3D(system)
-    yield "3-D, dx 0.1 mm, 201 profiles", Search3D(system, profiles=201)
-    yield "3-D, dx 0.1 mm, eq. (5.12) as printed", Search3D(system, as_printed=True)
-    yield "adaptive dx, 2 to 0.01 mm", AdaptiveSearch(system)
-    yield "denser nodes, dx and dy to 0.01 mm", DenserSearch(system)
-    yield "equations, from the 2-D search", FromPlane(system)
+    """Name, search (with ``solve(lateral_shift, yaw)``), and whether with yaw, of all that is compared."""
+    both, none, yawed = (False, True), (False,), (True,)
+    yield "2-D, dy 0.1 mm", Search2D(system), both
+    yield "3-D, dx 0.1 mm", Search3D(system), yawed
+    yield "3-D, dx 0.1 mm, 201 profiles", Search3D(system, profiles=201), yawed
+    yield "3-D, dx 0.1 mm, eq. (5.12) as printed", Search3D(system, as_printed=True), yawed
+    yield "adaptive dx, 2 to 0.01 mm", AdaptiveSearch(system), both
+    yield "denser nodes, dx and dy to 0.01 mm", DenserSearch(system), both
+    yield "equations, from the 2-D search", FromPlane(system), both
     if quick:
         return
-    yield "2-D, dy 0.01 mm", Search2D(system, spacing=1e-5)
-    yield "3-D, dx 0.01 mm", Search3D(system, dx=1e-5)
-    yield "3-D, dx 0.01 mm, 201 profiles", Search3D(system, dx=1e-5, profiles=201)
-    yield "3-D, dx 0.05 mm", Search3D(system, dx=5e-5)
-    yield "3-D, dx 1 mm", Search3D(system, dx=1e-3)
-    yield "3-D, dx 10 mm", Search3D(system, dx=1e-2)
-    yield "3-D, dx 0.1 mm, dy 0.01 mm", Search3D(system, spacing=1e-5)
-    yield "3-D, dx 0.1 mm, dy 1 mm", Search3D(system, spacing=1e-3)
-    yield "3-D, dx 1 mm, 67 profiles", Search3D(system, dx=1e-3, profiles=67)
-    yield "equations, from a level wheelset", FromLevel(system)
+    yield "equations, from a level wheelset", FromLevel(system), both
+    yield "2-D, dy 0.01 mm", Search2D(system, spacing=1e-5), none
+    yield "2-D, dy 1 mm", Search2D(system, spacing=1e-3), none
+    yield "3-D, dx 0.01 mm", Search3D(system, dx=1e-5), yawed
+    yield "3-D, dx 0.01 mm, 201 profiles", Search3D(system, dx=1e-5, profiles=201), yawed
+    yield "3-D, dx 0.05 mm", Search3D(system, dx=5e-5), yawed
+    yield "3-D, dx 1 mm", Search3D(system, dx=1e-3), yawed
+    yield "3-D, dx 10 mm", Search3D(system, dx=1e-2), yawed
+    yield "3-D, dx 1 mm, 67 profiles", Search3D(system, dx=1e-3, profiles=67), yawed
+    yield "3-D, dx 0.1 mm, dy 0.01 mm", Search3D(system, spacing=1e-5), yawed
+    yield "3-D, dx 0.1 mm, dy 1 mm", Search3D(system, spacing=1e-3), yawed
 
 
 def trials(system, search, poses, timed=2):
@@ -101,12 +104,12 @@ def has_failed(trial):
 
 
 def comparison(system=None, quick=False):
-    """A :class:`Row` for each method, without and with yaw."""
+    """A :class:`Row` for each method, without yaw, with it, or both."""
     system = system or ContactSystem()
     shifts, yaws = (QUICK_SHIFTS, QUICK_YAWS) if quick else (SHIFTS, YAWS)
     rows = []
-    for name, search in methods(system, quick):
-        for yawed in (False, True):
+    for name, search, groups in methods(system, quick):
+        for yawed in groups:
             poses = [(shift * MM, math.radians(yaw)) for yaw in yaws for shift in shifts if (yaw != 0) == yawed]
             rows.append(summary(name, yawed, list(trials(system, search, poses))))
     return rows
@@ -130,14 +133,27 @@ def summary(name, yawed, done):
 
 
 def gain_rows(system=None, spacing=1e-4):
-    """Steps of the 2-D search at 3, 6, 6.5 and 8 mm, None where it does not converge: K of :data:`GAINS`, and the four."""
+    """Steps of the 2-D search at :data:`GAIN_SHIFTS`, None where it does not converge: K of :data:`GAINS`, and the steps."""
     system = system or ContactSystem()
     rows = []
     for gain in GAINS:
         search = Search2D(system, spacing, gain)
-        found = [search.solve(shift * MM) for shift in (3, 6, 6.5, 8)]
+        found = [search.solve(shift * MM) for shift in GAIN_SHIFTS]
         rows.append((gain, *(result.steps if result.converged else None for result in found)))
     return rows
+
+
+def lever_share(system, shift):
+    """What the difference of the distances changes with roll, as a share of what source eq. (4.6) takes, y_R - y_L; no yaw.
+
+    By the envelope theorem it is the sum of y - z tan(delta) over both wheels, the contact at (y, z) from the wheelset's
+    centre (docs/method.md, eq. 4.2); a step of eq. (4.6) multiplies the error that is left by 1 - K times the share.
+    """
+    state = system.evaluate(lateral_shift=shift, normal_force=0.0, outputs="geometry")
+    arms = [abs(side.contact.y_track - shift) for side in (state.left, state.right)]
+    centre = state.vertical_shift - system.parameters["nominal_radius"]
+    lost = [(side.contact.z_track - centre) * math.tan(side.contact_angle) for side in (state.left, state.right)]
+    return 1.0 - sum(lost) / sum(arms)
 
 
 def limit_rows(system=None):
@@ -176,7 +192,7 @@ def search_rows(quick=False):
     system = ContactSystem()
     poses = [(shift * MM, math.radians(yaw)) for yaw in QUICK_YAWS for shift in (QUICK_SHIFTS if quick else SHIFTS)]
     rows = []
-    for name, search in methods(system, quick=True):
+    for name, search, _ in methods(system, quick=True):
         done = list(trials(system, search, poses, timed=0))
         row = summary(name, None, done)
         error = f"roll {row.roll_worst:.1g} rad, y {row.y_worst / MM:.2g} mm, fails at {len(row.failed)} of {len(done)}"
@@ -196,9 +212,10 @@ def main(quick=False):
     rows = comparison(system, quick)
     _print_errors(rows)
     _print_failures(rows)
-    print("\n| K | " + " | ".join(f"steps at {shift} mm" for shift in (3, 6, 6.5, 8)) + " |\n|---|---|---|---|---|")
+    print("\n| K | " + " | ".join(f"steps at {shift} mm" for shift in GAIN_SHIFTS) + " |\n" + "|---" * 6 + "|")
     for gain, *steps in gain_rows(system):
         print(f"| {gain} | " + " | ".join("does not converge" if count is None else str(count) for count in steps) + " |")
+    print("| true lever / assumed | " + " | ".join(f"{lever_share(system, shift * MM):.2f}" for shift in GAIN_SHIFTS) + " |")
     print("\n| lateral shift [mm] | yaw [deg] | the right wheel touches at x [mm] | limit of source eq. (5.8) [mm] |")
     print("|---|---|---|---|")
     for shift, yaw, x, limit in limit_rows(system):
