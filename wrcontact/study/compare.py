@@ -1,0 +1,255 @@
+"""The searches side by side: error, steps and cost over a set of poses, and where they fail.
+
+    python -m wrcontact.study.compare [--quick]
+
+prints Markdown.  Errors are against the exact search (wrcontact/kernel/search.py), which a brute-force search confirms.  The
+unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
+"""
+
+import argparse
+import math
+import timeit
+from collections import Counter, namedtuple
+
+import numpy as np
+
+from ..conventions import MILLIMETRE as MM
+from ..conventions import SIDES
+from ..system import ContactSystem
+from .constraints import ConstraintSearch
+from .refined import AdaptiveSearch, DenserSearch
+from .search import Search2D, Search3D, exact_result
+from .surfaces import Pose
+from .wang import longitudinal_limit
+
+#: [mm] and [deg]: tread, both sides of every jump, flange root, flange.
+SHIFTS = (0, 1, 2, 3, 4, 4.7, 4.9, 5, 5.5, 6, 6.1, 6.2, 6.3, 6.5, 7, 8)
+YAWS = (0, 1, 2, 3)
+QUICK_SHIFTS, QUICK_YAWS = (1, 5, 6.2, 6.5), (0, 2)
+
+#: A contact further than this from the exact one, on the wheel profile [m], is in another minimum.
+ELSEWHERE = 1e-3
+#: y_wheel that parts contacts in the flange root of S1002 (to -34.4 mm) from those on its flange (from -38.4 mm) [m].
+FLANGE = -36.5e-3
+GAINS = (0.5, 0.8, 1.0, 1.2, 1.5, 1.9, 2.0, 3.0)
+GAIN_SHIFTS = (3, 6, 6.3, 6.5, 8)   # [mm]
+
+#: A method at one pose; errors of roll [rad], y_wheel and x_wheel [m], of the worse side.
+Trial = namedtuple("Trial", "shift yaw roll y x result units seconds")
+#: A method over poses with or without yaw: medians and largest values of the poses that did not fail, and the failed trials.
+Row = namedtuple("Row", "method yawed poses failed roll roll_worst y y_worst x x_worst steps evaluations units seconds")
+
+
+class FromPlane:
+    """The equations with the 2-D search for a start."""
+
+    def __init__(self, system):
+        self.plane, self.equations = Search2D(system), ConstraintSearch(system)
+
+    def solve(self, lateral_shift, yaw):
+        first = self.plane.solve(lateral_shift)
+        return self.equations.solve(lateral_shift, yaw, start=(first.roll, first.left.y_wheel, first.right.y_wheel))
+
+
+class FromLevel:
+    """The equations with a level wheelset on its running circles for a start."""
+
+    def __init__(self, system):
+        self.equations = ConstraintSearch(system)
+
+    def solve(self, lateral_shift, yaw):
+        return self.equations.solve(lateral_shift, yaw, start=(0.0, 0.0, 0.0))
+
+
+def methods(system, quick=False):
+    """Name, search (with ``solve(lateral_shift, yaw)``), and whether with yaw, of all that is compared."""
+    both, none, yawed = (False, True), (False,), (True,)
+    yield "2-D, dy 0.1 mm", Search2D(system), both
+    yield "3-D, dx 0.1 mm", Search3D(system), yawed
+    yield "3-D, dx 0.1 mm, 201 profiles", Search3D(system, profiles=201), yawed
+    yield "3-D, dx 0.1 mm, eq. (5.12) as printed", Search3D(system, as_printed=True), yawed
+    yield "adaptive dx, 2 to 0.01 mm", AdaptiveSearch(system), both
+    yield "denser nodes, dx and dy to 0.01 mm", DenserSearch(system), both
+    yield "equations, from the 2-D search", FromPlane(system), both
+    if quick:
+        return
+    yield "equations, from a level wheelset", FromLevel(system), both
+    yield "2-D, dy 0.01 mm", Search2D(system, spacing=1e-5), none
+    yield "2-D, dy 1 mm", Search2D(system, spacing=1e-3), none
+    yield "3-D, dx 0.01 mm", Search3D(system, dx=1e-5), yawed
+    yield "3-D, dx 0.01 mm, 201 profiles", Search3D(system, dx=1e-5, profiles=201), yawed
+    yield "3-D, dx 0.05 mm", Search3D(system, dx=5e-5), yawed
+    yield "3-D, dx 1 mm", Search3D(system, dx=1e-3), yawed
+    yield "3-D, dx 10 mm", Search3D(system, dx=1e-2), yawed
+    yield "3-D, dx 1 mm, 67 profiles", Search3D(system, dx=1e-3, profiles=67), yawed
+    yield "3-D, dx 0.1 mm, dy 0.01 mm", Search3D(system, spacing=1e-5), yawed
+    yield "3-D, dx 0.1 mm, dy 1 mm", Search3D(system, spacing=1e-3), yawed
+
+
+def trials(system, search, poses, timed=2):
+    """A :class:`Trial` of ``search`` at each of ``poses``, (shift [m], yaw [rad]); the time is the smallest of ``timed``."""
+    one = unit()
+    for shift, yaw in poses:
+        exact = exact_result(system, shift, yaw)
+        found = search.solve(shift, yaw)
+        seconds = min(timeit.repeat(lambda: search.solve(shift, yaw), number=1, repeat=timed)) if timed else math.nan
+        y, x = (max(abs(getattr(getattr(found, side), name) - getattr(getattr(exact, side), name)) for side in SIDES)
+                for name in ("y_wheel", "x_wheel"))
+        yield Trial(shift, yaw, abs(found.roll - exact.roll), y, x, found, seconds / one, seconds)
+
+
+def has_failed(trial):
+    """Whether a trial did not converge, or did in another minimum."""
+    return not (trial.result.converged and trial.y < ELSEWHERE)
+
+
+def comparison(system=None, quick=False):
+    """A :class:`Row` for each method, without yaw, with it, or both."""
+    system = system or ContactSystem()
+    shifts, yaws = (QUICK_SHIFTS, QUICK_YAWS) if quick else (SHIFTS, YAWS)
+    rows = []
+    for name, search, groups in methods(system, quick):
+        for yawed in groups:
+            poses = [(shift * MM, math.radians(yaw)) for yaw in yaws for shift in shifts if (yaw != 0) == yawed]
+            rows.append(summary(name, yawed, list(trials(system, search, poses))))
+    return rows
+
+
+def summary(name, yawed, done):
+    """The :class:`Row` of ``done``, a list of trials."""
+    good = [trial for trial in done if not has_failed(trial)]
+
+    def middle(values):
+        values = list(values)
+        return float(np.median(values)) if values else math.nan
+
+    def worst(values):
+        return max(values, default=math.nan)
+
+    errors = [of(getattr(trial, name) for trial in good) for name in ("roll", "y", "x") for of in (middle, worst)]
+    return Row(name, yawed, len(done), [trial for trial in done if has_failed(trial)], *errors,
+               middle(trial.result.steps for trial in done), middle(trial.result.gap_evaluations for trial in done),
+               middle(trial.units for trial in done), middle(trial.seconds for trial in done))
+
+
+def gain_rows(system=None, spacing=1e-4):
+    """Steps of the 2-D search at :data:`GAIN_SHIFTS`, None where it does not converge: K of :data:`GAINS`, and the steps."""
+    system = system or ContactSystem()
+    rows = []
+    for gain in GAINS:
+        search = Search2D(system, spacing, gain)
+        found = [search.solve(shift * MM) for shift in GAIN_SHIFTS]
+        rows.append((gain, *(result.steps if result.converged else None for result in found)))
+    return rows
+
+
+def lever_share(system, shift):
+    """What the difference of the distances changes with roll, as a share of what source eq. (4.6) takes, y_R - y_L; no yaw.
+
+    By the envelope theorem it is the sum of y - z tan(delta) over both wheels, the contact at (y, z) from the wheelset's
+    centre (docs/method.md, eq. 4.2); a step of eq. (4.6) multiplies the error that is left by 1 - K times the share.
+    """
+    state = system.evaluate(lateral_shift=shift, normal_force=0.0, outputs="geometry")
+    arms = [abs(side.contact.y_track - shift) for side in (state.left, state.right)]
+    centre = state.vertical_shift - system.parameters["nominal_radius"]
+    lost = [(side.contact.z_track - centre) * math.tan(side.contact_angle) for side in (state.left, state.right)]
+    return 1.0 - sum(lost) / sum(arms)
+
+
+def limit_rows(system=None):
+    """Where the right wheel touches, and how far the source looks: shift [m], yaw [rad], x_wheel [m], limit [m]."""
+    system = system or ContactSystem()
+    search = Search2D(system)
+    rows = []
+    for shift in (1e-3, 3e-3, 5e-3, 6e-3, 6.2e-3, 6.5e-3, 8e-3):
+        plane = search.solve(shift)
+        height, slope = search.surfaces.wheel(np.array(plane.right.y_wheel))
+        for yaw in map(math.radians, YAWS[1:]):
+            pose = Pose(shift, yaw, plane.roll)
+            limit = longitudinal_limit(search.surfaces.radius + float(height), -float(slope), roll=pose.roll, yaw=yaw)
+            rows.append((shift, yaw, exact_result(system, shift, yaw).right.x_wheel, limit))
+    return rows
+
+
+def jump_rows(system=None):
+    """Lateral shift [m] at which the right wheel comes to its flange: yaw [rad], exact, by the 3-D search."""
+    system = system or ContactSystem()
+    search = Search3D(system)
+    return [(yaw, jump_to_flange(lambda shift: exact_result(system, shift, yaw)),
+             jump_to_flange(lambda shift: search.solve(shift, yaw))) for yaw in map(math.radians, YAWS)]
+
+
+def jump_to_flange(solve, low=5e-3, high=6.6e-3):
+    """Smallest lateral shift [m] within 1 um at which ``solve(shift)`` has the right contact on the flange."""
+    while high - low > 1e-6:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if solve(middle).right.y_wheel < FLANGE else (middle, high)
+    return high
+
+
+def search_rows(quick=False):
+    """Rows for the benchmarks: name, work to be timed, number of wheelsets in it, and its error in words."""
+    system = ContactSystem()
+    poses = [(shift * MM, math.radians(yaw)) for yaw in QUICK_YAWS for shift in (QUICK_SHIFTS if quick else SHIFTS)]
+    rows = []
+    for name, search, _ in methods(system, quick=True):
+        done = list(trials(system, search, poses, timed=0))
+        row = summary(name, None, done)
+        error = f"roll {row.roll_worst:.1g} rad, y {row.y_worst / MM:.2g} mm, fails at {len(row.failed)} of {len(done)}"
+        rows.append((f"study: {name}", lambda search=search: [search.solve(*pose) for pose in poses], len(poses), error))
+    return rows
+
+
+def unit():
+    """Seconds of ``np.sqrt`` of 2000 doubles."""
+    values = np.linspace(0.0, 1.0, 2000)
+    return min(timeit.repeat(lambda: np.sqrt(values), number=300, repeat=5)) / 300
+
+
+def main(quick=False):
+    """Print the comparison as Markdown."""
+    system = ContactSystem()
+    rows = comparison(system, quick)
+    _print_errors(rows)
+    _print_failures(rows)
+    print("\n| K | " + " | ".join(f"steps at {shift} mm" for shift in GAIN_SHIFTS) + " |\n" + "|---" * 6 + "|")
+    for gain, *steps in gain_rows(system):
+        print(f"| {gain} | " + " | ".join("does not converge" if count is None else str(count) for count in steps) + " |")
+    print("| true lever / assumed | " + " | ".join(f"{lever_share(system, shift * MM):.2f}" for shift in GAIN_SHIFTS) + " |")
+    print("\n| lateral shift [mm] | yaw [deg] | the right wheel touches at x [mm] | limit of source eq. (5.8) [mm] |")
+    print("|---|---|---|---|")
+    for shift, yaw, x, limit in limit_rows(system):
+        print(f"| {shift / MM:g} | {math.degrees(yaw):.0f} | {x / MM:.2f} | {limit / MM:.2f} |")
+    print("\n| yaw [deg] | flange contact from lateral shift [mm], exact | by the 3-D search |\n|---|---|---|")
+    for yaw, exact, found in jump_rows(system):
+        print(f"| {math.degrees(yaw):.0f} | {exact / MM:.3f} | {found / MM:.3f} |")
+    seconds = min(timeit.repeat(lambda: [exact_result(system, 6e-3, yaw) for yaw in (0.0, 0.01, 0.02)], number=10)) / 30
+    print(f"\nunit: np.sqrt of 2000 doubles, {unit() * 1e6:.2f} µs here; the exact search from Python, alternating between "
+          f"yaws: {seconds / unit():.0f} units")
+
+
+def _print_errors(rows):
+    print("| search | yaw | fails | roll error [rad] | y error [mm] | x error [mm] | steps | gaps taken | units |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for row in rows:
+        print(f"| {row.method} | {'1 ... 3 deg' if row.yawed else 'none'} | {len(row.failed)} of {row.poses} | "
+              f"{row.roll:.1e} / {row.roll_worst:.1e} | {row.y / MM:.3f} / {row.y_worst / MM:.3f} | "
+              f"{row.x / MM:.3f} / {row.x_worst / MM:.3f} | {row.steps:.0f} | {row.evaluations:.1e} | {row.units:.0f} |")
+    print("\nErrors: median / largest of the poses that do not fail; steps, gaps and units: median of all.")
+
+
+def _print_failures(rows):
+    print("\n| fails | at (lateral shift [mm], yaw [deg]): how far off y_wheel [mm], roll [rad] |\n|---|---|")
+    for row in rows:
+        if row.failed and not (row.yawed and row.method.startswith("2-D")):
+            elsewhere = [f"({trial.shift / MM:g}, {math.degrees(trial.yaw):.0f}): {trial.y / MM:.1f}, {trial.roll:.1e}"
+                         for trial in row.failed if trial.result.converged]
+            unsolved = Counter(trial.result.remark for trial in row.failed if not trial.result.converged)
+            cells = elsewhere + [f"{remark}: {count} poses" for remark, count in unsolved.items()]
+            print(f"| {row.method}, {'with' if row.yawed else 'without'} yaw | {'; '.join(cells)} |")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description="Compare the source's contact searches with the exact one.")
+    parser.add_argument("--quick", action="store_true", help="eight poses, and not the finest nodes")
+    main(parser.parse_args().quick)

@@ -1,0 +1,172 @@
+"""The source's searches on fixed nodes: chapter 4 without yaw, chapter 5 with it.
+
+Both roll the wheelset until the smallest vertical distances of the two wheels are equal::
+
+    wheel and rail as nodes  ->  smallest distance of each wheel     ProfileMatrix.lowest, source eqs. (4.2), (4.3)
+    equal                    ->  roll, by steps of eq. (4.6)          balance
+    distance                 ->  vertical shift
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..conventions import SIDES
+from .surfaces import Pose, ProfileMatrix, Surfaces, profile_nodes, rail_polyline
+from .wang import longitudinal_limit
+
+#: A roll beyond this is no wheelset on its track any more [rad]; 12 mm of lateral shift need 0.013.
+ROLL_LIMIT = 0.12
+STEP_LIMIT = 400
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where a wheel touches [m]: ahead of the principal profile, on the wheel profile, on the rail profile."""
+
+    x_wheel: float = math.nan
+    y_wheel: float = math.nan
+    y_rail: float = math.nan
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a search found.
+
+    Attributes
+    ----------
+    roll, vertical_shift : [rad, m], as :class:`~wrcontact.state.WheelsetState`.
+    left, right : :class:`Contact`.
+    steps : how often the roll was changed or confirmed.
+    gap_evaluations : points of a wheel that were held against the rail.
+    converged : whether the search's own tolerance was met.
+    remark : "" or, in a clause, what is known to be wrong.
+    """
+
+    roll: float
+    vertical_shift: float
+    left: Contact
+    right: Contact
+    steps: int
+    gap_evaluations: int
+    converged: bool
+    remark: str = ""
+
+
+def balance(matrices, pose, *, gain, tolerance, mapping=1.0, step_limit=STEP_LIMIT):
+    """Roll at which both wheels' smallest distances differ by less than ``tolerance`` [m]; a :class:`Result`.
+
+    ``Delta theta = K atan((mindist_L - mindist_R) / (y_minL - y_minR))``, source eqs. (4.5)-(4.7) and (5.15).  It prints a
+    minus in front of K; with the roll counted from y to z that turns the wheelset away from the answer.
+
+    Parameters
+    ----------
+    matrices : by side, one or more :class:`ProfileMatrix`; the smallest distance is that of all of them.
+    pose : :class:`Pose`, its roll theta_init.
+    gain : K > 0; 1.2 in the source.
+    mapping : of the rail's abscissa.
+    """
+    evaluations, roll, remark = 0, pose.roll, f"no convergence in {step_limit} steps"
+    for step in range(1, step_limit + 1):
+        here = Pose(pose.lateral_shift, pose.yaw, roll)
+        left, right = (min((matrix.lowest(here.of(side), mapping) for matrix in matrices[side]), key=lambda found: found.gap)
+                       for side in SIDES)
+        evaluations += sum(matrix.heights.size for side in SIDES for matrix in matrices[side])
+        if not (math.isfinite(left.gap) and math.isfinite(right.gap)):
+            remark = "no node of a wheel is above its rail"
+            break
+        difference = left.gap - right.gap
+        if abs(difference) < tolerance:
+            return _result(roll, left, right, step, evaluations, True, "")
+        roll += gain * math.atan(difference / -(left.y_axle + right.y_axle))
+        if not abs(roll) < ROLL_LIMIT:
+            remark = f"the roll left +-{ROLL_LIMIT:g} rad"
+            break
+    return _result(roll, left, right, step, evaluations, False, remark)
+
+
+def _result(roll, left, right, steps, evaluations, converged, remark):
+    contacts = (Contact(found.x_wheel, found.y_wheel, found.y_rail) for found in (left, right))
+    return Result(roll, min(left.gap, right.gap), *contacts, steps, evaluations, converged, remark)
+
+
+class Search2D:
+    """The source's search without yaw, its chapter 4: principal profiles alone.
+
+    Parameters
+    ----------
+    system : :class:`~wrcontact.system.ContactSystem`.
+    spacing : of the nodes on wheel and rail [m].
+    gain : K of source eq. (4.6).
+    tolerance : of the distances, source eq. (4.5) [m]; the source has 1e-6 ... 1e-7.
+    """
+
+    def __init__(self, system, spacing=1e-4, gain=1.2, tolerance=1e-7):
+        self.surfaces = Surfaces(system)
+        self.gain, self.tolerance = gain, tolerance
+        rail = rail_polyline(self.surfaces, spacing)
+        matrix = ProfileMatrix(self.surfaces, rail, 0.0, profile_nodes(self.surfaces.wheel_ends, spacing))
+        self._matrices = {side: (matrix,) for side in SIDES}
+
+    def solve(self, lateral_shift=0.0, yaw=0.0, roll=0.0):
+        """:class:`Result` at ``lateral_shift`` [m]; ``yaw`` is not seen, ``roll`` [rad] is where the steps begin."""
+        return balance(self._matrices, Pose(lateral_shift, 0.0, roll), gain=self.gain, tolerance=self.tolerance)
+
+
+class Search3D:
+    """The source's search with yaw, its chapter 5: a matrix of profiles on each side.
+
+    The 2-D search gives the roll to begin with, and contact angle and radius for Wang's shift, which is how far along the
+    wheel the profiles reach (source eqs. (5.8), (5.9)): to one side only, ahead on the right wheel for a positive yaw.
+
+    Parameters
+    ----------
+    system : :class:`~wrcontact.system.ContactSystem`.
+    dx : distance of the profiles [m]; 1e-4, 5e-5 or 1e-5 in the source.
+    spacing : of the nodes on wheel and rail [m]; not told in the source.
+    gain, tolerance : as for :class:`Search2D`; source eqs. (5.15), (4.5).
+    profiles : so many of them on each side (201 is the source's example), or None for Wang's limit.
+    as_printed : take source eq. (5.12) as printed, Z_r(s / cos psi), for the section of a yawed plane with the rail; right
+        is Z_r(s cos psi), s from the top of the rail along the section.
+    """
+
+    def __init__(self, system, dx=1e-4, spacing=1e-4, gain=1.2, tolerance=1e-7, profiles=None, as_printed=False):
+        self.surfaces = Surfaces(system)
+        self.dx, self.gain, self.tolerance = dx, gain, tolerance
+        self.profiles, self.as_printed = profiles, as_printed
+        self._plane = Search2D(system, spacing, gain, tolerance)
+        self._rail = rail_polyline(self.surfaces, spacing)
+        self._nodes = profile_nodes(self.surfaces.wheel_ends, spacing)
+
+    def solve(self, lateral_shift=0.0, yaw=0.0):
+        """:class:`Result` at ``lateral_shift`` [m] and ``yaw`` [rad]; its counts include the 2-D search."""
+        plane = self._plane.solve(lateral_shift)
+        pose = Pose(lateral_shift, yaw, plane.roll if plane.converged else 0.0)
+        rows = {side: self._rows(pose.of(side), getattr(plane, side)) for side in SIDES}
+        matrices = {side: (ProfileMatrix(self.surfaces, self._rail, rows[side], self._nodes),) for side in SIDES}
+        mapping = math.cos(yaw)**-2 if self.as_printed else 1.0
+        found = balance(matrices, pose, gain=self.gain, tolerance=self.tolerance, mapping=mapping)
+        at_end = [side for side in SIDES if len(rows[side]) > 1 and getattr(found, side).x_wheel == rows[side][-1]]
+        remark = found.remark or (f"smallest gap in the last profile ({' and '.join(at_end)})" if at_end else "")
+        return Result(found.roll, found.vertical_shift, found.left, found.right, plane.steps + found.steps,
+                      plane.gap_evaluations + found.gap_evaluations, found.converged, remark)
+
+    def _rows(self, pose, estimate):
+        """Where the profiles of a right wheel at ``pose`` are cut [m], by the 2-D ``estimate`` of its contact."""
+        if pose.yaw == 0.0 or not math.isfinite(estimate.y_wheel):
+            return np.zeros(1)
+        count = self.profiles
+        if count is None:
+            height, slope = self.surfaces.wheel(np.array(estimate.y_wheel))
+            limit = longitudinal_limit(self.surfaces.radius + float(height), -float(slope), roll=pose.roll, yaw=pose.yaw)
+            count = math.ceil(limit / self.dx) + 1
+        return math.copysign(self.dx, pose.yaw) * np.arange(count)
+
+
+def exact_result(system, lateral_shift=0.0, yaw=0.0):
+    """The exact search of ``system`` as a :class:`Result`, to compare with."""
+    state = system.evaluate(lateral_shift=lateral_shift, yaw=yaw, normal_force=0.0, outputs="geometry")
+    points = (state.left.contact, state.right.contact)
+    contacts = (Contact(point.x_wheel, point.y_wheel, point.y_rail) for point in points)
+    return Result(state.roll, state.vertical_shift, *contacts, 0, 0, int(state.status) <= 1)
