@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 
 from wrcontact.plots import style
+from wrcontact.study.compare import search_rows
 
 from . import counts, growth, machine, picture, random_poses, rows, skips
 from .peers import PEERS, SOURCE
@@ -33,7 +34,7 @@ def main(arguments=None):
     print(full_table(measured, effort), flush=True)
     if options.picture:
         print(style.save(picture.figure(measured), options.picture), file=sys.stderr)
-    for part in (skip_table, count_table, growth_table, thread_table):
+    for part in (search_table, skip_table, count_table, growth_table, thread_table):
         print(part(effort), flush=True)
     print(random_poses.numerics(effort.count), flush=True)
     print(random_part(options), flush=True)
@@ -70,6 +71,16 @@ def full_table(measured, effort):
     if effort.every > 1:
         notes.append(f"Quick run: the half-space solves every {effort.every}th row of the hunting run.")
     return text + "\n" + " ".join(notes) + "\n"
+
+
+def search_table(effort):
+    """The searches of the study that the project started from, geometry alone; see docs/source_study.md."""
+    found = []
+    for name, work, calls, error in search_rows(quick=effort is rows.QUICK):
+        took = machine.cost(work, calls, 1)
+        found.append([name, figure(took.units), figure(took.microseconds), error])
+    return markdown("Other searches: roll and rigid contacts alone", ["one wheelset", "units", "µs", "worst, where it does not fail"],
+                    found) + "\n"
 
 
 def cells(row):

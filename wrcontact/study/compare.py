@@ -192,7 +192,7 @@ def search_rows(quick=False):
     system = ContactSystem()
     poses = [(shift * MM, math.radians(yaw)) for yaw in QUICK_YAWS for shift in (QUICK_SHIFTS if quick else SHIFTS)]
     rows = []
-    for name, search, _ in methods(system, quick=True):
+    for name, search, _ in methods(system, quick=quick):
         done = list(trials(system, search, poses, timed=0))
         row = summary(name, None, done)
         error = f"roll {row.roll_worst:.1g} rad, y {row.y_worst / MM:.2g} mm, fails at {len(row.failed)} of {len(done)}"
