@@ -614,7 +614,7 @@ def missed(gap_function, domain, look, found, contact_modulus):
 
 
 def far_deflection(found, x, s, contact_modulus):
-    """Deflection [m] at places x (k,), s (k,) under a solution's pressures, gathered in lumps: sum of N / (pi E* r).  (H9)"""
+    """Deflection [m] at places x (k,), s (k,) under a solution's pressures, in lumps: sum of N / (pi E* r).  (H9)"""
     rows, columns = np.nonzero(found.pressure)
     forces = found.pressure[rows, columns]
     width, depth = (max(1, math.ceil((k.max() - k.min() + 1) / LOOK_LUMPS)) for k in (rows, columns))
@@ -702,7 +702,11 @@ def _refine_blocks(gap_function, domain, groups, load, tolerance):
                 max(each[k + 1] - each[k] for each in hulls) / (8 * PATCH_CELLS)) for k in (0, 2)]
     answer = "force" if load["force"] is None else "penetration"
     previous, before, iterations = None, None, 0
+    error = {}
     while True:
+        if len(hulls) * np.prod(_blocks(hulls, cell)[0]) > CELL_LIMIT:
+            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still {max(error.values(), default=1):.2g}"
+                                  f"; permitted are {CELL_LIMIT} cells")
         found = _solve_blocks(gap_function, domain, hulls, cell, load, previous)
         iterations += found.iterations
         wider = _outgrown(found, hulls, cell, domain)
@@ -710,7 +714,6 @@ def _refine_blocks(gap_function, domain, groups, load, tolerance):
             # grids that grew into each other become one
             hulls = [hull(group) for group in merged(wider)]
             continue
-        error = {}
         if previous is None:
             hulls = [hull(group) for group in merged(_fitted(found, hulls, cell))]
         else:
@@ -721,9 +724,6 @@ def _refine_blocks(gap_function, domain, groups, load, tolerance):
                 return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
             before = change
         previous, cell = found, [0.5 * size for size in cell]
-        if len(hulls) * np.prod(_blocks(hulls, cell)[0]) > CELL_LIMIT:
-            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still {max(error.values(), default=1):.2g}; "
-                                  f"permitted are {CELL_LIMIT} cells")
 
 
 def _blocks(hulls, cell):
@@ -754,7 +754,7 @@ def _solve_blocks(gap_function, domain, hulls, cell, load, guess):
     total = None if load["force"] is None else load["force"] / area
     pressure, clearance, delta, iterations = _constrained_gradients(start, gap, deflect, total, load["penetration"],
                                                                     load["precision"])
-    rows, columns = (np.unique(np.concatenate([np.arange(start[k], start[k] + shape[k]) for start in first])) for k in (0, 1))
+    rows, columns = (np.unique(np.concatenate([start[k] + np.arange(shape[k]) for start in first])) for k in (0, 1))
     whole, apart = np.zeros((len(rows), len(columns))), np.full((len(rows), len(columns)), math.nan)
     for k, start in enumerate(first):
         i, j = np.searchsorted(rows, start[0]), np.searchsorted(columns, start[1])

@@ -27,7 +27,7 @@ from .system import Stepper
 NEWTON_LIMIT = 15
 NEWTON_STEP = 1e-8       # [m]; the step after one this small is below 1e-14 m
 GUESSES = 600            # points of a profile from which Newton's method starts
-#: Half the extent of the domain along and across [m]: a rail head is 72 mm wide; with 4 deg of yaw the flange is 80 mm ahead.
+#: Half the extent of the domain along and across [m]: a rail head is 72 mm wide; with 4 deg of yaw a flange is 80 mm ahead.
 REACH_X, REACH_S = 0.15, 0.08
 #: Components of the loaded cells with less than this share of the load are no patches.
 STRAY_SHARE = 1e-6
@@ -212,7 +212,7 @@ def _newton(function, t):
 
 
 def write_side(side, plane, contact, outline=True):
-    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load, and the ``outline`` if wanted."""
+    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load, ``outline`` if wanted."""
     dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
     patches = split_patches(contact)
     line = contact.pressure.sum(axis=0)
