@@ -213,7 +213,7 @@ def _newton(function, t):
 
 def write_side(side, plane, contact, outline=True):
     """Normal contact of one wheel into its outputs (134,): totals, patches by falling load, ``outline`` if wanted."""
-    dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
+    dx = contact.x[1] - contact.x[0]
     patches = split_patches(contact)
     line = contact.pressure.sum(axis=0)
     edge = halfspace.edge_field(contact.pressure)
