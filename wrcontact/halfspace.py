@@ -43,6 +43,13 @@ PATCH_CELLS = 20         # over the narrowest patch on the first grid that is fi
 #: A patch that carries less than this share of the load has no say in the cells' size.
 MINOR_PATCH = 0.02
 CELL_LIMIT = 2_000_000   # of a grid
+LOOK = 25, 800           # samples along and across the domain of the look for places that a solution has missed
+LOOK_SLACK = 0.25        # what a parabola along x finds below its samples is known to this share
+LOOK_LUMPS = 16          # per side, of the pressures as the look sees them
+LOOK_REPEATS = 5
+PLACE_SAMPLES = 9        # per side, around a place
+PLACE_ZOOMS = 4
+MISSED_SHARE = 1e-3      # of the penetration: less overlap than this is nothing missed
 MARGIN_CELLS = 2         # free cells around the patch
 EDGE_LAYERS = 3          # cells by which a patch's p^2 is continued to find its edge
 EDGE_PAD = EDGE_LAYERS + 1    # cells by which an edge field is larger than its pressure field, on each side
@@ -58,9 +65,10 @@ class HalfspaceContact:
 
     Attributes
     ----------
-    x, s : cell centres (n,), (m,) [m].
+    x, s : cell centres (n,), (m,) [m]; evenly spaced, but for jumps where patches far from each other have their own grids.
     pressure : (n, m) [Pa], zero where the bodies are apart.
-    clearance : distance of the deformed bodies u + h - delta (n, m) [m], zero to the precision where they touch.
+    clearance : distance of the deformed bodies u + h - delta (n, m) [m], zero to the precision where they touch; NaN where
+        rows of one grid cross columns of another.
     penetration : delta, approach of distant points of the bodies [m].
     force : N [N].
     area : of the loaded cells, the edge found within the cells [m^2]; see :func:`loaded_area`.
@@ -124,6 +132,31 @@ class Deflection:
         spectrum *= self.transfer
         inside = fft.ifft(spectrum, axis=0, overwrite_x=True)[: self.shape[0]]
         return fft.irfft(inside, columns, axis=1)[:, : self.shape[1]]
+
+
+class BlockDeflection:
+    """As :class:`Deflection` for several grids (b, n, m) of equal cells, which press on each other.
+
+    ``corners`` (b, 2) are the grids' first cells, counted in cells.
+    """
+
+    def __init__(self, shape, corners, dx, ds, contact_modulus):
+        self.count, *self.shape = shape
+        self.padded = tuple(fft.next_fast_len(2 * count - 1, real=True) for count in self.shape)
+        places = [np.arange(size) for size in self.padded]
+        places = [np.where(k < count, k, k - size) for k, count, size in zip(places, self.shape, self.padded)]
+        self.transfer = np.empty((self.count, self.count, self.padded[0], self.padded[1] // 2 + 1), dtype=complex)
+        for one in range(self.count):
+            for other in range(self.count):
+                away = [k + int(corners[one][axis] - corners[other][axis]) for axis, k in enumerate(places)]
+                edges = [np.stack([k - 0.5, k + 0.5]) * step for k, step in zip(away, (dx, ds))]
+                low, high = (corner_potential(edge[:, None], edges[1][:, None, :]) for edge in edges[0])
+                kernel = (high[1] - high[0] - low[1] + low[0]) / (math.pi * contact_modulus)
+                self.transfer[one, other] = fft.rfft2(kernel)
+
+    def __call__(self, pressure):
+        spectrum = np.einsum("abij,bij->aij", self.transfer, fft.rfft2(pressure, self.padded))
+        return fft.irfft2(spectrum, self.padded)[:, : self.shape[0], : self.shape[1]]
 
 
 # --- one grid --------------------------------------------------------------------------------------------------------
@@ -335,11 +368,15 @@ def _rise(row, k):
 def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetration=None, tolerance=TOLERANCE):
     """The contact for any gap: finds the patches, fits a grid to them, and refines it until the answer stands.
 
+    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`); where they do, or patches have
+    been missed at first, each group of patches has its own grid.
+
     Parameters
     ----------
     gap_function : called with cell centres x (n,), s (m,) [m]; returns the undeformed distance (n, m) [m], infinite where
         there is no surface.
-    domain : (x_low, x_high, s_low, s_high) [m], within which all patches lie.
+    domain : (x_low, x_high, s_low, s_high) [m], within which all patches lie; the look for further ones takes LOOK samples
+        of it, and along x one minimum for each s.
     contact_modulus : E* [Pa].
     force, penetration : [N], [m]; exactly one of the two.
     tolerance : permitted relative error in penetration (or force), area and peak pressure, 3e-4 ... 0.1.
@@ -367,7 +404,21 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     coarse = _solve_window(gap_function, domain, window, load)
     if not coarse.pressure.any():
         return coarse
-    return _refine(gap_function, domain, coarse, load, tolerance)
+    look = ridge(gap_function, domain)
+    boxes = missed(gap_function, domain, look, coarse, contact_modulus)
+    if not boxes:
+        found = _refine(gap_function, domain, coarse, load, tolerance)
+        boxes = missed(gap_function, domain, look, found, contact_modulus)
+        if not boxes:
+            return found
+        coarse = found
+    for _ in range(LOOK_REPEATS):
+        found = _refine_blocks(gap_function, domain, merged(loaded_boxes(coarse) + boxes), load, tolerance)
+        boxes = missed(gap_function, domain, look, found, contact_modulus)
+        if not boxes:
+            return found
+        coarse = found
+    raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is none")
 
 
 def find_window(gap_function, domain, *, contact_modulus, force=None, penetration=None):
@@ -433,7 +484,7 @@ def _refine(gap_function, domain, coarse, load, tolerance):
             continue
         change = _changes(previous, found, answer)
         error = change if before is None else {name: estimate_error(before[name], now) for name, now in change.items()}
-        error["area"] = max(error["area"], _edge_doubt(found.pressure > 0.0))
+        error["area"] = max(error["area"], _area_doubt(found))
         if before is not None and max(error.values()) <= tolerance:
             return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
         before, counts = change, tuple(2 * n for n in counts)
@@ -495,6 +546,15 @@ def estimate_error(before, now):
     return max(now * ratio / (1.0 - ratio), before / 16.0)
 
 
+def _area_doubt(found):
+    """Share of the area that lies within EDGE_DOUBT of its edge, or that no loaded cell covers.
+
+    Where bodies graze, p^2 does not fall linearly, and what is continued from the inner cells ends outside the loaded ones.
+    """
+    cell = (found.x[1] - found.x[0]) * (found.s[1] - found.s[0])
+    return max(_edge_doubt(found.pressure > 0.0), found.area / (np.count_nonzero(found.pressure) * cell) - 1.0)
+
+
 def _edge_doubt(loaded):
     """Share of the area that lies within EDGE_DOUBT of its edge."""
     crossings = np.count_nonzero(loaded[1:] != loaded[:-1]) + np.count_nonzero(loaded[:, 1:] != loaded[:, :-1])
@@ -504,6 +564,243 @@ def _edge_doubt(loaded):
 def _changes(before, found, answer):
     """Relative changes from ``before`` to ``found`` by name; ``answer`` is what was not prescribed."""
     return {name: abs(getattr(before, name) / getattr(found, name) - 1.0) for name in (answer, "area", "max_pressure")}
+
+
+# --- patches that a solution has missed -----------------------------------------------------------------------------
+
+
+def ridge(gap_function, domain):
+    """Stations s (m,), and for each the place x (m,) of the least gap, that gap (m,) and what it may be lower (m,) [m].
+
+    Along x a wheel's gap is smooth and has one minimum: the parabola through the three lowest of few samples finds it.
+    Across, samples are dense.
+    """
+    x, s = _centres(domain, LOOK)
+    gap = np.asarray(gap_function(x, s), dtype=float)
+    columns = np.arange(len(s))
+    k = np.clip(gap.argmin(axis=0), 1, len(x) - 2)
+    before, here, after = (gap[k + step, columns] for step in (-1, 0, 1))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        bend = before - 2.0 * here + after
+        turn = np.clip(np.where(bend > 0.0, 0.5 * (before - after) / bend, 0.0), -1.0, 1.0)
+        fall = np.where(bend > 0.0, 0.5 * bend * turn**2, 0.0)
+    turn, fall = np.nan_to_num(turn), np.nan_to_num(fall, posinf=0.0)
+    low = np.minimum(here - fall, gap.min(axis=0))
+    return s, x[k] + turn * (x[1] - x[0]), low, LOOK_SLACK * fall + _dip(low[None])[0]
+
+
+def missed(gap_function, domain, look, found, contact_modulus):
+    """Boxes (x_low, x_high, s_low, s_high) [m] where the bodies of a solution overlap away from its loaded cells.
+
+    At each minimum along the ``look`` of the gap with the deflection under the found pressures that may lie below the
+    penetration, the gap is sampled ever more closely; where it does lie below, the overlap is boxed.  (H9)
+    """
+    s, x, low, spare = look
+    near = np.flatnonzero(low - spare < found.penetration)
+    total = np.full(len(s) + 2, math.inf)
+    total[near + 1] = low[near] + far_deflection(found, x[near], s[near], contact_modulus)
+    lowest = (total[1:-1] <= total[:-2]) & (total[1:-1] < total[2:])
+    places = [k for k in np.flatnonzero(lowest) if total[k + 1] - spare[k] < found.penetration
+              and not _is_loaded(found, x[k], s[k])]
+    step_x, step_s = (domain[1] - domain[0]) / LOOK[0], s[1] - s[0]
+    boxes = []
+    for k in places:
+        box = _clipped((x[k] - step_x, x[k] + step_x, s[k] - 1.5 * step_s, s[k] + 1.5 * step_s), domain)
+        place, gap = _lowest_place(gap_function, box)
+        level = found.penetration - far_deflection(found, *(np.array([value]) for value in place), contact_modulus)[0]
+        if gap < level - MISSED_SHARE * found.penetration and not _is_loaded(found, *place):
+            boxes.append(_overlap(gap_function, domain, place, level, step_s))
+    return boxes
+
+
+def far_deflection(found, x, s, contact_modulus):
+    """Deflection [m] at places x (k,), s (k,) under a solution's pressures, in lumps: sum of N / (pi E* r).  (H9)"""
+    rows, columns = np.nonzero(found.pressure)
+    forces = found.pressure[rows, columns]
+    width, depth = (max(1, math.ceil((k.max() - k.min() + 1) / LOOK_LUMPS)) for k in (rows, columns))
+    _, lump = np.unique(np.stack([rows // width, columns // depth]), axis=1, return_inverse=True)
+    lump = lump.ravel()
+    weight = np.bincount(lump, forces)
+    x_lump, s_lump = (np.bincount(lump, forces * k) / weight for k in (found.x[rows], found.s[columns]))
+    dx, ds = found.x[1] - found.x[0], found.s[1] - found.s[0]
+    # inside a lump of radius c the mean of 1 / r is 2 / c
+    least = 0.5 * math.sqrt(width * depth * dx * ds / math.pi)
+    distance = np.hypot(x[:, None] - x_lump, s[:, None] - s_lump)
+    return dx * ds / (math.pi * contact_modulus) * (weight / np.maximum(distance, least)).sum(axis=1)
+
+
+def _is_loaded(found, x, s):
+    """Whether a cell is loaded at or next to (x, s)."""
+    i, j = int(np.argmin(np.abs(found.x - x))), int(np.argmin(np.abs(found.s - s)))
+    if abs(found.x[i] - x) > 1.5 * (found.x[1] - found.x[0]) or abs(found.s[j] - s) > 1.5 * (found.s[1] - found.s[0]):
+        return False
+    return bool(found.pressure[max(i - 1, 0):i + 2, max(j - 1, 0):j + 2].any())
+
+
+def _lowest_place(gap_function, box):
+    """The place (x, s) of the least gap in a box, and that gap."""
+    for _ in range(PLACE_ZOOMS):
+        x, s = _centres(box, (PLACE_SAMPLES, PLACE_SAMPLES))
+        gap = gap_function(x, s)
+        i, j = np.unravel_index(np.argmin(gap), gap.shape)
+        dx, ds = x[1] - x[0], s[1] - s[0]
+        box = x[i] - 1.5 * dx, x[i] + 1.5 * dx, s[j] - 1.5 * ds, s[j] + 1.5 * ds
+    return (x[i], s[j]), float(gap[i, j])
+
+
+def _overlap(gap_function, domain, place, level, size):
+    """Box around ``place`` in which the gap lies below ``level``, from one of the ``size`` [m] on."""
+    half = [size, size]
+    for _ in range(WINDOW_REPEATS):
+        box = _clipped((place[0] - half[0], place[0] + half[0], place[1] - half[1], place[1] + half[1]), domain)
+        x, s = _centres(box, (COARSE_CELLS, COARSE_CELLS))
+        below, _ = ndimage.label(gap_function(x, s) < level, np.ones((3, 3)))
+        here = below == below[np.argmin(np.abs(x - place[0])), np.argmin(np.abs(s - place[1]))]
+        if not here.any() or not below[here].all():
+            return box
+        touched = _touched(here)
+        if not any(touched):
+            return _around(here, x, s, x[1] - x[0], s[1] - s[0], 0.5)
+        half = [size * (2 if any(touched[2 * k:2 * k + 2]) else 1) for k, size in enumerate(half)]
+    return box
+
+
+def loaded_boxes(found):
+    """Box around each connected run of loaded cells that is more than a stray one."""
+    dx, ds = found.x[1] - found.x[0], found.s[1] - found.s[0]
+    labels, _ = ndimage.label(found.pressure > 0.0, np.ones((3, 3)))
+    return [(found.x[rows][0] - 0.5 * dx, found.x[rows][-1] + 0.5 * dx, found.s[columns][0] - 0.5 * ds,
+             found.s[columns][-1] + 0.5 * ds) for rows, columns in ndimage.find_objects(labels)]
+
+
+def merged(boxes):
+    """Groups of boxes: those that come closer to each other than a quarter of their sizes are solved on one grid."""
+    groups = [[box] for box in boxes]
+    while True:
+        pair = next(((a, b) for a in range(len(groups)) for b in range(a) if _close(hull(groups[a]), hull(groups[b]))), None)
+        if pair is None:
+            return groups
+        groups[pair[1]] += groups.pop(pair[0])
+
+
+def hull(boxes):
+    """The box around boxes."""
+    sides = np.array(boxes)
+    return sides[:, 0].min(), sides[:, 1].max(), sides[:, 2].min(), sides[:, 3].max()
+
+
+def _close(one, other):
+    spare = [0.25 * (one[k + 1] - one[k] + other[k + 1] - other[k]) for k in (0, 2)]
+    return all(one[k] - spare[k // 2] < other[k + 1] and other[k] - spare[k // 2] < one[k + 1] for k in (0, 2))
+
+
+def _refine_blocks(gap_function, domain, groups, load, tolerance):
+    """As :func:`_refine`, each group of boxes on its own grid, all with equal cells."""
+    boxes = [box for group in groups for box in group]
+    hulls = [hull(group) for group in groups]
+    cell = [max(min(box[k + 1] - box[k] for box in boxes) / PATCH_CELLS,
+                max(each[k + 1] - each[k] for each in hulls) / (8 * PATCH_CELLS)) for k in (0, 2)]
+    answer = "force" if load["force"] is None else "penetration"
+    previous, before, iterations = None, None, 0
+    error = {}
+    while True:
+        if len(hulls) * np.prod(_blocks(hulls, cell)[0]) > CELL_LIMIT:
+            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still {max(error.values(), default=1):.2g}"
+                                  f"; permitted are {CELL_LIMIT} cells")
+        found = _solve_blocks(gap_function, domain, hulls, cell, load, previous)
+        iterations += found.iterations
+        wider = _outgrown(found, hulls, cell, domain)
+        if wider != hulls:
+            # grids that grew into each other become one
+            hulls = [hull(group) for group in merged(wider)]
+            continue
+        if previous is None:
+            hulls = [hull(group) for group in merged(_fitted(found, hulls, cell))]
+        else:
+            change = _changes(previous, found, answer)
+            error = {name: estimate_error(before[name], now) if before else now for name, now in change.items()}
+            error["area"] = max(error["area"], _area_doubt(found))
+            if before is not None and max(error.values()) <= tolerance:
+                return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
+            before = change
+        previous, cell = found, [0.5 * size for size in cell]
+
+
+def _blocks(hulls, cell):
+    """Number of cells (n, m) of every grid, and the grids' first cells (b, 2): the hulls with free cells around."""
+    first = [[math.floor(each[k] / cell[k // 2] + 1e-9) - EDGE_PAD for k in (0, 2)] for each in hulls]
+    shape = [max(math.ceil(each[2 * k + 1] / cell[k] - 1e-9) + EDGE_PAD - start[k] for each, start in zip(hulls, first))
+             for k in (0, 1)]
+    return shape, np.array(first)
+
+
+def _solve_blocks(gap_function, domain, hulls, cell, load, guess):
+    """The contact on one grid a hull, on the rows and columns of all of them."""
+    shape, first = _blocks(hulls, cell)
+    centres = [tuple((start[k] + 0.5 + np.arange(shape[k])) * cell[k] for k in (0, 1)) for start in first]
+    gap = np.stack([gap_function(x, s) for x, s in centres])
+    deflect = BlockDeflection(gap.shape, first, *cell, load["contact_modulus"])
+    area = cell[0] * cell[1]
+    if guess is None:
+        level = load["penetration"] if load["force"] is None else estimate_penetration(
+            gap.ravel(), area, load["contact_modulus"], load["force"])
+        start = np.sqrt(np.maximum(level - gap, 0.0))
+    else:
+        start = np.stack([_sampled(guess, x, s) for x, s in centres])
+    # two grids may share cells: the first one has them
+    free = _owned(first, shape)
+    gap = np.where(free, gap, math.inf)
+    start = np.where(np.isfinite(gap), start, 0.0)
+    total = None if load["force"] is None else load["force"] / area
+    pressure, clearance, delta, iterations = _constrained_gradients(start, gap, deflect, total, load["penetration"],
+                                                                    load["precision"])
+    rows, columns = (np.unique(np.concatenate([start[k] + np.arange(shape[k]) for start in first])) for k in (0, 1))
+    whole, apart = np.zeros((len(rows), len(columns))), np.full((len(rows), len(columns)), math.nan)
+    for k, start in enumerate(first):
+        i, j = np.searchsorted(rows, start[0]), np.searchsorted(columns, start[1])
+        here = slice(i, i + shape[0]), slice(j, j + shape[1])
+        whole[here] += pressure[k]
+        apart[here] = np.where(free[k], clearance[k], apart[here])
+    return HalfspaceContact((rows + 0.5) * cell[0], (columns + 0.5) * cell[1], whole, apart, delta,
+                            float(whole.sum() * area), float(loaded_area(whole) * area), peak_pressure(whole), iterations)
+
+
+def _owned(first, shape):
+    """Whether a cell of each grid (b, n, m) belongs to no grid before it."""
+    rows, columns = (first[:, k, None] + np.arange(shape[k]) for k in (0, 1))
+    owned = np.ones((len(first), *shape), dtype=bool)
+    for one in range(len(first)):
+        for other in range(one):
+            row, column = (np.isin(each[one], each[other]) for each in (rows, columns))
+            owned[one] &= ~(row[:, None] & column)
+    return owned
+
+
+def _sampled(found, x, s):
+    """Pressure of ``found``, linear between its cells, at x, s; zero where they lie outside."""
+    rows, columns = np.interp(x, found.x, np.arange(len(found.x))), np.interp(s, found.s, np.arange(len(found.s)))
+    places = np.meshgrid(rows, columns, indexing="ij")
+    return np.sqrt(np.maximum(ndimage.map_coordinates(found.pressure**2, places, order=1, mode="nearest"), 0.0))
+
+
+def _parts(found, hulls, cell):
+    """Rows and columns (slices) of each grid within those of all."""
+    shape, first = _blocks(hulls, cell)
+    for start in first:
+        begin = [int(np.searchsorted(centres, (start[k] + 0.4) * cell[k])) for k, centres in enumerate((found.x, found.s))]
+        yield tuple(slice(begin[k], begin[k] + shape[k]) for k in (0, 1))
+
+
+def _outgrown(found, hulls, cell, domain):
+    """The hulls, each larger where its outermost cells are loaded."""
+    touched = [_touched(found.pressure[part]) for part in _parts(found, hulls, cell)]
+    return [_enlarged(each, sides, domain, 0.3) if any(sides) else each for each, sides in zip(hulls, touched)]
+
+
+def _fitted(found, hulls, cell):
+    """Boxes a cell larger than what is loaded on each grid; none where nothing is."""
+    parts = [part for part in _parts(found, hulls, cell) if found.pressure[part].any()]
+    return [_around(found.pressure[part] > 0.0, found.x[part[0]], found.s[part[1]], *cell, 1.5) for part in parts]
 
 
 # --- boxes and grids --------------------------------------------------------------------------------------------------

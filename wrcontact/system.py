@@ -76,7 +76,8 @@ class ContactSystem:
     load : "normal", ``normal_force`` is the total over a wheel's patches.
     normal_model : "analyn" (Sichani et al. 2014), "analyn_strip" (the same, put right by strips on one half-space), "hertz"
         (curvatures at the contact point), or "halfspace" (complete theory on the true three-dimensional gap,
-        wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel).
+        wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel,
+        seconds where narrow patches lie far apart).
     separation : "normal", the undeformed distance is measured along the contact normal.
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
     lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).
