@@ -164,7 +164,7 @@ class ContactSystem:
         normal_force : per wheel [N], total over its patches.
         load_transfer : share of it moved from the left to the right wheel, -1 ... 1.
         roll_guess : where the roll search starts [rad]; changes the cost, never the answer up to 0.093 rad of yaw; beyond,
-            in a few of 1000 poses, it does.
+            in one to three of 100 poses, it does.
         penetration : prescribe the penetration [m] instead of the force: one value, or (left, right).
         side, outputs : what is wanted, as for :meth:`stepper`; the rest is NaN.
 
