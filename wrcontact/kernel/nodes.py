@@ -168,11 +168,12 @@ def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, sto
 
 
 def end_region(work: 'float[:]', block: int, direction: int, station: float):
-    """Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back."""
+    """Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back.  A bound
+    that is known to lie before the next node stays."""
     if direction > 0:
-        if station < work[block + REGION_HIGH]:
+        if station + work[block + REGION_SPACING] < work[block + REGION_HIGH]:
             work[block + REGION_HIGH] = station
-    elif station > work[block + REGION_LOW]:
+    elif station - work[block + REGION_SPACING] > work[block + REGION_LOW]:
         work[block + REGION_LOW] = station
     return 0
 

@@ -27,7 +27,7 @@ from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
 from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
                       REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_REACHED, REGION_SHARE,
-                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS,
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SPACING, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS,
                       REGION_TURN, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL, REGION_WIDTH_LOW, bound_regions, find_regions,
                       open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
@@ -187,9 +187,17 @@ def covered(work: 'float[:]', count: int):
         block = region_block(i)
         rises = node_field(i, NODE_RISE)
         level = work[block + REGION_LEVEL]
-        if level > work[rises + int(work[block + REGION_LAST])] and work[block + REGION_HIGH] >= FAR:
+        low = work[block + REGION_LOW]
+        high = work[block + REGION_HIGH]
+        if work[FRAME_PRESSED] == 1.0:
+            # its bounds may be the rail's ends, far away
+            if low < work[block + REGION_STATION] + work[block + REGION_SPACING] * work[block + REGION_FIRST]:
+                low = -FAR
+            if high > work[block + REGION_STATION] + work[block + REGION_SPACING] * work[block + REGION_LAST]:
+                high = FAR
+        if level > work[rises + int(work[block + REGION_LAST])] and high >= FAR:
             result = 0
-        if level > work[rises + int(work[block + REGION_FIRST])] and work[block + REGION_LOW] <= -FAR:
+        if level > work[rises + int(work[block + REGION_FIRST])] and low <= -FAR:
             result = 0
     return result
 
@@ -291,7 +299,11 @@ def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: i
         if repeat < COVER_REPEATS - 1:
             enlarge *= 1.4
             start = penetration
-            start_levels(work, count, penetration)
+            laid = penetration
+            if work[FRAME_PRESSED] == 1.0:
+                # nodes stay where the wheel stands; there are only more of them
+                laid = work[FRAME_DEPTH]
+            start_levels(work, count, laid)
     return penetration, met
 
 

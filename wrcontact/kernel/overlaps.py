@@ -16,8 +16,8 @@ from .layout import (OVERLAP_LIMIT, REGION_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN
 from .locus import outline_point
 from .planes import keep_frame, use_frame
 from .pressed import normal_line, pressed_gap, rail_length, rail_speed
-from .profile_table import height_slope, height_slope_bend
-from .regions import (FAR, MERGE, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
+from .profile_table import START, STOP, height_slope, height_slope_bend
+from .regions import (MERGE, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
                       REGION_OFFSET, REGION_OWN, REGION_RAIL, REGION_STATION, REGION_TURN, REGION_WHEEL, lean_region,
                       region_block)
 from .search import LEVELS, ROW_HEIGHT, ROW_SLOPE, ROW_Y, SCAN_COUNT, SCAN_NODES, SCAN_ROW, clear_level, node_below
@@ -65,6 +65,17 @@ def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, hei
     return gap, m - outline_slope, abscissa
 
 
+def sample_end(tables: 'float[:]', work: 'float[:]', direction: int, entry: int):
+    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched."""
+    rail = int(tables[SET_RAIL])
+    work[SAMPLE_RAIL + entry] = tables[rail + START]
+    work[SAMPLE_RISE + entry] = 1.0
+    if direction > 0:
+        work[SAMPLE_RAIL + entry] = tables[rail + STOP]
+        work[SAMPLE_RISE + entry] = -1.0
+    return 0
+
+
 def walk_overlap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int, node: int, direction: int, height: float,
                  first: int):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
@@ -76,13 +87,16 @@ def walk_overlap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: in
     while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
         gap, mismatch, abscissa = sample_overlap(tables, work, at, node, height, entry)
         state[STATE_GAP_COUNT] += 1.0
-        if above_rail(tables, abscissa) == 0:
-            return entry
+        on_rail = above_rail(tables, abscissa)
+        if on_rail == 0:
+            sample_end(tables, work, direction, entry)
         if direction > 0:
             work[SAMPLE_NEXT + entry] = neighbour
         else:
             work[SAMPLE_NEXT + entry + 1] = neighbour
         entry += direction
+        if on_rail == 0:
+            return entry
         neighbour = 1.0
         step = 1
         if gap > height:
@@ -221,14 +235,19 @@ def remove_deep(work: 'float[:]', entry: int):
 def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, at: int, height: float):
     """List the regions in which the wheel placed at ``at`` and moved down by ``height`` [m] overlaps its rail; their number."""
     node = node_below(tables, work[side + SIDE_BEST_Y])
+    rail = int(tables[SET_RAIL])
     work[DEEP_COUNT] = 0.0
     start = walk_overlap(tables, work, state, at, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, work, state, at, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if work[SAMPLE_RISE + entry] > 0.0 and work[SAMPLE_RISE + entry + 1] <= 0.0 and work[SAMPLE_NEXT + entry + 1] == 1.0:
-            x, y, depth, turned = turning_point(tables, work, at, work[SAMPLE_RAIL + entry] - BESIDE,
-                                                work[SAMPLE_RAIL + entry + 1] + BESIDE, work[SAMPLE_WHEEL + entry],
-                                                height, 1.0)
+            low = work[SAMPLE_RAIL + entry] - BESIDE
+            high = work[SAMPLE_RAIL + entry + 1] + BESIDE
+            if low < tables[rail + START]:
+                low = tables[rail + START]
+            if high > tables[rail + STOP]:
+                high = tables[rail + STOP]
+            x, y, depth, turned = turning_point(tables, work, at, low, high, work[SAMPLE_WHEEL + entry], height, 1.0)
             if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
                 keep_deep(work, x, y, depth)
     if int(work[DEEP_COUNT]) > 0:
@@ -277,6 +296,7 @@ def gather_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     height = work[FRAME_POSE]
     depth = work[FRAME_DEPTH]
     at = int(work[FRAME_PLACE])
+    rail = int(tables[SET_RAIL])
     keep_frame(work, REGION_LIMIT)
     for region in range(count):
         block = region_block(region)
@@ -298,12 +318,14 @@ def gather_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
         gap, rate, bend, curvature = pressed_gap(tables, work, state, 0.0)
         work[block + REGION_BEND] = bend
         work[block + REGION_CURVATURE] = curvature
-        work[block + REGION_LOW] = -FAR
-        work[block + REGION_HIGH] = FAR
+        low = tables[rail + START]
+        high = tables[rail + STOP]
         if region > 0:
-            work[block + REGION_LOW] = rail_length(tables, work[deep + DEEP_RAIL], work[deep - DEEP_SIZE + DEEP_HUMP])
+            low = work[deep - DEEP_SIZE + DEEP_HUMP]
         if region < count - 1:
-            work[block + REGION_HIGH] = rail_length(tables, work[deep + DEEP_RAIL], work[deep + DEEP_HUMP])
+            high = work[deep + DEEP_HUMP]
+        work[block + REGION_LOW] = rail_length(tables, work[deep + DEEP_RAIL], low)
+        work[block + REGION_HIGH] = rail_length(tables, work[deep + DEEP_RAIL], high)
         keep_frame(work, region)
         use_frame(work, REGION_LIMIT)
     return count

@@ -217,17 +217,19 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, in
     return INT64_C(0);
 }
 
-/* Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back. */
+/* Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back.  A bound
+ * that is known to lie before the next node stays.
+ */
 static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int64_t direction, double station)
 {
     if (direction > INT64_C(0))
     {
-        if (station < (*cspan_at(&work, block + regions__REGION_HIGH)))
+        if (station + (*cspan_at(&work, block + regions__REGION_SPACING)) < (*cspan_at(&work, block + regions__REGION_HIGH)))
         {
             (*cspan_at(&work, block + regions__REGION_HIGH)) = station;
         }
     }
-    else if (station > (*cspan_at(&work, block + regions__REGION_LOW)))
+    else if (station - (*cspan_at(&work, block + regions__REGION_SPACING)) > (*cspan_at(&work, block + regions__REGION_LOW)))
     {
         (*cspan_at(&work, block + regions__REGION_LOW)) = station;
     }

@@ -216,6 +216,8 @@ static inline int64_t normal_contact__covered(array_double_1d work, int64_t coun
     int64_t block;
     int64_t rises;
     double level;
+    double low;
+    double high;
     int64_t result;
     result = INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -223,11 +225,25 @@ static inline int64_t normal_contact__covered(array_double_1d work, int64_t coun
         block = regions__region_block(i);
         rises = nodes__node_field(i, nodes__NODE_RISE);
         level = (*cspan_at(&work, block + regions__REGION_LEVEL));
-        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)))))) && ((*cspan_at(&work, block + regions__REGION_HIGH)) >= regions__FAR))
+        low = (*cspan_at(&work, block + regions__REGION_LOW));
+        high = (*cspan_at(&work, block + regions__REGION_HIGH));
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            /* its bounds may be the rail's ends, far away */
+            if (low < (*cspan_at(&work, block + regions__REGION_STATION)) + (*cspan_at(&work, block + regions__REGION_SPACING)) * (*cspan_at(&work, block + regions__REGION_FIRST)))
+            {
+                low = -regions__FAR;
+            }
+            if (high > (*cspan_at(&work, block + regions__REGION_STATION)) + (*cspan_at(&work, block + regions__REGION_SPACING)) * (*cspan_at(&work, block + regions__REGION_LAST)))
+            {
+                high = regions__FAR;
+            }
+        }
+        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)))))) && (high >= regions__FAR))
         {
             result = INT64_C(0);
         }
-        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))))) && ((*cspan_at(&work, block + regions__REGION_LOW)) <= -regions__FAR))
+        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))))) && (low <= -regions__FAR))
         {
             result = INT64_C(0);
         }
@@ -365,6 +381,7 @@ static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t*
     double enlarge;
     int64_t met;
     int64_t repeat;
+    double laid;
     start = penetration;
     enlarge = 1.0;
     met = INT64_C(0);
@@ -386,7 +403,13 @@ static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t*
         {
             enlarge *= 1.4;
             start = penetration;
-            normal_contact__start_levels(work, count, penetration);
+            laid = penetration;
+            if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+            {
+                /* nodes stay where the wheel stands; there are only more of them */
+                laid = (*cspan_at(&work, contact_plane__FRAME_DEPTH));
+            }
+            normal_contact__start_levels(work, count, laid);
         }
     }
     (*result_0_0001) = penetration;

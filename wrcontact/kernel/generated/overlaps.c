@@ -36,6 +36,21 @@ static inline int64_t overlaps__sample_overlap(double* gap, double* result_1, do
     return 0;
 }
 
+/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched. */
+static inline int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry)
+{
+    int64_t rail;
+    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__START));
+    (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = 1.0;
+    if (direction > INT64_C(0))
+    {
+        (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__STOP));
+        (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = -1.0;
+    }
+    return INT64_C(0);
+}
+
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
  * the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
  */
@@ -47,6 +62,7 @@ static inline int64_t overlaps__walk_overlap(array_double_1d tables, array_doubl
     double gap;
     double mismatch;
     double abscissa;
+    int64_t on_rail;
     int64_t step;
     int64_t entry;
     count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
@@ -57,9 +73,10 @@ static inline int64_t overlaps__walk_overlap(array_double_1d tables, array_doubl
     {
         overlaps__sample_overlap(&gap, &mismatch, &abscissa, tables, work, at, node, height, entry);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        if (gap__above_rail(tables, abscissa) == INT64_C(0))
+        on_rail = gap__above_rail(tables, abscissa);
+        if (on_rail == INT64_C(0))
         {
-            return entry;
+            overlaps__sample_end(tables, work, direction, entry);
         }
         if (direction > INT64_C(0))
         {
@@ -70,6 +87,10 @@ static inline int64_t overlaps__walk_overlap(array_double_1d tables, array_doubl
             (*cspan_at(&work, overlaps__SAMPLE_NEXT + entry + INT64_C(1))) = neighbour;
         }
         entry += direction;
+        if (on_rail == INT64_C(0))
+        {
+            return entry;
+        }
         neighbour = 1.0;
         step = INT64_C(1);
         if (gap > height)
@@ -318,15 +339,19 @@ static inline int64_t overlaps__remove_deep(array_double_1d work, int64_t entry)
 static inline int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height)
 {
     int64_t node;
+    int64_t rail;
     int64_t start;
     int64_t stop;
     int64_t entry;
+    double low;
+    double high;
     double x;
     double y;
     double depth;
     int64_t turned;
     int64_t result;
     node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
     (*cspan_at(&work, overlaps__DEEP_COUNT)) = 0.0;
     start = overlaps__walk_overlap(tables, work, state, at, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlaps__walk_overlap(tables, work, state, at, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
@@ -334,7 +359,17 @@ static inline int64_t overlaps__find_overlaps(array_double_1d tables, array_doub
     {
         if (((*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) > 0.0) && ((*cspan_at(&work, overlaps__SAMPLE_RISE + entry + INT64_C(1))) <= 0.0) && ((*cspan_at(&work, overlaps__SAMPLE_NEXT + entry + INT64_C(1))) == 1.0))
         {
-            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) - overlaps__BESIDE, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))) + overlaps__BESIDE, (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)), height, 1.0);
+            low = (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) - overlaps__BESIDE;
+            high = (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))) + overlaps__BESIDE;
+            if (low < (*cspan_at(&tables, rail + profile_table__START)))
+            {
+                low = (*cspan_at(&tables, rail + profile_table__START));
+            }
+            if (high > (*cspan_at(&tables, rail + profile_table__STOP)))
+            {
+                high = (*cspan_at(&tables, rail + profile_table__STOP));
+            }
+            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)), height, 1.0);
             if ((turned == INT64_C(1)) && (depth > 0.0) && (overlaps__is_listed(work, x) == INT64_C(0)))
             {
                 overlaps__keep_deep(work, x, y, depth);
@@ -412,6 +447,7 @@ static inline int64_t overlaps__gather_overlaps(array_double_1d tables, array_do
     double height;
     double depth;
     int64_t at;
+    int64_t rail;
     int64_t region;
     int64_t block;
     int64_t deep;
@@ -426,6 +462,8 @@ static inline int64_t overlaps__gather_overlaps(array_double_1d tables, array_do
     double rate;
     double bend;
     double curvature;
+    double low;
+    double high;
     int64_t count;
     count = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     contact = overlaps__deepest_entry(work);
@@ -434,6 +472,7 @@ static inline int64_t overlaps__gather_overlaps(array_double_1d tables, array_do
     height = (*cspan_at(&work, contact_plane__FRAME_POSE));
     depth = (*cspan_at(&work, contact_plane__FRAME_DEPTH));
     at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
+    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
     planes__keep_frame(work, layout__REGION_LIMIT);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
@@ -458,16 +497,18 @@ static inline int64_t overlaps__gather_overlaps(array_double_1d tables, array_do
         pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0);
         (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
         (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-        (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
-        (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
+        low = (*cspan_at(&tables, rail + profile_table__START));
+        high = (*cspan_at(&tables, rail + profile_table__STOP));
         if (region > INT64_C(0))
         {
-            (*cspan_at(&work, block + regions__REGION_LOW)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work, deep - overlaps__DEEP_SIZE + overlaps__DEEP_HUMP)));
+            low = (*cspan_at(&work, deep - overlaps__DEEP_SIZE + overlaps__DEEP_HUMP));
         }
         if (region < count - INT64_C(1))
         {
-            (*cspan_at(&work, block + regions__REGION_HIGH)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work, deep + overlaps__DEEP_HUMP)));
+            high = (*cspan_at(&work, deep + overlaps__DEEP_HUMP));
         }
+        (*cspan_at(&work, block + regions__REGION_LOW)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), low);
+        (*cspan_at(&work, block + regions__REGION_HIGH)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), high);
         planes__keep_frame(work, region);
         planes__use_frame(work, layout__REGION_LIMIT);
     }
