@@ -270,16 +270,8 @@ def equidistant_rise(tables: 'float[:]', work: 'float[:]', station: float):
     return across * sine - down * cosine, rate, rail_turn - wheel_turn, exists
 
 
-def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):
-    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
-    NO_GAP where a profile has ended.
-
-    ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
-    """
-    kind = int(tables[SET_SEPARATION])
-    if kind == SEPARATION_NORMAL:
-        gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
-        return gap, rate, bend, curvature
+def moved_separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, kind: int):
+    """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum."""
     state[STATE_NODE_COUNT] += 1.0
     if kind == SEPARATION_VERTICAL:
         gap, rate, bend, exists = vertical_rise(tables, work, station)
@@ -291,4 +283,18 @@ def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station:
         gap = NO_GAP
     z, slope, wheel_bend = height_slope_bend(tables, int(tables[SET_WHEEL]), work[TRACER_WHEEL])
     curvature = longitudinal_curvature(tables, work, int(work[FRAME_PLACE]), z, slope, wheel_bend)
+    return gap, rate, bend, curvature
+
+
+def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):
+    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
+    NO_GAP where a profile has ended.
+
+    ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
+    """
+    kind = int(tables[SET_SEPARATION])
+    if kind == SEPARATION_NORMAL:
+        gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
+    else:
+        gap, rate, bend, curvature = moved_separation(tables, work, state, station, kind)
     return gap, rate, bend, curvature

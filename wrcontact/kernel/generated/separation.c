@@ -416,24 +416,13 @@ static inline int64_t separation__equidistant_rise(double* result_0, double* rat
     return 0;
 }
 
-/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
- * NO_GAP where a profile has ended.
- *
- * ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
- */
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
+/* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum. */
+static inline int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, int64_t kind)
 {
-    int64_t kind;
     int64_t exists;
     double z;
     double slope;
     double wheel_bend;
-    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
-    if (kind == layout__SEPARATION_NORMAL)
-    {
-        contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);
-        return 0;
-    }
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
@@ -451,5 +440,25 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
     }
     profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
     (*curvature) = contact_plane__longitudinal_curvature(tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), z, slope, wheel_bend);
+    return 0;
+}
+
+/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
+ * NO_GAP where a profile has ended.
+ *
+ * ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
+ */
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
+{
+    int64_t kind;
+    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
+    if (kind == layout__SEPARATION_NORMAL)
+    {
+        contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);
+    }
+    else
+    {
+        separation__moved_separation(gap, rate, bend, curvature, tables, work, state, station, kind);
+    }
     return 0;
 }

@@ -50,6 +50,7 @@ static inline int64_t separation__move_station(array_double_1d tables, array_dou
 static inline int64_t separation__move_across(array_double_1d tables, array_double_1d work, double lateral);
 static inline int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station);
 static inline int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station);
+static inline int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, int64_t kind);
 static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
 
 #endif
