@@ -111,7 +111,7 @@ def test_names_of_the_interface_are_there(description):
     expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer"}
     expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance",
                  "nominal_radius", "youngs_modulus", "poisson_ratio", "contact_mode", "load", "normal_model", "separation",
-                 "longitudinal_curvature", "lateral_curvature"}  # fmt: skip
+                 "longitudinal_curvature", "lateral_curvature", "curvature_step", "curvature_reach"}  # fmt: skip
     assert expected <= names
 
 

@@ -87,6 +87,10 @@ def bits(array):
     {"normal_model": "hertz", "longitudinal_curvature": "basic"},
     {"normal_model": "analyn_strip"},
     {"normal_model": "analyn_strip", "nodes": 38, "strips": 33, "sweeps": 3},
+    {"separation": "vertical", "lateral_curvature": "rough"},
+    {"separation": "equidistant", "normal_model": "analyn_strip"},
+    {"separation": "equidistant_chord", "lateral_curvature": "smooth"},
+    {"lateral_curvature": "rough", "normal_model": "hertz", "curvature_step": 1e-3},
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
     rows = poses(80)
