@@ -226,7 +226,7 @@ def test_a_chord_is_shorter_than_its_arc_by_the_cube():
         for _ in range(count):
             assert separation.move_chord(tables, work, contact_plane.TRACER_RAIL, spacing) == 1
         arc = contact.rail.arc(u, work[contact_plane.TRACER_RAIL])
-        assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-13)
+        assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-12)
         errors.append(arc - 4e-3)
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=1e-3) and errors[1] / errors[2] == pytest.approx(4.0, rel=1e-3)
 
