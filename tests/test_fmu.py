@@ -257,6 +257,17 @@ def test_first_instant(run):
     assert seen["in_initialisation"] == seen["after_initialisation"]
 
 
+def test_methods_and_their_parameters_arrive(run):
+    """The tables that they need are prepared inside the FMU."""
+    chosen = {"separation": "equidistant", "lateral_curvature": "rough", "curvature_step": 1e-3, "curvature_reach": 2e-3}
+    start = {"lateral_shift": 2e-3, "yaw": 1e-3}
+    for more in ({}, {"lateral_curvature": "smooth"}):
+        parameters = {**chosen, **more}
+        seen = run("first_instant", start={**start, **parameters})
+        assert_same(seen["after_initialisation"], evaluated(start, ContactSystem(**parameters).stepper()))
+        assert seen["after_initialisation"]["right.area"] != seen["default"]["right.area"]
+
+
 def test_runs_its_own_code(run, tmp_path):
     modules = run("first_instant")["modules"]
     assert "wrcontact" not in modules

@@ -1,4 +1,4 @@
-"""How ANALYN's inputs are prepared: separations against profiles, arcs and chords computed apart; lateral curvatures likewise."""
+"""How ANALYN's inputs are prepared: separations and lateral curvatures against profiles, arcs and chords computed apart."""
 
 import itertools
 
@@ -161,7 +161,7 @@ class Contact:
 STATIONS = np.array([0.2e-3, 0.6e-3, 1.1e-3])     # on a flange the rail's side begins soon
 
 
-# --- separations -----------------------------------------------------------------------------------------------------------------
+# --- separations --------------------------------------------------------------------------------------------------------
 
 @EVERY_PLACE
 @pytest.mark.parametrize("side", [1, -1], ids=["field", "flange"])
@@ -290,7 +290,7 @@ def test_two_circles_are_hertz(kind, lateral):
         assert getattr(analyn, name) == pytest.approx(getattr(hertz, name), rel=2e-4), name
 
 
-# --- lateral curvature -----------------------------------------------------------------------------------------------------------
+# --- lateral curvature --------------------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("radius, side", [(13.0, -1), (80.0, +1), (300.0, -1)])
 @pytest.mark.parametrize("curvature, scales", [(fitted_curvature, (0.1e-3, 3e-3, 10e-3)),
@@ -387,7 +387,7 @@ def test_hertz_takes_the_chosen_lateral_curvature():
     assert sides[2].curvature_y == pytest.approx(sides[0].curvature_y, rel=1e-3)
 
 
-def test_rough_and_smooth_are_the_source_s_pictures():
+def test_rough_and_smooth_are_what_the_source_shows():
     """Sections 7.2 and 7.3 of the source: at 1 mm the rough curvature of wheel and rail together jumps within the patch, even
     below zero, and the smooth one does not."""
     system = wrcontact.ContactSystem()
@@ -407,7 +407,7 @@ def test_the_table_s_sign_is_that_of_a_bulge():
     np.testing.assert_allclose(smooth_curvature_table(table, -1.0, 1e-3)[3:], 12.5, rtol=1e-5)
 
 
-# --- what depends on what --------------------------------------------------------------------------------------------------------
+# --- what depends on what -----------------------------------------------------------------------------------------------
 
 RIGID = list(range(layout.SIDE_X_WHEEL, layout.SIDE_CURVATURE_X))
 COLUMNS = {name: [side + k for side in (layout.OUT_LEFT, layout.OUT_RIGHT) for k in slots]
@@ -469,7 +469,8 @@ def test_every_choice_holds_everywhere_on_a_fine_grid(rail):
 def test_tread_hardly_notices_and_a_flange_does(place):
     """The source's finding of its section 7.1, and what it does not say: on a flange the vertical distance is the normal one
     over the cosine, so that the patch is too narrow."""
-    areas = {kind: wrcontact.ContactSystem(separation=kind, nodes=38).evaluate(PLACES[place]).right.area for kind in SEPARATIONS}
+    areas = {kind: wrcontact.ContactSystem(separation=kind, nodes=38).evaluate(PLACES[place]).right.area
+             for kind in SEPARATIONS}
     assert areas["equidistant"] == pytest.approx(areas["normal"], rel=0.02)
     assert areas["equidistant_chord"] == pytest.approx(areas["equidistant"], rel=2e-3)
     low, high = {"tread": (0.99, 1.01), "root": (0.85, 0.97), "flange": (0.5, 0.75)}[place]
