@@ -24,9 +24,7 @@ from .profile_table import PIECE_SIZE, START, STOP, find_piece, height_slope, he
 ORIGIN_STATION: Final[int] = WORK_SEPARATION + 0  # [m]
 ORIGIN_GAP: Final[int] = WORK_SEPARATION + 1      # the normal gap there [m]
 ORIGIN_RAIL: Final[int] = WORK_SEPARATION + 2     # rail abscissa and height there [m]
-ORIGIN_HEIGHT: Final[int] = WORK_SEPARATION + 3
-ORIGIN_ACROSS: Final[int] = WORK_SEPARATION + 4   # the outline's lateral and vertical coordinate there [m]
-ORIGIN_DOWN: Final[int] = WORK_SEPARATION + 5
+ORIGIN_WHEEL: Final[int] = WORK_SEPARATION + 4    # the outline's lateral and vertical coordinate there [m]
 ORIGIN_SPACING: Final[int] = WORK_SEPARATION + 6  # length of a chord [m]; 0: true arc length
 
 #: Lengths and lateral coordinates are met to this [m]; coordinates of a metre are rounded to 1e-16.
@@ -41,25 +39,6 @@ WEIGHT_2: Final[float] = 0.3607615730481386
 WEIGHT_3: Final[float] = 0.1713244923791704
 
 
-def open_origin(tables: 'float[:]', work: 'float[:]', station: float, gap: float, abscissa: float, y: float, spacing: float):
-    """Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
-    are as long as ``spacing`` [m], or arcs where that is 0."""
-    if int(tables[SET_SEPARATION]) != SEPARATION_NORMAL:
-        height, rail_slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
-        z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-        across, down, outline_slope, stretch, rate = outline_jet(work, int(work[FRAME_PLACE]), y, z, slope, bend)
-        work[ORIGIN_STATION] = station
-        work[ORIGIN_GAP] = gap
-        work[ORIGIN_RAIL] = abscissa
-        work[ORIGIN_HEIGHT] = height
-        work[ORIGIN_ACROSS] = across
-        work[ORIGIN_DOWN] = down
-        work[ORIGIN_SPACING] = 0.0
-        if int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
-            work[ORIGIN_SPACING] = spacing
-    return 0
-
-
 def curve_table(tables: 'float[:]', tracer: int):
     """Offset of the profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on."""
     base = int(tables[SET_WHEEL])
@@ -70,15 +49,15 @@ def curve_table(tables: 'float[:]', tracer: int):
 
 def curve_jet(tables: 'float[:]', work: 'float[:]', tracer: int, u: float):
     """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
-    derivatives of the lateral coordinate [-] and of the slope [1/m]."""
+    derivatives of the lateral coordinate [-] and of the slope [1/m].  ``tracer``: TRACER_RAIL or TRACER_WHEEL."""
     z, slope, bend = height_slope_bend(tables, curve_table(tables, tracer), u)
     across = u - work[ORIGIN_RAIL]
-    down = z - work[ORIGIN_HEIGHT]
+    down = z - work[ORIGIN_RAIL + 1]
     stretch = 1.0
     if tracer == TRACER_WHEEL:
         y_track, z_track, slope, stretch, bend = outline_jet(work, int(work[FRAME_PLACE]), u, z, slope, bend)
-        across = y_track - work[ORIGIN_ACROSS]
-        down = z_track - work[ORIGIN_DOWN]
+        across = y_track - work[ORIGIN_WHEEL]
+        down = z_track - work[ORIGIN_WHEEL + 1]
     return across, down, slope, stretch, bend
 
 
@@ -99,12 +78,19 @@ def panel_length(tables: 'float[:]', work: 'float[:]', tracer: int, low: float, 
     """Arc length [m] between abscissae within one piece of the profile; Gauss with six points."""
     middle = 0.5 * (low + high)
     half = 0.5 * (high - low)
-    total = WEIGHT_1 * (curve_speed(tables, work, tracer, middle - GAUSS_1 * half)
-                        + curve_speed(tables, work, tracer, middle + GAUSS_1 * half))
-    total += WEIGHT_2 * (curve_speed(tables, work, tracer, middle - GAUSS_2 * half)
-                         + curve_speed(tables, work, tracer, middle + GAUSS_2 * half))
-    total += WEIGHT_3 * (curve_speed(tables, work, tracer, middle - GAUSS_3 * half)
-                         + curve_speed(tables, work, tracer, middle + GAUSS_3 * half))
+    total = 0.0
+    for i in range(-1, 2, 2):
+        side = half * float(i)
+        for k in range(3):
+            away = GAUSS_1
+            weight = WEIGHT_1
+            if k == 1:
+                away = GAUSS_2
+                weight = WEIGHT_2
+            if k == 2:
+                away = GAUSS_3
+                weight = WEIGHT_3
+            total += weight * curve_speed(tables, work, tracer, middle + side * away)
     return half * total
 
 
@@ -140,6 +126,30 @@ def within(tables: 'float[:]', tracer: int, u: float):
     if u > tables[base + STOP]:
         u = tables[base + STOP]
     return u
+
+
+def open_origin(tables: 'float[:]', work: 'float[:]', station: float, gap: float, abscissa: float, y: float, spacing: float):
+    """Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
+    are as long as ``spacing`` [m], or arcs where that is 0."""
+    if int(tables[SET_SEPARATION]) != SEPARATION_NORMAL:
+        work[ORIGIN_STATION] = station
+        work[ORIGIN_GAP] = gap
+        work[ORIGIN_SPACING] = 0.0
+        if int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
+            work[ORIGIN_SPACING] = spacing
+        open_curve(tables, work, TRACER_RAIL, ORIGIN_RAIL, abscissa)
+        open_curve(tables, work, TRACER_WHEEL, ORIGIN_WHEEL, y)
+    return 0
+
+
+def open_curve(tables: 'float[:]', work: 'float[:]', tracer: int, origin: int, u: float):
+    """Let the curve's origin, at ``origin`` in the workspace, be its point at abscissa ``u`` [m]."""
+    work[origin] = 0.0
+    work[origin + 1] = 0.0
+    across, down, slope, stretch, bend = curve_jet(tables, work, tracer, u)
+    work[origin] = across
+    work[origin + 1] = down
+    return 0
 
 
 def move_arc(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
