@@ -459,6 +459,12 @@ def test_every_choice_holds_everywhere(rail):
     assert_all_valid(rail, 17, 5)
 
 
+def test_a_steep_side_leaves_no_hole_in_the_vertical_distance():
+    """A cubic over four nodes to the rail's side fell below zero here, and no force was met."""
+    found = wrcontact.ContactSystem(separation="vertical").evaluate(6.225e-3, np.radians(-0.5))
+    assert found.status == 0 and 50e-6 < found.right.penetration < 80e-6
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("rail", RAILS)
 def test_every_choice_holds_everywhere_on_a_fine_grid(rail):
