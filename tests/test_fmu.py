@@ -111,7 +111,7 @@ def test_names_of_the_interface_are_there(description):
     expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer"}
     expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance",
                  "nominal_radius", "youngs_modulus", "poisson_ratio", "contact_mode", "load", "normal_model", "separation",
-                 "longitudinal_curvature", "lateral_curvature"}  # fmt: skip
+                 "longitudinal_curvature", "lateral_curvature", "curvature_step", "curvature_reach"}  # fmt: skip
     assert expected <= names
 
 
@@ -255,6 +255,17 @@ def test_first_instant(run):
     assert_same(seen["default"], evaluated({}))
     assert_same(seen["after_initialisation"], evaluated(start))
     assert seen["in_initialisation"] == seen["after_initialisation"]
+
+
+def test_methods_and_their_parameters_arrive(run):
+    """The tables that they need are prepared inside the FMU."""
+    chosen = {"separation": "equidistant", "lateral_curvature": "rough", "curvature_step": 1e-3, "curvature_reach": 2e-3}
+    start = {"lateral_shift": 2e-3, "yaw": 1e-3}
+    for more in ({}, {"lateral_curvature": "smooth"}):
+        parameters = {**chosen, **more}
+        seen = run("first_instant", start={**start, **parameters})
+        assert_same(seen["after_initialisation"], evaluated(start, ContactSystem(**parameters).stepper()))
+        assert seen["after_initialisation"]["right.area"] != seen["default"]["right.area"]
 
 
 def test_runs_its_own_code(run, tmp_path):

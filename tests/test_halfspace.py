@@ -611,6 +611,10 @@ def test_wrong_domains_and_tolerances_are_refused_in_a_sentence():
 @pytest.mark.parametrize("arguments, sentence", [
     ({"normal_model": "halfspace", "longitudinal_curvature": "basic"},
      "longitudinal_curvature is 'basic'; permitted with the normal_model 'halfspace'"),
+    ({"normal_model": "halfspace", "separation": "vertical"},
+     "separation is 'vertical'; permitted with the normal_model 'halfspace', which knows the whole surface, is 'normal'"),
+    ({"normal_model": "halfspace", "lateral_curvature": "rough"},
+     "lateral_curvature is 'rough'; permitted with the normal_model 'halfspace'"),
     ({"tolerance": 0.5}, "tolerance is 0.5; permitted is 0.0001 ... 0.1 1"),
     ({"normal_model": "halfspace", "tolerance": 2e-4},
      "tolerance is 0.0002; permitted with the normal_model 'halfspace' is 0.0003 ... 0.1 1"),

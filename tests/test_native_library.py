@@ -87,6 +87,10 @@ def bits(array):
     {"normal_model": "hertz", "longitudinal_curvature": "basic"},
     {"normal_model": "analyn_strip"},
     {"normal_model": "analyn_strip", "nodes": 38, "strips": 33, "sweeps": 3},
+    {"separation": "vertical", "lateral_curvature": "rough"},
+    {"separation": "equidistant", "normal_model": "analyn_strip"},
+    {"separation": "equidistant_chord", "lateral_curvature": "smooth"},
+    {"lateral_curvature": "rough", "normal_model": "hertz", "curvature_step": 1e-3},
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
     rows = poses(80)
@@ -116,6 +120,9 @@ def checked_package(tmp_path_factory):
     {"normal_model": "analyn_strip", "nodes": 4, "strips": 16, "sweeps": 1},
     {"normal_model": "analyn_strip"},
     {"normal_model": "analyn_strip", "nodes": 38, "strips": 64, "sweeps": 4},
+    {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
+    {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
+    {"separation": "equidistant_chord", "nodes": 4},
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
     """The library with checked indices takes the same steps: 1200 over tread and flange, from 1 mN to 1 MN."""

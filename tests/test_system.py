@@ -96,7 +96,10 @@ def test_nothing_valid_yet_is_nan():
     (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
     (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'analyn_strip', 'hertz', 'halfspace'"),
     (dict(contact_mode="elastic"), "contact_mode is 'elastic'; permitted is 'rigid'"),
-    (dict(lateral_curvature=3), "lateral_curvature is 3; permitted is 'smooth'"),
+    (dict(lateral_curvature=3), "lateral_curvature is 3; permitted are 'adaptive', 'smooth', 'rough'"),
+    (dict(separation="lateral"), "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'"),
+    (dict(curvature_step=1e-5), "curvature_step is 1e-05; permitted is 2e-05 ... 0.005 m"),
+    (dict(curvature_reach=3.0), "curvature_reach is 3.0; permitted is 0.0001 ... 0.01 m"),
 ])
 def test_wrong_parameters_are_refused_in_a_sentence(arguments, sentence):
     with pytest.raises(ValueError) as refusal:

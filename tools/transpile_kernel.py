@@ -13,7 +13,7 @@ What Pyccel writes is tidied like this:
   is gone, and the wrappers for CPython with it.
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
 * Functions are ``static``, in the order of the Python source, each under its docstring; ``unit.c`` includes them all, so
-  the kernel is one translation unit.  Locals that Pyccel adds and nobody reads are dropped.
+  the kernel is one translation unit.  Those of the modules in SELDOM are not inlined.  Locals that Pyccel adds and nobody reads are dropped.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/files.py).
 
 Before that, the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the loop might change
@@ -43,6 +43,9 @@ PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version
 FILES = runpy.run_path(str(KERNEL / "files.py"))
 
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
+#: Modules that a usual step does not enter, and the function of each that decides it.  All others of theirs are kept out of
+#: line: a compiler inlines only so much of one unit, and what it spent on them it took from the usual step (4 % when yawed).
+SELDOM = {"separation": "separation"} | dict.fromkeys(("elastic", "overlaps", "planes", "pressed", "touching"))
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan log log10 log1p "
                  "pow sin sinh sqrt tan tanh".split())
@@ -208,14 +211,19 @@ def constant_values(kernel, modules):
     return {module.name: {name: getattr(loaded[module.name], name) for name in module.constants} for module in modules}
 
 
+def storage(module, function):
+    """How a function is declared."""
+    return "static inline" if SELDOM.get(module.name, function) == function else "static OUT_OF_LINE"
+
+
 def tidy_header(module, text, constants):
     """A header with spans.h, the headers of other modules, constants and prototypes."""
     guard = f"WRCONTACT_KERNEL_{module.name.upper()}_H"
     headers = re.findall(r'^#include "(\w+\.h)"$', text, re.MULTILINE)
     includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers if name != "pyc_math_c.h"]
     definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
-    prototypes = [f"static inline {line};" for line in re.findall(rf"^(\w.* \*?{module.name}__\w+\(.*\));$", text, re.MULTILINE)]
-    prototypes.remove(f"static inline void {module.name}__init(void);")
+    found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
+    prototypes = [f"{storage(module, name)} {line};" for line, _, name in found if name != "init"]
     parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes, ["#endif"]]
     return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
 
@@ -237,7 +245,7 @@ def tidy_code(module, text):
     for chunk in text.split(EDGE):
         signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk, re.MULTILINE | re.DOTALL)
         if signature and signature[2] != "init":
-            chunks[signature[2]] = f"static inline {signature[1]}\n{{\n{tidy_body(signature[3])}}}"
+            chunks[signature[2]] = f"{storage(module, signature[2])} {signature[1]}\n{{\n{tidy_body(signature[3])}}}"
     if set(chunks) != set(module.functions):
         raise Refused(f"{module.path.name}: Pyccel renamed or dropped {sorted(set(chunks) ^ set(module.functions))}")
     documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]

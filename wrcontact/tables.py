@@ -64,7 +64,8 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
 
 
 def curvature_table(profile, sign, kind, step, reach):
-    """What the lateral curvature ``kind``, one of LATERAL_..., reads of a compiled profile; ``sign`` as in curvature_table.py."""
+    """What the lateral curvature ``kind``, one of LATERAL_..., reads of a compiled profile; ``sign`` as in
+    curvature_table.py."""
     if kind == layout.LATERAL_SMOOTH:
         return smooth_curvature_table(profile, sign, reach)
     if kind == layout.LATERAL_ROUGH:

@@ -74,7 +74,8 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         prepared = 1
     origin = work[block + REGION_STATION]
     start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    open_origin(tables, work, origin, work[block + REGION_GAP], work[block + REGION_RAIL], work[block + REGION_WHEEL], spacing)
+    open_origin(tables, work, origin, work[block + REGION_GAP], work[block + REGION_RAIL], work[block + REGION_WHEEL],
+                spacing)
     gap, first_rate, bend, curvature = separation(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
@@ -221,8 +222,8 @@ def windowed_curvature(averaged: float, secant: float, share: float):
 
 
 def adaptive_curvatures(work: 'float[:]', region: int, k: int, window: int, middle: float, mean: float, least: float):
-    """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none below
-    ``least``."""
+    """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none
+    below ``least``."""
     block = region_block(region)
     spacing = work[block + REGION_SPACING]
     secant = secant_curvature(work, region, k, window, middle)
@@ -243,8 +244,8 @@ def adaptive_curvatures(work: 'float[:]', region: int, k: int, window: int, midd
 
 
 def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
-    """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B, or all with
-    the prepared one."""
+    """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B, or all
+    with the prepared one."""
     block = region_block(region)
     gaps = node_field(region, NODE_GAP)
     longitudinal = node_field(region, NODE_A)

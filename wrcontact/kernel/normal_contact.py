@@ -16,7 +16,7 @@ from .contact_plane import FRAME_DEPTH, FRAME_PRESSED, TRACER_STATION, TRACER_WH
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
 from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID,
                      PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
-                     SEPARATION_CHORD, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_LATERAL, SET_NODES,
+                     SEPARATION_CHORD, SEPARATION_VERTICAL, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_LATERAL, SET_NODES,
                      SET_NORMAL_MODEL, SET_SEPARATION, SET_STRIDE, SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
                      SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH,
                      SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION,
@@ -27,9 +27,9 @@ from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
 from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
                       REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_REACHED, REGION_SHARE,
-                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SPACING, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS,
-                      REGION_TURN, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL, REGION_WIDTH_LOW, bound_regions, find_regions,
-                      open_contact_region, region_block, zone_width)
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SPACING, REGION_SQUARE, REGION_STATION,
+                      REGION_STIFFNESS, REGION_TURN, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL, REGION_WIDTH_LOW,
+                      bound_regions, find_regions, open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
 from .strips import correct_strips
 
@@ -133,9 +133,14 @@ def zone_share(tables: 'float[:]', A: float, side: float):
 
 
 def node_stride(tables: 'float[:]'):
-    """Every so many of the nodes are traced on the profiles: all where curvatures are read there or chords lead to them."""
+    """Every so many of the nodes are traced on the profiles.
+
+    All of them are where curvatures are read there, where chords lead to them, and for vertical distances: on a steep side
+    these rise too fast for a cubic over several nodes, which falls below zero before.
+    """
     stride = int(tables[SET_STRIDE])
-    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE or int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
+    kind = int(tables[SET_SEPARATION])
+    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE or kind == SEPARATION_CHORD or kind == SEPARATION_VERTICAL:
         stride = 1
     return stride
 

@@ -1,6 +1,6 @@
 """The undeformed distance over a region's stations, measured in one of four ways.
 
-normal        along the normal of the contact plane, :mod:`contact_plane`;
+normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the rail's, :mod:`pressed`;
 vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
 equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of their normals;
 chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the source).
@@ -13,8 +13,8 @@ The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_COS, FRAME_PLACE, FRAME_PRESSED, NO_GAP, TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, longitudinal_curvature,
-                            normal_gap)
+from .contact_plane import (FRAME_COS, FRAME_DEPTH, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, NO_GAP, TRACER_RAIL,
+                            TRACER_STATION, TRACER_WHEEL, longitudinal_curvature, normal_gap)
 from .layout import (SEPARATION_CHORD, SEPARATION_NORMAL, SEPARATION_VERTICAL, SET_RAIL, SET_SEPARATION, SET_WHEEL,
                      STATE_NODE_COUNT, WORK_SEPARATION)
 from .locus import PLACE_YAWED, outline_jet
@@ -25,9 +25,7 @@ from .profile_table import PIECE_SIZE, START, STOP, find_piece, height_slope, he
 ORIGIN_STATION: Final[int] = WORK_SEPARATION + 0  # [m]
 ORIGIN_GAP: Final[int] = WORK_SEPARATION + 1      # the normal gap there [m]
 ORIGIN_RAIL: Final[int] = WORK_SEPARATION + 2     # rail abscissa and height there [m]
-ORIGIN_HEIGHT: Final[int] = WORK_SEPARATION + 3
-ORIGIN_ACROSS: Final[int] = WORK_SEPARATION + 4   # the outline's lateral and vertical coordinate there [m]
-ORIGIN_DOWN: Final[int] = WORK_SEPARATION + 5
+ORIGIN_WHEEL: Final[int] = WORK_SEPARATION + 4    # the outline's lateral and vertical coordinate there [m]
 ORIGIN_SPACING: Final[int] = WORK_SEPARATION + 6  # length of a chord [m]; 0: true arc length
 
 #: Lengths and lateral coordinates are met to this [m]; coordinates of a metre are rounded to 1e-16.
@@ -42,25 +40,6 @@ WEIGHT_2: Final[float] = 0.3607615730481386
 WEIGHT_3: Final[float] = 0.1713244923791704
 
 
-def open_origin(tables: 'float[:]', work: 'float[:]', station: float, gap: float, abscissa: float, y: float, spacing: float):
-    """Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
-    are as long as ``spacing`` [m], or arcs where that is 0."""
-    if int(tables[SET_SEPARATION]) != SEPARATION_NORMAL:
-        height, rail_slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
-        z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
-        across, down, outline_slope, stretch, rate = outline_jet(work, int(work[FRAME_PLACE]), y, z, slope, bend)
-        work[ORIGIN_STATION] = station
-        work[ORIGIN_GAP] = gap
-        work[ORIGIN_RAIL] = abscissa
-        work[ORIGIN_HEIGHT] = height
-        work[ORIGIN_ACROSS] = across
-        work[ORIGIN_DOWN] = down
-        work[ORIGIN_SPACING] = 0.0
-        if int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
-            work[ORIGIN_SPACING] = spacing
-    return 0
-
-
 def curve_table(tables: 'float[:]', tracer: int):
     """Offset of the profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on."""
     base = int(tables[SET_WHEEL])
@@ -71,15 +50,15 @@ def curve_table(tables: 'float[:]', tracer: int):
 
 def curve_jet(tables: 'float[:]', work: 'float[:]', tracer: int, u: float):
     """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
-    derivatives of the lateral coordinate [-] and of the slope [1/m]."""
+    derivatives of the lateral coordinate [-] and of the slope [1/m].  ``tracer``: TRACER_RAIL or TRACER_WHEEL."""
     z, slope, bend = height_slope_bend(tables, curve_table(tables, tracer), u)
     across = u - work[ORIGIN_RAIL]
-    down = z - work[ORIGIN_HEIGHT]
+    down = z - work[ORIGIN_RAIL + 1]
     stretch = 1.0
     if tracer == TRACER_WHEEL:
         y_track, z_track, slope, stretch, bend = outline_jet(work, int(work[FRAME_PLACE]), u, z, slope, bend)
-        across = y_track - work[ORIGIN_ACROSS]
-        down = z_track - work[ORIGIN_DOWN]
+        across = y_track - work[ORIGIN_WHEEL]
+        down = z_track - work[ORIGIN_WHEEL + 1]
     return across, down, slope, stretch, bend
 
 
@@ -100,12 +79,19 @@ def panel_length(tables: 'float[:]', work: 'float[:]', tracer: int, low: float, 
     """Arc length [m] between abscissae within one piece of the profile; Gauss with six points."""
     middle = 0.5 * (low + high)
     half = 0.5 * (high - low)
-    total = WEIGHT_1 * (curve_speed(tables, work, tracer, middle - GAUSS_1 * half)
-                        + curve_speed(tables, work, tracer, middle + GAUSS_1 * half))
-    total += WEIGHT_2 * (curve_speed(tables, work, tracer, middle - GAUSS_2 * half)
-                         + curve_speed(tables, work, tracer, middle + GAUSS_2 * half))
-    total += WEIGHT_3 * (curve_speed(tables, work, tracer, middle - GAUSS_3 * half)
-                         + curve_speed(tables, work, tracer, middle + GAUSS_3 * half))
+    total = 0.0
+    for i in range(-1, 2, 2):
+        side = half * float(i)
+        for k in range(3):
+            away = GAUSS_1
+            weight = WEIGHT_1
+            if k == 1:
+                away = GAUSS_2
+                weight = WEIGHT_2
+            if k == 2:
+                away = GAUSS_3
+                weight = WEIGHT_3
+            total += weight * curve_speed(tables, work, tracer, middle + side * away)
     return half * total
 
 
@@ -141,6 +127,30 @@ def within(tables: 'float[:]', tracer: int, u: float):
     if u > tables[base + STOP]:
         u = tables[base + STOP]
     return u
+
+
+def open_origin(tables: 'float[:]', work: 'float[:]', station: float, gap: float, abscissa: float, y: float, spacing: float):
+    """Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
+    are as long as ``spacing`` [m], or arcs where that is 0."""
+    if int(tables[SET_SEPARATION]) != SEPARATION_NORMAL:
+        work[ORIGIN_STATION] = station
+        work[ORIGIN_GAP] = gap
+        work[ORIGIN_SPACING] = 0.0
+        if int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
+            work[ORIGIN_SPACING] = spacing
+        open_curve(tables, work, TRACER_RAIL, ORIGIN_RAIL, abscissa)
+        open_curve(tables, work, TRACER_WHEEL, ORIGIN_WHEEL, y)
+    return 0
+
+
+def open_curve(tables: 'float[:]', work: 'float[:]', tracer: int, origin: int, u: float):
+    """Let the curve's origin, at ``origin`` in the workspace, be its point at abscissa ``u`` [m]."""
+    work[origin] = 0.0
+    work[origin + 1] = 0.0
+    across, down, slope, stretch, bend = curve_jet(tables, work, tracer, u)
+    work[origin] = across
+    work[origin + 1] = down
+    return 0
 
 
 def move_arc(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
@@ -271,19 +281,18 @@ def equidistant_rise(tables: 'float[:]', work: 'float[:]', station: float):
     return across * sine - down * cosine, rate, rail_turn - wheel_turn, exists
 
 
-def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):
-    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
-    NO_GAP where a profile has ended.
+def lean_away(tables: 'float[:]', work: 'float[:]'):
+    """What a pressed wheel's depth lacks at the tracer's point, depth (1 - cos(angle between the normals)) [m], since it is
+    pressed along the region's normal; and its rate [-]."""
+    height, slope, bend = height_slope_bend(tables, int(tables[SET_RAIL]), work[TRACER_RAIL])
+    cosine = 1.0 / sqrt(1.0 + slope * slope)
+    along = cosine * (work[FRAME_COS] + slope * work[FRAME_SIN])
+    across = cosine * (slope * work[FRAME_COS] - work[FRAME_SIN])
+    return work[FRAME_DEPTH] * (1.0 - along), work[FRAME_DEPTH] * across * bend * cosine * cosine * cosine
 
-    ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
-    """
-    kind = int(tables[SET_SEPARATION])
-    if kind == SEPARATION_NORMAL and work[FRAME_PRESSED] == 1.0:
-        gap, rate, bend, curvature = pressed_gap(tables, work, state, station)
-        return gap, rate, bend, curvature
-    if kind == SEPARATION_NORMAL:
-        gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
-        return gap, rate, bend, curvature
+
+def moved_separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, kind: int):
+    """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum."""
     state[STATE_NODE_COUNT] += 1.0
     if kind == SEPARATION_VERTICAL:
         gap, rate, bend, exists = vertical_rise(tables, work, station)
@@ -291,8 +300,28 @@ def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station:
         gap, rate, bend, exists = equidistant_rise(tables, work, station)
     work[TRACER_STATION] = station
     gap += work[ORIGIN_GAP]
+    if work[FRAME_PRESSED] == 1.0 and kind != SEPARATION_VERTICAL:
+        lack, more = lean_away(tables, work)
+        gap += lack
+        rate += more
     if exists == 0:
         gap = NO_GAP
     z, slope, wheel_bend = height_slope_bend(tables, int(tables[SET_WHEEL]), work[TRACER_WHEEL])
     curvature = longitudinal_curvature(tables, work, int(work[FRAME_PLACE]), z, slope, wheel_bend)
+    return gap, rate, bend, curvature
+
+
+def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):
+    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
+    NO_GAP where a profile has ended.
+
+    ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
+    """
+    kind = int(tables[SET_SEPARATION])
+    if kind == SEPARATION_NORMAL and work[FRAME_PRESSED] == 0.0:
+        gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
+    elif kind == SEPARATION_NORMAL:
+        gap, rate, bend, curvature = pressed_gap(tables, work, state, station)
+    else:
+        gap, rate, bend, curvature = moved_separation(tables, work, state, station, kind)
     return gap, rate, bend, curvature

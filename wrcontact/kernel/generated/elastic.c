@@ -19,7 +19,7 @@
 #include "elastic.h"
 
 /* Estimate how far a wheel under ``force`` [N] sinks below its smallest gap; the outcome. */
-static inline int64_t elastic__first_sink(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+static OUT_OF_LINE int64_t elastic__first_sink(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
     int64_t support;
     int64_t status;
@@ -40,7 +40,7 @@ static inline int64_t elastic__first_sink(array_double_1d tables, array_double_1
 /* Find at which height a side carries ``force`` [N], with regions and nodes laid where it stands at ``height`` [m]; its
  * outcome.  Outputs are those of the side under this force.
  */
-static inline int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
+static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
 {
     int64_t support;
     double best;
@@ -78,7 +78,7 @@ static inline int64_t elastic__carry_side(array_double_1d tables, array_double_1
 }
 
 /* Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0. */
-static inline int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+static OUT_OF_LINE int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
 {
     int64_t side;
     int64_t at;
@@ -126,7 +126,7 @@ static inline int64_t elastic__follow_side(array_double_1d tables, array_double_
 }
 
 /* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are above their rails, else 0. */
-static inline int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
 {
     int64_t known;
     int64_t result;
@@ -141,7 +141,7 @@ static inline int64_t elastic__turn_to(array_double_1d tables, array_double_1d w
 }
 
 /* ``carry_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
-static inline int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height)
+static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height)
 {
     int64_t outcome;
     int64_t status;
@@ -162,7 +162,7 @@ static inline int64_t elastic__carry_both(array_double_1d tables, array_double_1
 /* Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
  * sides.  Starts at the rigid ``roll``, whose smallest gaps are known.
  */
-static inline int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
     int64_t status;
     int64_t first;
@@ -276,7 +276,7 @@ static inline int64_t elastic__solve_elastic(double* result_0, int64_t* result_1
 }
 
 /* The load of a side whose wheelset stands at the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted. */
-static inline int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height)
+static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height)
 {
     double sink;
     int64_t status;
@@ -301,7 +301,7 @@ static inline int64_t elastic__bear_side(array_double_1d tables, array_double_1d
 }
 
 /* Compliant contact: the wheelset stands at the height and roll of the inputs; the outcome. */
-static inline int64_t elastic__stand_compliant(array_double_1d tables, array_double_1d work, array_double_1d state)
+static OUT_OF_LINE int64_t elastic__stand_compliant(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     double roll;
     double height;

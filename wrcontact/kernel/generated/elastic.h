@@ -41,13 +41,13 @@ static const double elastic__DEEPEST = 0.002;
 static const int64_t elastic__FOLLOW_STEPS = INT64_C(8);
 static const double elastic__FOLLOW_REACH = 0.002;
 
-static inline int64_t elastic__first_sink(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
-static inline int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static inline int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
-static inline int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
-static inline int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
-static inline int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
-static inline int64_t elastic__stand_compliant(array_double_1d tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE int64_t elastic__first_sink(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
+static OUT_OF_LINE int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
+static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
+static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
+static OUT_OF_LINE int64_t elastic__stand_compliant(array_double_1d tables, array_double_1d work, array_double_1d state);
 
 #endif

@@ -306,8 +306,8 @@ static inline double nodes__windowed_curvature(double averaged, double secant, d
     return sqrt(averaged * grown);
 }
 
-/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none below
- * ``least``.
+/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none
+ * below ``least``.
  */
 static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t k, int64_t window, double middle, double mean, double least)
 {
@@ -343,8 +343,8 @@ static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, d
     return 0;
 }
 
-/* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its own B, or all with
- * the prepared one.
+/* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its own B, or all
+ * with the prepared one.
  */
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
 {

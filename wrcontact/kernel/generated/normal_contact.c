@@ -128,12 +128,18 @@ static inline double normal_contact__zone_share(array_double_1d tables, double A
     return share;
 }
 
-/* Every so many of the nodes are traced on the profiles: all where curvatures are read there or chords lead to them. */
+/* Every so many of the nodes are traced on the profiles.
+ *
+ * All of them are where curvatures are read there, where chords lead to them, and for vertical distances: on a steep side
+ * these rise too fast for a cubic over several nodes, which falls below zero before.
+ */
 static inline int64_t normal_contact__node_stride(array_double_1d tables)
 {
+    int64_t kind;
     int64_t stride;
     stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
-    if (((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE) || ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) == layout__SEPARATION_CHORD))
+    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
+    if (((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE) || (kind == layout__SEPARATION_CHORD) || (kind == layout__SEPARATION_VERTICAL))
     {
         stride = INT64_C(1);
     }

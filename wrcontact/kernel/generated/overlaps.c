@@ -10,7 +10,7 @@
 #include "overlaps.h"
 
 /* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]. */
-static inline int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry)
 {
     int64_t row;
     double y;
@@ -37,7 +37,7 @@ static inline int64_t overlaps__sample_overlap(double* gap, double* result_1, do
 }
 
 /* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched. */
-static inline int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry)
 {
     int64_t rail;
     rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
@@ -54,7 +54,7 @@ static inline int64_t overlaps__sample_end(array_double_1d tables, array_double_
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
  * the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
  */
-static inline int64_t overlaps__walk_overlap(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t at, int64_t node, int64_t direction, double height, int64_t first)
+static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t at, int64_t node, int64_t direction, double height, int64_t first)
 {
     int64_t count;
     int64_t level;
@@ -119,7 +119,7 @@ static inline int64_t overlaps__walk_overlap(array_double_1d tables, array_doubl
  * the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
  * else 0.
  */
-static inline int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign)
+static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign)
 {
     double x;
     double overlap;
@@ -181,7 +181,7 @@ static inline int64_t overlaps__turning_point(double* result_0, double* result_1
 }
 
 /* List a deepest point. */
-static inline int64_t overlaps__keep_deep(array_double_1d work, double x, double y, double depth)
+static OUT_OF_LINE int64_t overlaps__keep_deep(array_double_1d work, double x, double y, double depth)
 {
     int64_t entry;
     int64_t block;
@@ -198,7 +198,7 @@ static inline int64_t overlaps__keep_deep(array_double_1d work, double x, double
 }
 
 /* Take a deepest point off the list; the hump behind it stays if it is the lower one of the two beside it. */
-static inline int64_t overlaps__drop_deep(array_double_1d work, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry)
 {
     int64_t count;
     int64_t block;
@@ -224,7 +224,7 @@ static inline int64_t overlaps__drop_deep(array_double_1d work, int64_t entry)
 }
 
 /* The smallest overlap between neighbouring deepest points. */
-static inline int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height)
+static OUT_OF_LINE int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height)
 {
     int64_t entry_end;
     int64_t entry;
@@ -245,7 +245,7 @@ static inline int64_t overlaps__find_humps(array_double_1d tables, array_double_
 }
 
 /* The deepest of the list. */
-static inline int64_t overlaps__deepest_entry(array_double_1d work)
+static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work)
 {
     int64_t entry_end;
     int64_t entry;
@@ -263,7 +263,7 @@ static inline int64_t overlaps__deepest_entry(array_double_1d work)
 }
 
 /* The least deep of the list. */
-static inline int64_t overlaps__shallowest_entry(array_double_1d work)
+static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work)
 {
     int64_t entry_end;
     int64_t entry;
@@ -281,7 +281,7 @@ static inline int64_t overlaps__shallowest_entry(array_double_1d work)
 }
 
 /* Join what a low hump parts, and keep the deepest REGION_LIMIT. */
-static inline int64_t overlaps__merge_deep(array_double_1d work)
+static OUT_OF_LINE int64_t overlaps__merge_deep(array_double_1d work)
 {
     double depth;
     int64_t entry;
@@ -320,7 +320,7 @@ static inline int64_t overlaps__merge_deep(array_double_1d work)
 }
 
 /* Take entry ``entry`` off the list with its own hump. */
-static inline int64_t overlaps__remove_deep(array_double_1d work, int64_t entry)
+static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t entry)
 {
     int64_t block;
     int64_t count;
@@ -336,7 +336,7 @@ static inline int64_t overlaps__remove_deep(array_double_1d work, int64_t entry)
 }
 
 /* List the regions in which the wheel placed at ``at`` and moved down by ``height`` [m] overlaps its rail; their number. */
-static inline int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height)
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height)
 {
     int64_t node;
     int64_t rail;
@@ -386,7 +386,7 @@ static inline int64_t overlaps__find_overlaps(array_double_1d tables, array_doub
 }
 
 /* 1 if the last deepest point listed is at ``x`` [m] or beyond, else 0. */
-static inline int64_t overlaps__is_listed(array_double_1d work, double x)
+static OUT_OF_LINE int64_t overlaps__is_listed(array_double_1d work, double x)
 {
     int64_t entry;
     int64_t listed;
@@ -403,7 +403,7 @@ static inline int64_t overlaps__is_listed(array_double_1d work, double x)
 }
 
 /* Lateral and vertical shift [m] that let the wheel just touch at a deepest point. */
-static inline int64_t overlaps__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t at, int64_t entry, double height)
+static OUT_OF_LINE int64_t overlaps__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t at, int64_t entry, double height)
 {
     int64_t block;
     double x;
@@ -427,7 +427,7 @@ static inline int64_t overlaps__touching_shift(double* result_0, double* result_
 }
 
 /* Let the open frame be that of a wheel pressed ``depth`` deep, whose own gap is ``gap`` [m]. */
-static inline int64_t overlaps__press_frame(array_double_1d work, double height, double depth, double gap)
+static OUT_OF_LINE int64_t overlaps__press_frame(array_double_1d work, double height, double depth, double gap)
 {
     (*cspan_at(&work, contact_plane__FRAME_POSE)) = height;
     (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = depth;
@@ -439,7 +439,7 @@ static inline int64_t overlaps__press_frame(array_double_1d work, double height,
 /* Open a region for every deepest point on the list, each with its own frame; their number.  The open frame is that of the
  * deepest, whose share of the approach counts as one.
  */
-static inline int64_t overlaps__gather_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state)
+static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     int64_t contact;
     double cosine;

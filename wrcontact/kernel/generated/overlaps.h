@@ -40,21 +40,21 @@ static const double overlaps__LEVEL_RISE = 1e-06;
 static const double overlaps__SAME = 1e-06;
 static const double overlaps__BESIDE = 0.001;
 
-static inline int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry);
-static inline int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry);
-static inline int64_t overlaps__walk_overlap(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t at, int64_t node, int64_t direction, double height, int64_t first);
-static inline int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign);
-static inline int64_t overlaps__keep_deep(array_double_1d work, double x, double y, double depth);
-static inline int64_t overlaps__drop_deep(array_double_1d work, int64_t entry);
-static inline int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height);
-static inline int64_t overlaps__deepest_entry(array_double_1d work);
-static inline int64_t overlaps__shallowest_entry(array_double_1d work);
-static inline int64_t overlaps__remove_deep(array_double_1d work, int64_t entry);
-static inline int64_t overlaps__merge_deep(array_double_1d work);
-static inline int64_t overlaps__is_listed(array_double_1d work, double x);
-static inline int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height);
-static inline int64_t overlaps__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t at, int64_t entry, double height);
-static inline int64_t overlaps__press_frame(array_double_1d work, double height, double depth, double gap);
-static inline int64_t overlaps__gather_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state);
+static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t at, int64_t node, int64_t direction, double height, int64_t first);
+static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign);
+static OUT_OF_LINE int64_t overlaps__keep_deep(array_double_1d work, double x, double y, double depth);
+static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height);
+static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work);
+static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work);
+static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__merge_deep(array_double_1d work);
+static OUT_OF_LINE int64_t overlaps__is_listed(array_double_1d work, double x);
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height);
+static OUT_OF_LINE int64_t overlaps__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t at, int64_t entry, double height);
+static OUT_OF_LINE int64_t overlaps__press_frame(array_double_1d work, double height, double depth, double gap);
+static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state);
 
 #endif

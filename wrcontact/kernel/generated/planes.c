@@ -14,7 +14,7 @@
 #include "planes.h"
 
 /* Keep the open frame for region ``slot``; REGION_LIMIT is the contact point's. */
-static inline int64_t planes__keep_frame(array_double_1d work, int64_t slot)
+static OUT_OF_LINE int64_t planes__keep_frame(array_double_1d work, int64_t slot)
 {
     int64_t i;
     for (i = INT64_C(0); i < layout__CONTACT_BLOCK; i += INT64_C(1))
@@ -25,7 +25,7 @@ static inline int64_t planes__keep_frame(array_double_1d work, int64_t slot)
 }
 
 /* Open the frame that was kept for ``slot``. */
-static inline int64_t planes__use_frame(array_double_1d work, int64_t slot)
+static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot)
 {
     int64_t i;
     for (i = INT64_C(0); i < layout__CONTACT_BLOCK; i += INT64_C(1))
@@ -36,7 +36,7 @@ static inline int64_t planes__use_frame(array_double_1d work, int64_t slot)
 }
 
 /* Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; FAR beyond any rail if it has none. */
-static inline double planes__bound_abscissa(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double bound)
+static OUT_OF_LINE double planes__bound_abscissa(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double bound)
 {
     double gap;
     double rate;
@@ -54,7 +54,7 @@ static inline double planes__bound_abscissa(array_double_1d tables, array_double
 }
 
 /* Station [m] in the open frame of the rail's point at ``abscissa``; FAR stays FAR. */
-static inline double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa)
+static OUT_OF_LINE double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa)
 {
     double height;
     double slope;
@@ -69,7 +69,7 @@ static inline double planes__bound_station(array_double_1d tables, array_double_
 }
 
 /* 1 if the region's normal differs from the open frame's by more than SPLIT, else 0. */
-static inline int64_t planes__leans_away(array_double_1d work, int64_t region)
+static OUT_OF_LINE int64_t planes__leans_away(array_double_1d work, int64_t region)
 {
     int64_t block;
     double away;
@@ -85,7 +85,7 @@ static inline int64_t planes__leans_away(array_double_1d work, int64_t region)
 }
 
 /* Give ``region`` its own frame, kept in its slot; the contact point's frame stays open. */
-static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region)
+static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region)
 {
     int64_t block;
     int64_t at;
@@ -142,7 +142,7 @@ static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d 
 }
 
 /* Give every region that leans away its own plane. */
-static inline int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count)
+static OUT_OF_LINE int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count)
 {
     int64_t region;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
@@ -156,7 +156,7 @@ static inline int64_t planes__give_planes(array_double_1d tables, array_double_1
 }
 
 /* Open the frame of a region with its own plane. */
-static inline int64_t planes__enter_plane(array_double_1d work, int64_t region)
+static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t region)
 {
     if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
     {
@@ -166,7 +166,7 @@ static inline int64_t planes__enter_plane(array_double_1d work, int64_t region)
 }
 
 /* Open the contact point's frame again. */
-static inline int64_t planes__leave_plane(array_double_1d work, int64_t region)
+static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t region)
 {
     if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
     {

@@ -24,14 +24,14 @@
 
 static const double planes__SPLIT = 0.2588190451025207;
 
-static inline int64_t planes__keep_frame(array_double_1d work, int64_t slot);
-static inline int64_t planes__use_frame(array_double_1d work, int64_t slot);
-static inline double planes__bound_abscissa(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double bound);
-static inline double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa);
-static inline int64_t planes__leans_away(array_double_1d work, int64_t region);
-static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region);
-static inline int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count);
-static inline int64_t planes__enter_plane(array_double_1d work, int64_t region);
-static inline int64_t planes__leave_plane(array_double_1d work, int64_t region);
+static OUT_OF_LINE int64_t planes__keep_frame(array_double_1d work, int64_t slot);
+static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot);
+static OUT_OF_LINE double planes__bound_abscissa(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double bound);
+static OUT_OF_LINE double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa);
+static OUT_OF_LINE int64_t planes__leans_away(array_double_1d work, int64_t region);
+static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region);
+static OUT_OF_LINE int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count);
+static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t region);
+static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t region);
 
 #endif

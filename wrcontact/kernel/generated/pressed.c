@@ -21,7 +21,7 @@
  * ``height``, looked for from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
  * and 1 if there is such a point, else 0.
  */
-static inline int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height)
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height)
 {
     int64_t rail;
     int64_t wheel;
@@ -135,7 +135,7 @@ static inline int64_t pressed__normal_line(double* result_0_0001, double* result
 }
 
 /* Arc length per abscissa of the rail [-]. */
-static inline double pressed__rail_speed(array_double_1d tables, double abscissa)
+static OUT_OF_LINE double pressed__rail_speed(array_double_1d tables, double abscissa)
 {
     double height;
     double slope;
@@ -144,7 +144,7 @@ static inline double pressed__rail_speed(array_double_1d tables, double abscissa
 }
 
 /* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller. */
-static inline double pressed__rail_length(array_double_1d tables, double start, double stop)
+static OUT_OF_LINE double pressed__rail_length(array_double_1d tables, double start, double stop)
 {
     int64_t cells;
     double step;
@@ -170,7 +170,7 @@ static inline double pressed__rail_length(array_double_1d tables, double start, 
 }
 
 /* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, by Newton's method. */
-static inline double pressed__rail_abscissa(array_double_1d tables, double start, double length)
+static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double start, double length)
 {
     int64_t i;
     double move;
@@ -191,7 +191,7 @@ static inline double pressed__rail_abscissa(array_double_1d tables, double start
 /* What the overlap lacks of the region's depth at ``station`` [m], raised by the region's own gap, with its derivatives
  * [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel.
  */
-static inline int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station)
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station)
 {
     int64_t rail;
     double way;

@@ -30,10 +30,10 @@ static const double pressed__ARC_STEP = 0.001;
 static const double pressed__FARTHEST = 0.005;
 static const double pressed__LINE_STEP = 0.004;
 
-static inline int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height);
-static inline double pressed__rail_speed(array_double_1d tables, double abscissa);
-static inline double pressed__rail_length(array_double_1d tables, double start, double stop);
-static inline double pressed__rail_abscissa(array_double_1d tables, double start, double length);
-static inline int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station);
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height);
+static OUT_OF_LINE double pressed__rail_speed(array_double_1d tables, double abscissa);
+static OUT_OF_LINE double pressed__rail_length(array_double_1d tables, double start, double stop);
+static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double start, double length);
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station);
 
 #endif

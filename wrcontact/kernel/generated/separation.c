@@ -2,7 +2,7 @@
  *
  * The undeformed distance over a region's stations, measured in one of four ways.
  *
- * normal        along the normal of the contact plane, :mod:`contact_plane`;
+ * normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the rail's, :mod:`pressed`;
  * vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
  * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of their normals;
  * chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the source).
@@ -14,43 +14,8 @@
 
 #include "separation.h"
 
-/* Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
- * are as long as ``spacing`` [m], or arcs where that is 0.
- */
-static inline int64_t separation__open_origin(array_double_1d tables, array_double_1d work, double station, double gap, double abscissa, double y, double spacing)
-{
-    double height;
-    double rail_slope;
-    double z;
-    double slope;
-    double bend;
-    double across;
-    double down;
-    double outline_slope;
-    double stretch;
-    double rate;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) != layout__SEPARATION_NORMAL)
-    {
-        profile_table__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-        profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-        locus__outline_jet(&across, &down, &outline_slope, &stretch, &rate, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), y, z, slope, bend);
-        (*cspan_at(&work, separation__ORIGIN_STATION)) = station;
-        (*cspan_at(&work, separation__ORIGIN_GAP)) = gap;
-        (*cspan_at(&work, separation__ORIGIN_RAIL)) = abscissa;
-        (*cspan_at(&work, separation__ORIGIN_HEIGHT)) = height;
-        (*cspan_at(&work, separation__ORIGIN_ACROSS)) = across;
-        (*cspan_at(&work, separation__ORIGIN_DOWN)) = down;
-        (*cspan_at(&work, separation__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) == layout__SEPARATION_CHORD)
-        {
-            (*cspan_at(&work, separation__ORIGIN_SPACING)) = spacing;
-        }
-    }
-    return INT64_C(0);
-}
-
 /* Offset of the profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on. */
-static inline int64_t separation__curve_table(array_double_1d tables, int64_t tracer)
+static OUT_OF_LINE int64_t separation__curve_table(array_double_1d tables, int64_t tracer)
 {
     int64_t base;
     base = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
@@ -62,28 +27,28 @@ static inline int64_t separation__curve_table(array_double_1d tables, int64_t tr
 }
 
 /* Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
- * derivatives of the lateral coordinate [-] and of the slope [1/m].
+ * derivatives of the lateral coordinate [-] and of the slope [1/m].  ``tracer``: TRACER_RAIL or TRACER_WHEEL.
  */
-static inline int64_t separation__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t tracer, double u)
+static OUT_OF_LINE int64_t separation__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t tracer, double u)
 {
     double z;
     double y_track;
     double z_track;
     profile_table__height_slope_bend(&z, slope, bend, tables, separation__curve_table(tables, tracer), u);
     (*across) = u - (*cspan_at(&work, separation__ORIGIN_RAIL));
-    (*down) = z - (*cspan_at(&work, separation__ORIGIN_HEIGHT));
+    (*down) = z - (*cspan_at(&work, separation__ORIGIN_RAIL + INT64_C(1)));
     (*stretch) = 1.0;
     if (tracer == contact_plane__TRACER_WHEEL)
     {
         locus__outline_jet(&y_track, &z_track, slope, stretch, bend, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), u, z, (*slope), (*bend));
-        (*across) = y_track - (*cspan_at(&work, separation__ORIGIN_ACROSS));
-        (*down) = z_track - (*cspan_at(&work, separation__ORIGIN_DOWN));
+        (*across) = y_track - (*cspan_at(&work, separation__ORIGIN_WHEEL));
+        (*down) = z_track - (*cspan_at(&work, separation__ORIGIN_WHEEL + INT64_C(1)));
     }
     return 0;
 }
 
 /* Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not change it. */
-static inline double separation__curve_speed(array_double_1d tables, array_double_1d work, int64_t tracer, double u)
+static OUT_OF_LINE double separation__curve_speed(array_double_1d tables, array_double_1d work, int64_t tracer, double u)
 {
     int64_t at;
     double z;
@@ -109,16 +74,39 @@ static inline double separation__curve_speed(array_double_1d tables, array_doubl
 }
 
 /* Arc length [m] between abscissae within one piece of the profile; Gauss with six points. */
-static inline double separation__panel_length(array_double_1d tables, array_double_1d work, int64_t tracer, double low, double high)
+static OUT_OF_LINE double separation__panel_length(array_double_1d tables, array_double_1d work, int64_t tracer, double low, double high)
 {
     double middle;
     double half;
     double total;
+    int64_t i;
+    double side;
+    int64_t k;
+    double away;
+    double weight;
     middle = 0.5 * (low + high);
     half = 0.5 * (high - low);
-    total = separation__WEIGHT_1 * (separation__curve_speed(tables, work, tracer, middle - separation__GAUSS_1 * half) + separation__curve_speed(tables, work, tracer, middle + separation__GAUSS_1 * half));
-    total += separation__WEIGHT_2 * (separation__curve_speed(tables, work, tracer, middle - separation__GAUSS_2 * half) + separation__curve_speed(tables, work, tracer, middle + separation__GAUSS_2 * half));
-    total += separation__WEIGHT_3 * (separation__curve_speed(tables, work, tracer, middle - separation__GAUSS_3 * half) + separation__curve_speed(tables, work, tracer, middle + separation__GAUSS_3 * half));
+    total = 0.0;
+    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
+    {
+        side = half * (double)(i);
+        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        {
+            away = separation__GAUSS_1;
+            weight = separation__WEIGHT_1;
+            if (k == INT64_C(1))
+            {
+                away = separation__GAUSS_2;
+                weight = separation__WEIGHT_2;
+            }
+            if (k == INT64_C(2))
+            {
+                away = separation__GAUSS_3;
+                weight = separation__WEIGHT_3;
+            }
+            total += weight * separation__curve_speed(tables, work, tracer, middle + side * away);
+        }
+    }
     return half * total;
 }
 
@@ -126,7 +114,7 @@ static inline double separation__panel_length(array_double_1d tables, array_doub
  *
  * Piece by piece: within one the curve has all derivatives, at the ends its curvature may jump.
  */
-static inline double separation__arc_length(array_double_1d tables, array_double_1d work, int64_t tracer, double start, double stop)
+static OUT_OF_LINE double separation__arc_length(array_double_1d tables, array_double_1d work, int64_t tracer, double start, double stop)
 {
     double low;
     double high;
@@ -161,7 +149,7 @@ static inline double separation__arc_length(array_double_1d tables, array_double
 }
 
 /* ``u``, or the end of the profile that it lies beyond. */
-static inline double separation__within(array_double_1d tables, int64_t tracer, double u)
+static OUT_OF_LINE double separation__within(array_double_1d tables, int64_t tracer, double u)
 {
     int64_t base;
     base = separation__curve_table(tables, tracer);
@@ -176,8 +164,44 @@ static inline double separation__within(array_double_1d tables, int64_t tracer, 
     return u;
 }
 
+/* Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
+ * are as long as ``spacing`` [m], or arcs where that is 0.
+ */
+static OUT_OF_LINE int64_t separation__open_origin(array_double_1d tables, array_double_1d work, double station, double gap, double abscissa, double y, double spacing)
+{
+    if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) != layout__SEPARATION_NORMAL)
+    {
+        (*cspan_at(&work, separation__ORIGIN_STATION)) = station;
+        (*cspan_at(&work, separation__ORIGIN_GAP)) = gap;
+        (*cspan_at(&work, separation__ORIGIN_SPACING)) = 0.0;
+        if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) == layout__SEPARATION_CHORD)
+        {
+            (*cspan_at(&work, separation__ORIGIN_SPACING)) = spacing;
+        }
+        separation__open_curve(tables, work, contact_plane__TRACER_RAIL, separation__ORIGIN_RAIL, abscissa);
+        separation__open_curve(tables, work, contact_plane__TRACER_WHEEL, separation__ORIGIN_WHEEL, y);
+    }
+    return INT64_C(0);
+}
+
+/* Let the curve's origin, at ``origin`` in the workspace, be its point at abscissa ``u`` [m]. */
+static OUT_OF_LINE int64_t separation__open_curve(array_double_1d tables, array_double_1d work, int64_t tracer, int64_t origin, double u)
+{
+    double across;
+    double down;
+    double slope;
+    double stretch;
+    double bend;
+    (*cspan_at(&work, origin)) = 0.0;
+    (*cspan_at(&work, origin + INT64_C(1))) = 0.0;
+    separation__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, tracer, u);
+    (*cspan_at(&work, origin)) = across;
+    (*cspan_at(&work, origin + INT64_C(1))) = down;
+    return INT64_C(0);
+}
+
 /* Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; 1 if the curve is that long, else 0. */
-static inline int64_t separation__move_arc(array_double_1d tables, array_double_1d work, int64_t tracer, double length)
+static OUT_OF_LINE int64_t separation__move_arc(array_double_1d tables, array_double_1d work, int64_t tracer, double length)
 {
     double u;
     double rest;
@@ -212,7 +236,7 @@ static inline int64_t separation__move_arc(array_double_1d tables, array_double_
 /* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve, forward where
  * ``chord`` is positive; 1 if it does, else 0.
  */
-static inline int64_t separation__move_chord(array_double_1d tables, array_double_1d work, int64_t tracer, double chord)
+static OUT_OF_LINE int64_t separation__move_chord(array_double_1d tables, array_double_1d work, int64_t tracer, double chord)
 {
     double from_across;
     double from_down;
@@ -259,7 +283,7 @@ static inline int64_t separation__move_chord(array_double_1d tables, array_doubl
 }
 
 /* Move a curve's abscissa from the tracer's station to ``station`` [m], by arc or by chords; 1 if there is one. */
-static inline int64_t separation__move_station(array_double_1d tables, array_double_1d work, int64_t tracer, double station)
+static OUT_OF_LINE int64_t separation__move_station(array_double_1d tables, array_double_1d work, int64_t tracer, double station)
 {
     double way;
     double spacing;
@@ -294,7 +318,7 @@ static inline int64_t separation__move_station(array_double_1d tables, array_dou
 /* Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method; 1 if there is
  * such a place, else 0.
  */
-static inline int64_t separation__move_across(array_double_1d tables, array_double_1d work, double lateral)
+static OUT_OF_LINE int64_t separation__move_across(array_double_1d tables, array_double_1d work, double lateral)
 {
     double u;
     int64_t i;
@@ -328,7 +352,7 @@ static inline int64_t separation__move_across(array_double_1d tables, array_doub
 }
 
 /* Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it exists. */
-static inline int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station)
+static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station)
 {
     double per_station;
     double lateral;
@@ -367,7 +391,7 @@ static inline int64_t separation__vertical_rise(double* result_0, double* result
  *
  * of which the last term is of third order in s.
  */
-static inline int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station)
+static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, int64_t* exists, array_double_1d tables, array_double_1d work, double station)
 {
     int64_t on_rail;
     int64_t on_wheel;
@@ -416,29 +440,35 @@ static inline int64_t separation__equidistant_rise(double* result_0, double* rat
     return 0;
 }
 
-/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
- * NO_GAP where a profile has ended.
- *
- * ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
+/* What a pressed wheel's depth lacks at the tracer's point, depth (1 - cos(angle between the normals)) [m], since it is
+ * pressed along the region's normal; and its rate [-].
  */
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
+static OUT_OF_LINE int64_t separation__lean_away(double* result_0, double* result_1, array_double_1d tables, array_double_1d work)
 {
-    int64_t kind;
+    double height;
+    double slope;
+    double bend;
+    double cosine;
+    double along;
+    double across;
+    profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+    cosine = 1.0 / sqrt(1.0 + slope * slope);
+    along = cosine * ((*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work, contact_plane__FRAME_SIN)));
+    across = cosine * (slope * (*cspan_at(&work, contact_plane__FRAME_COS)) - (*cspan_at(&work, contact_plane__FRAME_SIN)));
+    (*result_0) = (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * (1.0 - along);
+    (*result_1) = (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * across * bend * cosine * cosine * cosine;
+    return 0;
+}
+
+/* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum. */
+static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, int64_t kind)
+{
     int64_t exists;
+    double lack;
+    double more;
     double z;
     double slope;
     double wheel_bend;
-    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0))
-    {
-        pressed__pressed_gap(gap, rate, bend, curvature, tables, work, state, station);
-        return 0;
-    }
-    if (kind == layout__SEPARATION_NORMAL)
-    {
-        contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);
-        return 0;
-    }
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
@@ -450,11 +480,41 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
     }
     (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
     (*gap) += (*cspan_at(&work, separation__ORIGIN_GAP));
+    if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    {
+        separation__lean_away(&lack, &more, tables, work);
+        (*gap) += lack;
+        (*rate) += more;
+    }
     if (exists == INT64_C(0))
     {
         (*gap) = contact_plane__NO_GAP;
     }
     profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
     (*curvature) = contact_plane__longitudinal_curvature(tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), z, slope, wheel_bend);
+    return 0;
+}
+
+/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
+ * NO_GAP where a profile has ended.
+ *
+ * ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
+ */
+static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
+{
+    int64_t kind;
+    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
+    if ((kind == layout__SEPARATION_NORMAL) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0))
+    {
+        contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);
+    }
+    else if (kind == layout__SEPARATION_NORMAL)
+    {
+        pressed__pressed_gap(gap, rate, bend, curvature, tables, work, state, station);
+    }
+    else
+    {
+        separation__moved_separation(gap, rate, bend, curvature, tables, work, state, station, kind);
+    }
     return 0;
 }

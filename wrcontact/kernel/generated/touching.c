@@ -13,7 +13,7 @@
 #include "touching.h"
 
 /* ``step``, no longer than ``limit`` either way. */
-static inline double touching__limited(double step, double limit)
+static OUT_OF_LINE double touching__limited(double step, double limit)
 {
     if (step > limit)
     {
@@ -30,7 +30,7 @@ static inline double touching__limited(double step, double limit)
  * ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical shift [m] that let it touch; and 1
  * if there is such a pair, else 0.
  */
-static inline int64_t touching__touching_pair(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3_0001, double* result_4_0001, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double y, double abscissa, double shift)
+static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3_0001, double* result_4_0001, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double y, double abscissa, double shift)
 {
     int64_t rail;
     int64_t wheel;

@@ -24,7 +24,7 @@ static const double touching__PAIR_STEP = 0.0005;
 static const double touching__PAIR_REACH = 0.004;
 static const double touching__PAIR_BEND = 0.001;
 
-static inline double touching__limited(double step, double limit);
-static inline int64_t touching__touching_pair(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3_0001, double* result_4_0001, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double y, double abscissa, double shift);
+static OUT_OF_LINE double touching__limited(double step, double limit);
+static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3_0001, double* result_4_0001, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double y, double abscissa, double shift);
 
 #endif

@@ -11,6 +11,13 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+/* For functions that a usual step does not call. */
+#if defined(__GNUC__) || defined(__clang__)
+#define OUT_OF_LINE __attribute__((noinline))
+#else
+#define OUT_OF_LINE
+#endif
+
 /* 'float[:]': an array that belongs to somebody else. */
 typedef struct {
     double *data;
