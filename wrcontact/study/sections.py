@@ -170,9 +170,12 @@ class Section:
     # --- curvatures, source sections 6.2 and 6.3 ---
 
     def longitudinal(self, wheel, effective=True):
-        """A [1/m] at abscissae ``wheel``: ``1 / 2R``, or with ``R_eff = R / cos(delta)``, source eqs. (6.1), (6.2)."""
+        """A [1/m] at abscissae ``wheel``: ``1 / 2R``, or with ``R_eff = R / cos(delta)``, source eqs. (6.1), (6.2).
+
+        delta counts from the axle, which the wheel is round about; counted from the track it lacks the roll.
+        """
         A = 1 / (2 * (self.radius + self.wheel.profile.height(wheel)))
-        return A * np.cos(self.wheel.direction(wheel)) if effective else A
+        return A * np.cos(self.wheel.direction(wheel) - self.wheel.angle) if effective else A
 
     def exact_lateral(self, nodes):
         """B [1/m] of ``nodes`` from the profiles' second derivatives."""
@@ -210,17 +213,18 @@ def rough_curvature(points, printed=False):
 
 
 def circle_curvature(curve, t, reach, count=31):
-    """Curvature [1/m] of the circle fitted by least squares to ``count`` points within ``reach`` [m] of abscissae ``t`` (n,)."""
+    """Curvature [1/m] of the circles fitted by least squares to ``count`` points within ``reach`` [m] of abscissae ``t`` (n,).
+
+    In axes along the chord, ``v = a + b u + k (u^2 + v^2) / 2`` is a circle of curvature ``k / sqrt(1 + b^2 - 2 a k)`` and
+    linear in (a, b, k).
+    """
     places = np.clip(t[:, None] + reach * np.linspace(-1, 1, count), *curve.ends)
-    return np.array([_fitted(curve.point(row) - curve.point(at)[:, None]) for row, at in zip(places, t)])
-
-
-def _fitted(points):
-    """Signed curvature of the least-squares circle ``u + b v = c (u^2 + v^2) / 2`` in axes along the points' mean direction."""
-    along, across = points[:, -1] - points[:, 0], points - points.mean(axis=1, keepdims=True)
-    c, s = along / np.hypot(*along)
-    u, v = c * across[0] + s * across[1], c * across[1] - s * across[0]
-    # v = a + b u + k (u^2 + v^2) / 2: a circle of curvature k / sqrt(1 + b^2 - 2 a k), linear in (a, b, k)
-    columns = np.stack([np.ones_like(u), u, (u**2 + v**2) / 2], axis=1)
-    (a, b, k), *_ = np.linalg.lstsq(columns, v, rcond=None)
-    return k / math.sqrt(1 + b * b - 2 * a * k)
+    y, z = curve.point(places) - curve.point(t)[:, :, None]
+    c, s = (part[:, -1:] - part[:, :1] for part in (y, z))
+    chord = np.hypot(c, s)
+    c, s = c / chord, s / chord
+    u, v = (c * y + s * z) / reach, (c * z - s * y) / reach
+    columns = np.stack([np.ones_like(u), u, (u**2 + v**2) / 2], axis=-1)
+    matrix, right = np.swapaxes(columns, 1, 2) @ columns, np.swapaxes(columns, 1, 2) @ v[..., None]
+    a, b, k = np.linalg.solve(matrix, right)[..., 0].T
+    return k / np.sqrt(1 + b * b - 2 * a * k) / reach
