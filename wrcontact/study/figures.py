@@ -24,7 +24,7 @@ from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]
 MODULUS = 210e9 / (2 * (1 - 0.28**2))   #: E* of source eq. (2.9) [Pa]
-HOLDS, PARTLY, FAILS, SHOWN = "holds", "holds in part", "does not hold", "shown"
+HOLDS, PARTLY, FAILS = "holds", "holds in part", "does not hold"
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class SourceFigure:
     ----------
     number, title : "7.10", and what the picture shows.
     claim, finding : what the source says of it, and what we find with exact geometry; sentences.
-    verdict : "holds", "holds in part", "does not hold", or "shown" where nothing is claimed.
+    verdict : "holds", "holds in part" or "does not hold".
     key : the number to remember, with its unit.
     numbers : what the finding rests on, by name with unit.
     columns : the table, by name with unit; arrays or lists (n,), of numbers or of words. NaN is an empty cell.

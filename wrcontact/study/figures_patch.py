@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from .analyn import solve_analyn
-from .figures import FAILS, FORCE, HOLDS, MODULUS, PARTLY, SHOWN, SourceFigure, stacked
+from .figures import FAILS, FORCE, HOLDS, MODULUS, PARTLY, SourceFigure, stacked
 from .figures_search import outlines
 from .sections import Separation, circle_curvature, rough_curvature
 
@@ -406,4 +406,3 @@ FIGURES = {
     "7.16": yaw_patches("7.16", 6.0, "flange root"),
     "7.17": yaw_patches("7.17", 6.5, "flange"),
 }
-__all__ = ["FIGURES", "SHOWN"]

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .figures import FAILS, FORCE, HOLDS, PARTLY, SHOWN, SourceFigure, stacked
+from .figures import FAILS, FORCE, HOLDS, PARTLY, SourceFigure, stacked
 from .search import Search2D, Search3D
 
 STEP = 0.1      # [mm] of lateral shift between the source's searches
@@ -327,4 +327,3 @@ def shift_with_yaw(study):
 
 FIGURES = {"4.4": roll_without_yaw, "4.5": place_without_yaw, "4.6": place_with_little_force, "5.6": roll_with_yaw_elastic,
            "5.7": flange_root_picture, "5.8": roll_with_yaw, "5.9": shift_with_yaw}
-__all__ = ["FIGURES", "SHOWN"]
