@@ -31,6 +31,8 @@ RANGES = {
     "nominal_radius": (0.1, 1.0, "m"),
     "youngs_modulus": (1e6, 1e13, "Pa"),
     "poisson_ratio": (0.0, 0.499, "1"),
+    "curvature_step": (0.02e-3, 5e-3, "m"),
+    "curvature_reach": (0.1e-3, 10e-3, "m"),
     "tolerance": (1e-4, 0.1, "1"),
 }
 
@@ -42,9 +44,9 @@ CHOICES = {
     "contact_mode": ("rigid",),
     "load": ("normal",),
     "normal_model": ("analyn", "analyn_strip", "hertz"),
-    "separation": ("normal",),
+    "separation": ("normal", "vertical", "equidistant", "equidistant_chord"),
     "longitudinal_curvature": ("effective", "basic"),
-    "lateral_curvature": ("smooth",),
+    "lateral_curvature": ("adaptive", "smooth", "rough"),
 }
 
 #: Methods that need scipy, which an FMU does not carry: further choices in Python.
@@ -54,6 +56,9 @@ OFFLINE_CHOICES = {"normal_model": ("halfspace",)}
 KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "analyn_strip": layout.MODEL_ANALYN_STRIP, "hertz": layout.MODEL_HERTZ,
                   "halfspace": layout.MODEL_HERTZ,
                   "effective": layout.LONGITUDINAL_EFFECTIVE, "basic": layout.LONGITUDINAL_BASIC}
+SEPARATIONS = {"normal": layout.SEPARATION_NORMAL, "vertical": layout.SEPARATION_VERTICAL,
+               "equidistant": layout.SEPARATION_EQUIDISTANT, "equidistant_chord": layout.SEPARATION_CHORD}
+LATERAL_CURVATURES = {"adaptive": layout.LATERAL_ADAPTIVE, "smooth": layout.LATERAL_SMOOTH, "rough": layout.LATERAL_ROUGH}
 
 
 #: What of an evaluation can be wanted.
@@ -78,9 +83,16 @@ class ContactSystem:
         (curvatures at the contact point), or "halfspace" (complete theory on the true three-dimensional gap,
         wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel,
         seconds where narrow patches lie far apart).
-    separation : "normal", the undeformed distance is measured along the contact normal.
+    separation : how the undeformed distance is measured that ANALYN starts from: "normal" (along the normal of the contact
+        plane), "vertical" (at common lateral coordinate), "equidistant" (between points at equal arc length from the contact
+        on wheel and rail, along the mean of their normals), or "equidistant_chord" (the same with nodes stepped off by a
+        circle, as in the degree project); see wrcontact/kernel/separation.py.
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
-    lateral_curvature : "smooth" (window proportional to the patch, see wrcontact/kernel/nodes.py).
+    lateral_curvature : "adaptive" (window in proportion to the patch, see wrcontact/kernel/nodes.py), or as in the degree
+        project "smooth" (of a circle fitted to each profile over +- ``curvature_reach``) or "rough" (change of each
+        profile's angle over ``curvature_step``).
+    curvature_step : arc length from node to node of the "rough" lateral curvature [m].
+    curvature_reach : half the width over which the "smooth" one fits its circle [m].
     tolerance : relative error of the numerics in penetration, area and peak pressure, as told in wrcontact/resolution.py;
         None is each model's own, 0.01, and 0.005 for "halfspace".  "analyn" reaches 0.0015, "analyn_strip" 0.004,
         "halfspace" 0.0003.
@@ -96,8 +108,8 @@ class ContactSystem:
     def __init__(self, wheel="S1002", rail="UIC60", rail_inclination=1 / 40, gauge=1.435, gauge_depth=0.014,
                  running_circle_distance=1.5, nominal_radius=0.46, youngs_modulus=210e9, poisson_ratio=0.28,
                  contact_mode="rigid", load="normal", normal_model="analyn", separation="normal",
-                 longitudinal_curvature="effective", lateral_curvature="smooth", tolerance=None,
-                 nodes=None, strips=None, sweeps=None):
+                 longitudinal_curvature="effective", lateral_curvature="adaptive", curvature_step=0.2e-3,
+                 curvature_reach=3e-3, tolerance=None, nodes=None, strips=None, sweeps=None):
         given = dict(locals())
         self.parameters = {name: given[name] for name in signature(type(self)).parameters}
         for name, (low, high, unit) in RANGES.items():
@@ -122,7 +134,9 @@ class ContactSystem:
                             contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
                             normal_model=KERNEL_NUMBERS[chosen["normal_model"]],
                             longitudinal_curvature=KERNEL_NUMBERS[chosen["longitudinal_curvature"]],
-                            resolution=self.resolution)
+                            resolution=self.resolution, separation=SEPARATIONS[chosen["separation"]],
+                            lateral_curvature=LATERAL_CURVATURES[chosen["lateral_curvature"]],
+                            curvature_step=chosen["curvature_step"], curvature_reach=chosen["curvature_reach"])
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)
@@ -277,9 +291,10 @@ def _check_halfspace(chosen):
     """ValueError, in a sentence, for what the half-space model cannot be combined with."""
     if chosen["normal_model"] != "halfspace":
         return
-    if chosen["longitudinal_curvature"] != "effective":
-        raise ValueError(f"longitudinal_curvature is {chosen['longitudinal_curvature']!r}; permitted with the normal_model "
-                         "'halfspace', which knows the whole surface, is 'effective'")
+    for name in ("longitudinal_curvature", "separation", "lateral_curvature"):
+        if chosen[name] != CHOICES[name][0]:
+            raise ValueError(f"{name} is {chosen[name]!r}; permitted with the normal_model 'halfspace', which knows the whole "
+                             f"surface, is {CHOICES[name][0]!r}")
 
 
 def check_choice(name, value, choices):

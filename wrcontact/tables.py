@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .curvature_table import empty_curvature_table, rough_curvature_table, smooth_curvature_table
 from .hertz_table import hertz_table
 from .influence_table import influence_table
 from .kernel import layout, starts
@@ -16,11 +17,12 @@ START_STEP = 0.5e-3    # [m] of the lateral shifts for which a start of the roll
 
 
 def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
-                 longitudinal_curvature, resolution):
+                 longitudinal_curvature, resolution, separation=layout.SEPARATION_NORMAL,
+                 lateral_curvature=layout.LATERAL_ADAPTIVE, curvature_step=0.2e-3, curvature_reach=3e-3):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
-    ``normal_model`` and ``longitudinal_curvature`` are the kernel's numbers MODEL_... and LONGITUDINAL_..., ``resolution``
-    is a :class:`~wrcontact.resolution.Resolution`.
+    ``normal_model``, ``longitudinal_curvature``, ``separation`` and ``lateral_curvature`` are the kernel's numbers MODEL_...,
+    LONGITUDINAL_..., SEPARATION_... and LATERAL_..., ``resolution`` is a :class:`~wrcontact.resolution.Resolution`.
     """
     wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
     parts = {
@@ -30,6 +32,8 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
         layout.SET_HERTZ: hertz_table(),
         layout.SET_INFLUENCE: influence_table(),
         layout.SET_STARTS: empty_starts(),
+        layout.SET_WHEEL_CURVATURE: curvature_table(wheel_table, -1.0, lateral_curvature, curvature_step, curvature_reach),
+        layout.SET_RAIL_CURVATURE: curvature_table(rail_table, 1.0, lateral_curvature, curvature_step, curvature_reach),
     }
     settings = np.zeros(layout.SETTING_COUNT)
     settings[layout.SET_RADIUS] = nominal_radius
@@ -40,6 +44,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
     settings[layout.SET_NORMAL_MODEL] = normal_model
     settings[layout.SET_LONGITUDINAL] = longitudinal_curvature
+    settings[layout.SET_SEPARATION], settings[layout.SET_LATERAL] = separation, lateral_curvature
     settings[[layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]] = resolution
     settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
     settings[layout.SET_SIDES], settings[layout.SET_DEPTH] = layout.SIDES_BOTH, layout.DEPTH_ALL
@@ -51,6 +56,15 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     tables = np.concatenate([settings, *parts.values()])
     fill_starts(tables)
     return tables
+
+
+def curvature_table(profile, sign, kind, step, reach):
+    """What the lateral curvature ``kind``, one of LATERAL_..., reads of a compiled profile; ``sign`` as in curvature_table.py."""
+    if kind == layout.LATERAL_SMOOTH:
+        return smooth_curvature_table(profile, sign, reach)
+    if kind == layout.LATERAL_ROUGH:
+        return rough_curvature_table(profile, sign, step)
+    return empty_curvature_table()
 
 
 def empty_starts():
@@ -68,7 +82,7 @@ def fill_starts(tables):
     count, first, per_metre = tables[base:base + starts.START_ROWS]
     state, inputs, outputs = (np.zeros(size) for size in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
     bound = default_kernel().bind(tables, state, np.zeros(layout.WORK_SIZE), inputs, outputs)
-    rows = tables[base + starts.START_ROWS:].reshape(-1, starts.START_ROW)[:int(count)]
+    rows = tables[base + starts.START_ROWS:][:starts.START_ROW * int(count)].reshape(-1, starts.START_ROW)
     found = np.zeros_like(rows)
     for row, shift in zip(found, first + np.arange(count) / per_metre):
         inputs[layout.IN_LATERAL_SHIFT] = shift

@@ -95,12 +95,21 @@ METHODS = {
         {"analyn": "ANALYN with interacting regions", "analyn_strip": "ANALYN followed by a strip correction",
          "hertz": "one Hertz ellipse from the curvatures at the contact point"},
     ),
-    "separation": ("how the undeformed distance is measured", {"normal": "along the normal of the contact plane"}),
+    "separation": (
+        "how the undeformed distance is measured",
+        {"normal": "along the normal of the contact plane", "vertical": "vertically at common lateral coordinate",
+         "equidistant": "between points at equal arc length from the contact",
+         "equidistant_chord": "between nodes that circles step off from the contact"},
+    ),
     "longitudinal_curvature": (
         "rolling curvature of the wheel",
         {"effective": "of the cut along the contact normal", "basic": "1 / rolling radius"},
     ),
-    "lateral_curvature": ("relative lateral curvature", {"smooth": "averaged over a window in proportion to the patch"}),
+    "lateral_curvature": (
+        "relative lateral curvature",
+        {"adaptive": "averaged over a window in proportion to the patch", "smooth": "of circles fitted to the profiles",
+         "rough": "change of the profiles' angles between neighbouring nodes"},
+    ),
 }
 
 
@@ -136,6 +145,8 @@ def _parameters():
         _number("poisson_ratio", 0.28, 0.3, "Poisson's ratio of wheel and rail"),
         _number("tolerance", 0.01, 0.01, "Relative error of the numerics in penetration, area and peak pressure; nodes and strips are as fine as it asks"),
         *(_method(name, *METHODS[name]) for name in CHOICES),
+        _number("curvature_step", 0.2e-3, 1e-3, "Arc length from node to node of the rough lateral curvature"),
+        _number("curvature_reach", 3e-3, 1e-3, "Half the width over which the smooth lateral curvature fits circles to the profiles"),
     ]  # fmt: skip
 
 

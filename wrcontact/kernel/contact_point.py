@@ -4,8 +4,9 @@ from math import atan, fabs
 from typing import Final
 
 from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
-from .layout import (OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_RADIUS, SIDE_BEST_Y, SIDE_BLOCK, SIDE_CONTACT_ANGLE,
-                     SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
+from .lateral_curvature import relative_curvature
+from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SIDE_BEST_Y,
+                     SIDE_BLOCK, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
                      SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE,
                      WORK_SIDE)
 from .locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel
@@ -43,6 +44,8 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
     open_contact_region(tables, work, state)
     work[out + SIDE_CURVATURE_X] = work[region_block(0) + REGION_CURVATURE]
     work[out + SIDE_CURVATURE_Y] = work[region_block(0) + REGION_BEND]
+    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
+        work[out + SIDE_CURVATURE_Y] = 2.0 * relative_curvature(tables, y, work[FRAME_ABSCISSA])
     parallel = 0
     if fabs(mismatch) < PARALLEL:
         parallel = 1

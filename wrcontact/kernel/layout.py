@@ -84,7 +84,11 @@ SET_STARTS: Final[int] = 19          # offset of the table of starts
 SET_SIDES: Final[int] = 20           # which sides are wanted, one of SIDES_...
 SET_DEPTH: Final[int] = 21           # what is wanted of them, one of DEPTH_...
 SET_ABSENT: Final[int] = 22          # what stands in outputs that are not wanted: not a number
-SETTING_COUNT: Final[int] = 24
+SET_SEPARATION: Final[int] = 24      # one of SEPARATION_...
+SET_LATERAL: Final[int] = 25         # one of LATERAL_...
+SET_WHEEL_CURVATURE: Final[int] = 26    # offsets of the tables of the profiles' lateral curvatures
+SET_RAIL_CURVATURE: Final[int] = 27
+SETTING_COUNT: Final[int] = 48
 
 MODEL_HERTZ: Final[int] = 0
 MODEL_ANALYN: Final[int] = 1
@@ -97,6 +101,13 @@ DEPTH_PATCHES: Final[int] = 1        # and penetration, patches
 DEPTH_ALL: Final[int] = 2            # and the outline
 LONGITUDINAL_EFFECTIVE: Final[int] = 0
 LONGITUDINAL_BASIC: Final[int] = 1
+SEPARATION_NORMAL: Final[int] = 0
+SEPARATION_VERTICAL: Final[int] = 1
+SEPARATION_EQUIDISTANT: Final[int] = 2
+SEPARATION_CHORD: Final[int] = 3
+LATERAL_ADAPTIVE: Final[int] = 0
+LATERAL_SMOOTH: Final[int] = 1
+LATERAL_ROUGH: Final[int] = 2
 
 # state: what one step leaves for the next; never changes an answer ----------------------------------
 STATE_ROLL: Final[int] = 0           # last valid roll [rad]
@@ -132,6 +143,7 @@ CONTACT_BLOCK: Final[int] = 32       # contact frame and tracer
 ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
 STRIP_FIELDS: Final[int] = 16        # strip arrays
 STRIP_LIMIT: Final[int] = 104        # their length
+SEPARATION_BLOCK: Final[int] = 8     # origin of the region whose separation is measured
 
 WORK_INPUTS: Final[int] = 0          # inputs of the row at work
 WORK_KNOWN: Final[int] = 6           # 1 when the outputs below belong to them
@@ -147,7 +159,8 @@ WORK_STRIPS: Final[int] = WORK_ISLANDS + ISLAND_BLOCK
 WORK_DISTANCE: Final[int] = WORK_STRIPS + STRIP_FIELDS * STRIP_LIMIT        # logarithms of distances, square
 WORK_INFLUENCE: Final[int] = WORK_DISTANCE + STRIP_LIMIT * STRIP_LIMIT      # displacement of strips by strips, square
 WORK_SYSTEM: Final[int] = WORK_INFLUENCE + STRIP_LIMIT * STRIP_LIMIT        # the system that is solved
-WORK_SIZE: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
+WORK_SEPARATION: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
+WORK_SIZE: Final[int] = WORK_SEPARATION + SEPARATION_BLOCK
 
 # search data of one side, relative to its block
 SIDE_BEST: Final[int] = 0            # smallest gap found [m]

@@ -10,19 +10,24 @@ B_t and B_s these two,
     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
 
 follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+
+That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
+(:mod:`lateral_curvature`), one B in all three places; where it is below FLOOR A it counts as that.
 """
 
 from math import fabs, log, sqrt
 from typing import Final
 
-from .contact_plane import NO_GAP, is_yawed, normal_gap, start_tracer
+from .contact_plane import NO_GAP, TRACER_RAIL, TRACER_WHEEL, is_yawed, start_tracer
 from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
-from .layout import (MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS, SET_HERTZ,
-                     SET_NORMAL_MODEL, WORK_NODES)
+from .lateral_curvature import relative_curvature
+from .layout import (LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS,
+                     SET_HERTZ, SET_LATERAL, SET_NORMAL_MODEL, WORK_NODES)
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
                       REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_STATION, REGION_UPRIGHT_A,
                       REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW,
                       region_block)
+from .separation import open_origin, separation
 
 # node fields
 NODE_GAP: Final[int] = 0             # rise of the gap over the region's minimum [m]
@@ -55,6 +60,7 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     bound is passed, and ``window`` nodes further.
 
     Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
+    Where the lateral curvature is a prepared one, it is kept in NODE_B for :func:`weigh_nodes`.
     """
     block = region_block(region)
     work[block + REGION_SPACING] = spacing
@@ -63,11 +69,17 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     tolerance = TRACE_SHARE * spacing
     if tolerance > FINEST_TRACE:
         tolerance = FINEST_TRACE
+    prepared = 0
+    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
+        prepared = 1
     origin = work[block + REGION_STATION]
     start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    gap, first_rate, bend, curvature = normal_gap(tables, work, state, origin, tolerance)
+    open_origin(tables, work, origin, work[block + REGION_GAP], work[block + REGION_RAIL], work[block + REGION_WHEEL], spacing)
+    gap, first_rate, bend, curvature = separation(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
+    if prepared == 1:
+        work[node_field(region, NODE_B)] = relative_curvature(tables, work[TRACER_WHEEL], work[TRACER_RAIL])
     for direction in range(-1, 2, 2):
         start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
         rate = first_rate
@@ -83,13 +95,13 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
             if k == traced and ended == 0:
                 at = direction * (traced + step)
-                gap, next_rate, bend, curvature = normal_gap(tables, work, state, origin + spacing * float(at), tolerance)
+                gap, next_rate, bend, curvature = separation(tables, work, state, origin + spacing * float(at), tolerance)
                 if gap >= NO_GAP and step > 1:
                     # a profile ends within this stretch: node by node from here
                     step = 1
                     start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
                     at = direction * (traced + step)
-                    gap, next_rate, bend, curvature = normal_gap(tables, work, state, origin + spacing * float(at),
+                    gap, next_rate, bend, curvature = separation(tables, work, state, origin + spacing * float(at),
                                                                  tolerance)
                 if gap >= NO_GAP:
                     ended = 1
@@ -97,6 +109,9 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
                 else:
                     work[gaps + at] = gap - work[block + REGION_GAP]
                     work[longitudinal + at] = 0.5 * curvature
+                    if prepared == 1:
+                        work[node_field(region, NODE_B) + at] = relative_curvature(tables, work[TRACER_WHEEL],
+                                                                                   work[TRACER_RAIL])
                     fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
                     rate = next_rate
                     traced += step
@@ -105,6 +120,8 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
             station = origin + spacing * float(at)
             if ended == 1:
                 extrapolate_node(work, gaps, longitudinal, at, direction)
+                if prepared == 1:
+                    work[node_field(region, NODE_B) + at] = work[node_field(region, NODE_B) + at - direction]
             if passed > 0:
                 left -= 1
             elif ended == 1 or work[gaps + at] > reach:
@@ -202,13 +219,39 @@ def windowed_curvature(averaged: float, secant: float, share: float):
     return sqrt(averaged * grown)
 
 
+def adaptive_curvatures(work: 'float[:]', region: int, k: int, window: int, middle: float, mean: float, least: float):
+    """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none below
+    ``least``."""
+    block = region_block(region)
+    spacing = work[block + REGION_SPACING]
+    secant = secant_curvature(work, region, k, window, middle)
+    if secant < least:
+        secant = least
+    share = fabs(float(k)) * spacing / mean
+    if share > 1.0:
+        share = 1.0
+    B = windowed_curvature(second_difference(work, node_field(region, NODE_GAP) + k, spacing, window), secant, share)
+    if B < least:
+        B = least
+    side = work[block + REGION_SIDE_HIGH]
+    if k < 0:
+        side = work[block + REGION_SIDE_LOW]
+    if side < least:
+        side = least
+    return secant, side, B
+
+
 def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
-    """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B."""
+    """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B, or all with
+    the prepared one."""
     block = region_block(region)
     gaps = node_field(region, NODE_GAP)
     longitudinal = node_field(region, NODE_A)
     base = int(tables[SET_HERTZ])
     yawed = is_yawed(work)
+    prepared = 0
+    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
+        prepared = 1
     alpha_turn = 1.0
     beta_turn = 1.0
     nr_turn = 1.0
@@ -216,28 +259,20 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
         alpha_turn, beta_turn, nr_turn = turn_region(tables, work, region)
     spacing = work[block + REGION_SPACING]
     mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
-    low_side = work[block + REGION_SIDE_LOW]
-    high_side = work[block + REGION_SIDE_HIGH]
     middle = second_difference(work, gaps, spacing, window)
     if middle < 0.0:
         middle = 0.0
     for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
         A = work[longitudinal + k]
         least = FLOOR * A
-        secant = secant_curvature(work, region, k, window, middle)
-        if secant < least:
-            secant = least
-        share = fabs(float(k)) * spacing / mean
-        if share > 1.0:
-            share = 1.0
-        B = windowed_curvature(second_difference(work, gaps + k, spacing, window), secant, share)
-        if B < least:
-            B = least
-        side = high_side
-        if k < 0:
-            side = low_side
-        if side < least:
-            side = least
+        if prepared == 1:
+            B = work[node_field(region, NODE_B) + k]
+            if B < least:
+                B = least
+            secant = B
+            side = B
+        else:
+            secant, side, B = adaptive_curvatures(work, region, k, window, middle, mean, least)
         alpha = table_value(tables, base, 0, log(secant / A))
         beta = table_value(tables, base, 0, log(A / side))
         nr = table_value(tables, base, 6, log(B / A))

@@ -14,9 +14,10 @@ from typing import Final
 from .analyn import FORCE_SHARP, solve_levels
 from .contact_plane import TRACER_STATION, is_yawed, ridge_place
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
-from .layout import (DEPTH_ALL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE,
+from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE,
                      PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
-                     SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_NODES, SET_NORMAL_MODEL, SET_STRIDE, SIDE_AREA,
+                     SEPARATION_CHORD, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_LATERAL, SET_NODES,
+                     SET_NORMAL_MODEL, SET_SEPARATION, SET_STRIDE, SIDE_AREA,
                      SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE,
                      SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
                      SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
@@ -116,22 +117,30 @@ def side_curvature(reached: float, own: float, mean: float):
 
 def zone_share(tables: 'float[:]', A: float, side: float):
     """Share of the level up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
-    are loaded while (1 + beta) g is below the level."""
+    are loaded while (1 + beta) g is below the level.  With prepared curvatures 1 + beta may fall to 1."""
     if side < FLOOR * A:
         side = FLOOR * A
     spread = SPREAD
     if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
         spread = STRIP_SPREAD
     share = spread / table_value(tables, int(tables[SET_HERTZ]), 0, log(A / side))
-    if share > COVER:
+    if share > COVER or int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
         share = COVER
     return share
+
+
+def node_stride(tables: 'float[:]'):
+    """Every so many of the nodes are traced on the profiles: all where curvatures are read there or chords lead to them."""
+    stride = int(tables[SET_STRIDE])
+    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE or int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
+        stride = 1
+    return stride
 
 
 def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their levels times ``enlarge``."""
     window = int(tables[SET_NODES] * WINDOW + 0.5)
-    stride = int(tables[SET_STRIDE])
+    stride = node_stride(tables)
     for i in range(count):
         block = region_block(i)
         level = work[block + REGION_LEVEL]

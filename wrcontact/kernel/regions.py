@@ -13,6 +13,7 @@ from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCIS
                      SIDE_NODE, WORK_REGION)
 from .profile_table import height_slope
 from .search import ROW_Y, SCAN_NODES, SCAN_ROW, scan_side
+from .separation import open_origin, separation
 
 # a region block
 REGION_STATION: Final[int] = 0       # of the minimum [m]
@@ -219,12 +220,15 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
     end of a profile; REGION_REACHED holds how far it has risen there.
 
-    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
+    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
+    separation, with arcs in place of the chords whose length follows from this width.
     """
     limit = work[block + REGION_HIGH] - work[block + REGION_STATION]
     if direction < 0.0:
         limit = work[block + REGION_STATION] - work[block + REGION_LOW]
     start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
+    open_origin(tables, work, work[block + REGION_STATION], work[block + REGION_GAP], work[block + REGION_RAIL],
+                work[block + REGION_WHEEL], 0.0)
     tolerance = 1e-3 * guess
     if tolerance > WIDTH_TRACE:
         tolerance = WIDTH_TRACE
@@ -236,7 +240,7 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
     for i in range(WIDTH_ITERATIONS):
         if width > limit:
             width = limit
-        gap, rate, bend, curvature = normal_gap(tables, work, state,
+        gap, rate, bend, curvature = separation(tables, work, state,
                                                 work[block + REGION_STATION] + direction * width, tolerance)
         if gap >= NO_GAP:
             # beyond an end the tracer has lost its way

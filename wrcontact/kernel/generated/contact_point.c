@@ -50,6 +50,10 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     regions__open_contact_region(tables, work, state);
     (*cspan_at(&work, out + layout__SIDE_CURVATURE_X)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_CURVATURE));
     (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_BEND));
+    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    {
+        (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
+    }
     parallel = INT64_C(0);
     if (fabs(mismatch) < contact_point__PARALLEL)
     {

@@ -8,6 +8,7 @@
 
 #include "../native/spans.h"
 #include "contact_plane.h"
+#include "lateral_curvature.h"
 #include "layout.h"
 #include "locus.h"
 #include "regions.h"

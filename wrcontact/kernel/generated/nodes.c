@@ -12,6 +12,9 @@
  *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
  *
  * follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+ *
+ * That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
+ * (:mod:`lateral_curvature`), one B in all three places; where it is below FLOOR A it counts as that.
  */
 
 #include "nodes.h"
@@ -26,6 +29,7 @@ static inline int64_t nodes__node_field(int64_t region, int64_t field)
  * bound is passed, and ``window`` nodes further.
  *
  * Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
+ * Where the lateral curvature is a prepared one, it is kept in NODE_B for :func:`weigh_nodes`.
  */
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double low_reach, double high_reach, double spacing, int64_t window, int64_t stride)
 {
@@ -33,6 +37,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     int64_t gaps;
     int64_t longitudinal;
     double tolerance;
+    int64_t prepared;
     double origin;
     double gap;
     double first_rate;
@@ -59,11 +64,21 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     {
         tolerance = nodes__FINEST_TRACE;
     }
+    prepared = INT64_C(0);
+    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    {
+        prepared = INT64_C(1);
+    }
     origin = (*cspan_at(&work, block + regions__REGION_STATION));
     contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
-    contact_plane__normal_gap(&gap, &first_rate, &bend, &curvature, tables, work, state, origin, tolerance);
+    separation__open_origin(tables, work, origin, (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), spacing);
+    separation__separation(&gap, &first_rate, &bend, &curvature, tables, work, state, origin, tolerance);
     (*cspan_at(&work, gaps)) = 0.0;
     (*cspan_at(&work, longitudinal)) = 0.5 * curvature;
+    if (prepared == INT64_C(1))
+    {
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+    }
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
         contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
@@ -84,14 +99,14 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
             if ((k == traced) && (ended == INT64_C(0)))
             {
                 at = direction * (traced + step);
-                contact_plane__normal_gap(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
+                separation__separation(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
                 if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
                 {
                     /* a profile ends within this stretch: node by node from here */
                     step = INT64_C(1);
                     contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
                     at = direction * (traced + step);
-                    contact_plane__normal_gap(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
+                    separation__separation(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
                 }
                 if (gap >= contact_plane__NO_GAP)
                 {
@@ -102,6 +117,10 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
                 {
                     (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
                     (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
+                    if (prepared == INT64_C(1))
+                    {
+                        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+                    }
                     nodes__fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate);
                     rate = next_rate;
                     traced += step;
@@ -113,6 +132,10 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
             if (ended == INT64_C(1))
             {
                 nodes__extrapolate_node(work, gaps, longitudinal, at, direction);
+                if (prepared == INT64_C(1))
+                {
+                    (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + at)) = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + at - direction));
+                }
             }
             if (passed > INT64_C(0))
             {
@@ -281,7 +304,46 @@ static inline double nodes__windowed_curvature(double averaged, double secant, d
     return sqrt(averaged * grown);
 }
 
-/* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its own B. */
+/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none below
+ * ``least``.
+ */
+static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t k, int64_t window, double middle, double mean, double least)
+{
+    int64_t block;
+    double spacing;
+    double share;
+    block = regions__region_block(region);
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    (*secant) = nodes__secant_curvature(work, region, k, window, middle);
+    if ((*secant) < least)
+    {
+        (*secant) = least;
+    }
+    share = fabs((double)(k)) * spacing / mean;
+    if (share > 1.0)
+    {
+        share = 1.0;
+    }
+    (*B) = nodes__windowed_curvature(nodes__second_difference(work, nodes__node_field(region, nodes__NODE_GAP) + k, spacing, window), (*secant), share);
+    if ((*B) < least)
+    {
+        (*B) = least;
+    }
+    (*side) = (*cspan_at(&work, block + regions__REGION_SIDE_HIGH));
+    if (k < INT64_C(0))
+    {
+        (*side) = (*cspan_at(&work, block + regions__REGION_SIDE_LOW));
+    }
+    if ((*side) < least)
+    {
+        (*side) = least;
+    }
+    return 0;
+}
+
+/* ANALYN's coefficients at the region's nodes: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its own B, or all with
+ * the prepared one.
+ */
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window)
 {
     int64_t block;
@@ -289,21 +351,19 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     int64_t longitudinal;
     int64_t base;
     int64_t yawed;
+    int64_t prepared;
     double alpha_turn;
     double beta_turn;
     double nr_turn;
     double spacing;
     double mean;
-    double low_side;
-    double high_side;
     double middle;
     int64_t k_end;
     int64_t k;
     double A;
     double least;
-    double secant;
-    double share;
     double B;
+    double secant;
     double side;
     double alpha;
     double beta;
@@ -313,6 +373,11 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     longitudinal = nodes__node_field(region, nodes__NODE_A);
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
     yawed = contact_plane__is_yawed(work);
+    prepared = INT64_C(0);
+    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    {
+        prepared = INT64_C(1);
+    }
     alpha_turn = 1.0;
     beta_turn = 1.0;
     nr_turn = 1.0;
@@ -322,8 +387,6 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     }
     spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
     mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
-    low_side = (*cspan_at(&work, block + regions__REGION_SIDE_LOW));
-    high_side = (*cspan_at(&work, block + regions__REGION_SIDE_HIGH));
     middle = nodes__second_difference(work, gaps, spacing, window);
     if (middle < 0.0)
     {
@@ -334,29 +397,19 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     {
         A = (*cspan_at(&work, longitudinal + k));
         least = nodes__FLOOR * A;
-        secant = nodes__secant_curvature(work, region, k, window, middle);
-        if (secant < least)
+        if (prepared == INT64_C(1))
         {
-            secant = least;
+            B = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + k));
+            if (B < least)
+            {
+                B = least;
+            }
+            secant = B;
+            side = B;
         }
-        share = fabs((double)(k)) * spacing / mean;
-        if (share > 1.0)
+        else
         {
-            share = 1.0;
-        }
-        B = nodes__windowed_curvature(nodes__second_difference(work, gaps + k, spacing, window), secant, share);
-        if (B < least)
-        {
-            B = least;
-        }
-        side = high_side;
-        if (k < INT64_C(0))
-        {
-            side = low_side;
-        }
-        if (side < least)
-        {
-            side = least;
+            nodes__adaptive_curvatures(&secant, &side, &B, work, region, k, window, middle, mean, least);
         }
         alpha = hertz__table_value(tables, base, INT64_C(0), log(secant / A));
         beta = hertz__table_value(tables, base, INT64_C(0), log(A / side));

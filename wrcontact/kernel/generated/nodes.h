@@ -12,6 +12,9 @@
  *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
  *
  * follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+ *
+ * That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
+ * (:mod:`lateral_curvature`), one B in all three places; where it is below FLOOR A it counts as that.
  */
 
 #ifndef WRCONTACT_KERNEL_NODES_H
@@ -20,8 +23,10 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "hertz.h"
+#include "lateral_curvature.h"
 #include "layout.h"
 #include "regions.h"
+#include "separation.h"
 
 static const int64_t nodes__NODE_GAP = INT64_C(0);
 static const int64_t nodes__NODE_A = INT64_C(1);
@@ -47,6 +52,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 static inline double nodes__second_difference(array_double_1d work, int64_t at, double spacing, int64_t window);
 static inline double nodes__secant_curvature(array_double_1d work, int64_t region, int64_t k, int64_t window, double middle);
 static inline double nodes__windowed_curvature(double averaged, double secant, double share);
+static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t k, int64_t window, double middle, double mean, double least);
 static inline int64_t nodes__turn_region(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region);
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window);
 static inline double nodes__cubic_through(double before, double low, double high, double after, double x);

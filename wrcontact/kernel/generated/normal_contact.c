@@ -105,7 +105,7 @@ static inline double normal_contact__side_curvature(double reached, double own, 
 }
 
 /* Share of the level up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
- * are loaded while (1 + beta) g is below the level.
+ * are loaded while (1 + beta) g is below the level.  With prepared curvatures 1 + beta may fall to 1.
  */
 static inline double normal_contact__zone_share(array_double_1d tables, double A, double side)
 {
@@ -121,11 +121,23 @@ static inline double normal_contact__zone_share(array_double_1d tables, double A
         spread = normal_contact__STRIP_SPREAD;
     }
     share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), INT64_C(0), log(A / side));
-    if (share > normal_contact__COVER)
+    if ((share > normal_contact__COVER) || ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         share = normal_contact__COVER;
     }
     return share;
+}
+
+/* Every so many of the nodes are traced on the profiles: all where curvatures are read there or chords lead to them. */
+static inline int64_t normal_contact__node_stride(array_double_1d tables)
+{
+    int64_t stride;
+    stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
+    if (((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE) || ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) == layout__SEPARATION_CHORD))
+    {
+        stride = INT64_C(1);
+    }
+    return stride;
 }
 
 /* Widths, nodes and coefficients of all regions at their levels times ``enlarge``. */
@@ -144,7 +156,7 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     double low_reach;
     double high_reach;
     window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) * normal_contact__WINDOW + 0.5);
-    stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
+    stride = normal_contact__node_stride(tables);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = regions__region_block(i);

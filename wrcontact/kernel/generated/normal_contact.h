@@ -44,6 +44,7 @@ static inline double normal_contact__guess_penetration(double force, double A, d
 static inline double normal_contact__side_curvature(double reached, double own, double mean);
 static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level);
 static inline double normal_contact__zone_share(array_double_1d tables, double A, double side);
+static inline int64_t normal_contact__node_stride(array_double_1d tables);
 static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
 static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration);
 static inline int64_t normal_contact__covered(array_double_1d work, int64_t count);

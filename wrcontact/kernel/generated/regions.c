@@ -273,7 +273,8 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
 /* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
  * end of a profile; REGION_REACHED holds how far it has risen there.
  *
- * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.
+ * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
+ * separation, with arcs in place of the chords whose length follows from this width.
  */
 static inline double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess)
 {
@@ -299,6 +300,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
     }
     contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+    separation__open_origin(tables, work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), 0.0);
     tolerance = 0.001 * guess;
     if (tolerance > regions__WIDTH_TRACE)
     {
@@ -315,7 +317,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         {
             width = limit;
         }
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, tolerance);
+        separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, tolerance);
         if (gap >= contact_plane__NO_GAP)
         {
             /* beyond an end the tracer has lost its way */

@@ -14,6 +14,7 @@
 #include "layout.h"
 #include "profile_table.h"
 #include "search.h"
+#include "separation.h"
 
 static const int64_t regions__REGION_STATION = INT64_C(0);
 static const int64_t regions__REGION_GAP = INT64_C(1);

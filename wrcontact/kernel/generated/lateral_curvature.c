@@ -1,0 +1,49 @@
+/* Generated from lateral_curvature.py by tools/transpile_kernel.py; change that one.
+ *
+ * Lateral curvatures of wheel and rail profile, prepared once (wrcontact/curvature_table.py) and read off along them.
+ *
+ * Table at ``base``: count of values, start [m], values per metre, then the curvatures [1/m] at even distances, positive where
+ * the profile bulges towards the other body.
+ */
+
+#include "lateral_curvature.h"
+
+/* Curvature [1/m] of the profile at ``y`` [m], on the straight line between two values; beyond an end the end's. */
+static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t base, double y)
+{
+    double u;
+    double last;
+    int64_t cell;
+    int64_t at;
+    double result;
+    u = (y - (*cspan_at(&tables, base + lateral_curvature__CURVATURE_START))) * (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE));
+    last = (*cspan_at(&tables, base + lateral_curvature__CURVATURE_COUNT)) - 1.0;
+    if (!(u > 0.0))
+    {
+        u = 0.0;
+    }
+    if (u > last)
+    {
+        u = last;
+    }
+    cell = (int64_t)(u);
+    if (cell > (int64_t)(last) - INT64_C(1))
+    {
+        cell = (int64_t)(last) - INT64_C(1);
+    }
+    at = base + lateral_curvature__CURVATURES + cell;
+    result = (*cspan_at(&tables, at)) + (u - (double)(cell)) * ((*cspan_at(&tables, at + INT64_C(1))) - (*cspan_at(&tables, at)));
+    return result;
+}
+
+/* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m], the source's
+ * eq. (6.5).
+ */
+static inline double lateral_curvature__relative_curvature(array_double_1d tables, double y, double abscissa)
+{
+    double wheel;
+    double rail;
+    wheel = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL_CURVATURE))), y);
+    rail = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL_CURVATURE))), abscissa);
+    return 0.5 * (wheel + rail);
+}
