@@ -112,14 +112,17 @@ def separation(number, shift, where):
         section, complete = study.section(shift), study.complete(shift)
         found = separation_patches(section)
         patches = {name: patch for name, (_, patch) in found.items()}
-        numbers = {f"separations differ within {near:g} mm, at most [mm]":
-                   float(np.abs(difference(section, near * 1e-3)[1]).max()) * 1e3 for near in (0.25, 0.5, 1.0)}
+        numbers = {"contact angle [deg]": math.degrees(section.angle)}
+        numbers |= {f"separations differ within {near:g} mm, at most [mm]":
+                    float(np.abs(difference(section, near * 1e-3)[1]).max()) * 1e3 for near in (0.25, 0.5, 1.0)}
         edge = min(-patches["vertical"].station[patches["vertical"].loaded].min(), 20e-3)
         y, apart = difference(section, edge)
         numbers["separations differ inside the patch, at most [mm]"] = float(np.abs(apart).max()) * 1e3
         for name, patch in patches.items():
             numbers |= study_sizes(name, patch)
         numbers |= sizes("complete theory", complete)
+        for kind in ("equidistant", "vertical"):
+            numbers |= sizes(f"wrcontact, {kind}", study.right(shift, separation=kind, lateral_curvature="smooth"))
         one, other, again = patches["equidistant"], patches["vertical"], patches["vertical, turned"]
         numbers |= {"vertical less equidistant, penetration [%]": percent(other.penetration, one.penetration),
                     "vertical less equidistant, length [%]": percent(other.length, one.length),
@@ -155,10 +158,10 @@ def _separation_words(numbers, on_tread):
     share, again = numbers["1 / cos(contact angle) - 1 [%]"], numbers["turned less equidistant, penetration [%]"]
     return ("They differ by 1e-4 ... 1e-3 mm around the contact; the equidistant patch is wider in y and narrower in x, "
             "because other nodes are paired.",
-            f"They differ by {half:.0e} mm at 0.5 mm and {one:.0e} mm at 1 mm from the contact, but always by about a tenth: a vertical "
-            f"distance is 1 / cos(contact angle) = {share:.0f} % longer. With it the patch becomes {length:+.1f} % longer, "
-            f"{numbers['vertical less equidistant, width in y [%]']:+.0f} % wider in y, the penetration {depth:+.1f} %. Pairing is not why: "
-            f"the same vertical distances turned into the contact plane give the equidistant penetration within {abs(again):.1f} %.",
+            f"They differ by {half:.0e} mm at 0.5 mm and {one:.0e} mm at 1 mm from the contact, and always by about a tenth: a vertical "
+            f"distance is 1 / cos(contact angle) = {share:.0f} % longer. With it the patch becomes {length:.1f} % longer and "
+            f"{-numbers['vertical less equidistant, width in y [%]']:.0f} % narrower in y, the penetration {depth:.1f} % larger. Pairing "
+            f"is the small part: the same vertical distances, turned into the contact plane, come within {abs(again):.1f} %.",
             PARTLY, f"{half:.0e} to {one:.0e} mm within 1 mm; penetration {depth:+.1f} % with vertical distances")
 
 
@@ -191,8 +194,8 @@ def longitudinal(number, shift, where):
         return SourceFigure(number, f"Longitudinal curvature along the wheel at {shift:g} mm, {where}: effective and basic",
                             {"tread": "On the tread the two differ little.", "flange root": "In the flange root they differ more.",
                              "flange": "On the flange they differ most: the contact angle lengthens the radius."}[where],
-                            f"At the contact the radius is {1 / effective:.3f} m cut along the normal and {1 / basic:.3f} m basic, a factor "
-                            f"{basic / effective:.3f} = 1 / cos({numbers['contact angle [deg]']:.1f} deg).", HOLDS, key, numbers, columns)
+                            f"At the contact the radius is {1 / effective:.3f} m cut along the normal and {1 / basic:.3f} m basic, a factor of "
+                            f"{basic / effective:.3f} at a contact angle of {numbers['contact angle [deg]']:.1f} deg.", HOLDS, key, numbers, columns)
 
     return make
 
@@ -268,10 +271,10 @@ def lateral_curvatures(study):
     return SourceFigure(
         "7.11", "Lateral curvature of wheel and rail at 1 mm: three nodes 0.2 mm apart, and circles through 6 mm",
         "Three nodes give a rough curvature, the rougher the smaller ds; it is smooth from ds = 2 mm on, as a circle fit is at any ds.",
-        f"On the exact profiles three nodes are not rough at all: {none:.3f} 1/m off at ds = 0.2 mm, and they follow every joint. "
+        f"On the exact profiles three nodes are not rough at all: {none:.0e} 1/m off at ds = 0.2 mm, and they follow every joint. "
         f"Rounding makes the roughness: coordinates to 1 um make B scatter by {little:.0f} 1/m, several times B itself, and at ds = 2 mm "
         f"by {far:.2f} 1/m, as it falls with 1/ds^2. The circle fit spreads each joint over 6 mm.", PARTLY,
-        f"scatter of B {none:.3f} 1/m exact, {little:.0f} 1/m with coordinates to 1 um", numbers, columns)
+        f"scatter of B {none:.0e} 1/m exact, {little:.0f} 1/m with coordinates to 1 um", numbers, columns)
 
 
 def lateral_curvature_by(section, nodes, kind):
@@ -301,6 +304,7 @@ def lateral_patches(number, shift):
             B = lateral_curvature_by(section, nodes, kind)
             patches[kind] = study_patch(nodes, section, B)
             numbers |= study_sizes(kind, patches[kind])
+            numbers[f"{kind}: B at the first point [1/m]"] = float(B[np.argmin(np.abs(nodes.station))])
             mended = study_patch(nodes, section, B, DEGREE)
             numbers |= study_sizes(f"{kind}, corrected", mended)
             inside = np.abs(nodes.station) < 15e-3
@@ -324,6 +328,7 @@ def _lateral_words(number, numbers):
     gap = numbers["rough: B <= 0 over [mm]"], numbers["smooth: B <= 0 over [mm]"]
     depth, true = numbers["rough: penetration [um]"], numbers["complete theory: penetration [um]"]
     own = numbers["wrcontact: penetration [um]"]
+    here = numbers["rough: B at the first point [1/m]"]
     hole = (f"B is negative over {gap[0]:.1f} mm inside the patch, {gap[1]:.1f} mm of which the circle fit leaves; dropping them tears the "
             f"patch in two and makes the penetration {depth:.0f} um instead of {true:.0f} (wrcontact: {own:.0f}).")
     key = f"{rough} loaded nodes rough, {smooth} smooth"
@@ -337,7 +342,7 @@ def _lateral_words(number, numbers):
                 f"{numbers['rough: width [mm]'] - numbers['smooth: width [mm]']:.1f} mm less wide. {hole}", FAILS, key)
     exact, fine, file = (numbers[f"first point out, coordinates to {step} mm, share of shifts"] for step in ("0", "0.0001", "0.001"))
     return ("The rough curvature breaks the patch; even the first contact point is not in it.",
-            f"Not with exact profiles: the first point has B = 3.7 1/m and is in the patch at all {len(SEVERAL)} shifts from 0.9 to 1.1 mm. "
+            f"Not with exact profiles: the first point has B = {here:.1f} 1/m and is in the patch at all {len(SEVERAL)} shifts from 0.9 to 1.1 mm. "
             f"With coordinates to 1 um the patch falls into {numbers['rough, coordinates to 1 um: pieces']} pieces and the first point "
             f"is out at {file:.0%} of the shifts, with 0.1 um at {fine:.0%}. {hole}", PARTLY,
             f"first point out: {exact:.0%} exact, {file:.0%} with coordinates to 1 um")

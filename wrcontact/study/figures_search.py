@@ -120,7 +120,8 @@ def roll_without_yaw(study):
     rigid, soft = roll(exact(study, fine)), or_none(roll, elastic(study, fine))
     _, root, flange = (shift for shift, *_ in jumps(study))
     (root_low, root_high, step), (low, high, flange_step) = slopes(study, root), slopes(study, flange)
-    numbers = {"change of roll at the jump to the flange root [deg]": step,
+    numbers = {"bend to the flange root at [mm]": root, "bend to the flange at [mm]": flange,
+               "change of roll at the jump to the flange root [deg]": step,
                "change of roll at the jump to the flange [deg]": flange_step,
                "slope, flange root / tread": root_high / root_low, "slope, flange / flange root": high / low,
                "2-D search less exact, largest [deg]": float(np.abs(found - roll(exact(study, grid))).max()),
