@@ -5,10 +5,11 @@ from pathlib import Path
 from rich import box
 from rich.table import Table
 
-from ..study.figures import Study, chosen, compute
+from ..study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
 from .report import console
 
 INDEX = "figures.md"
+VERDICTS = {HOLDS: "It holds.", PARTLY: "It holds in part.", FAILS: "It does not hold."}
 
 
 def run_figures(output, words):
@@ -31,12 +32,14 @@ def run_figures(output, words):
 
 
 def summary(figures):
-    """Number, what the figure shows, the number to remember, and whether what the source says of it holds."""
-    table = Table("figure", "what", "key number", "the source's claim", box=box.SIMPLE_HEAD, show_edge=False,
+    """A line for each: number, what the figure shows, the number to remember, whether what the source says of it holds."""
+    table = Table("fig.", "what", "the number to remember", "claim", box=box.SIMPLE_HEAD, show_edge=False,
                   padding=(0, 1, 0, 0))
-    table.columns[0].no_wrap = table.columns[3].no_wrap = True
+    for column in table.columns:
+        column.no_wrap = True
     for figure in figures:
-        table.add_row(figure.number, figure.title, figure.key, figure.verdict)
+        table.add_row(figure.number, figure.short, figure.key, figure.verdict,
+                      style={PARTLY: "yellow", FAILS: "red"}.get(figure.verdict))
     return table
 
 
@@ -45,5 +48,5 @@ def index(figures):
     parts = ["# The source's figures, computed anew\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 mm, 78.5 kN per "
              "wheel. Each picture is drawn from the table beside it.\n"]
     parts += [f"## {figure.number} {figure.title}\n\n![{figure.title}]({figure.stem}.png)\n\n*The source:* {figure.claim} "
-              f"**{figure.verdict.capitalize()}.** {figure.finding} ([table]({figure.stem}.csv))\n" for figure in figures]
+              f"**{VERDICTS[figure.verdict]}** {figure.finding} ([table]({figure.stem}.csv))\n" for figure in figures]
     return "\n".join(parts)

@@ -13,7 +13,7 @@ from .sweep import WHEEL_ZONES
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito
 THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
-LEAP = 1.0  # [mm] a line breaks where its value leaps by more from point to point
+LEAP = 3.0  # [mm] a line breaks where its value leaps by more from point to point
 UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
 WIDE = 10.5  # [in]
 
@@ -32,7 +32,7 @@ def curves_of(figure):
     return list(dict.fromkeys(figure.columns["curve"]))
 
 
-def look_of(name, position):
+def look_of(name):
     """How a curve over the lateral shift is drawn."""
     yaw = int(name.rpartition("yaw ")[2].split()[0]) if "yaw" in name else None
     colour = COLOURS[yaw] if yaw is not None else WHEEL_COLOUR
@@ -47,11 +47,11 @@ def look_of(name, position):
 def over_shift(panel, figure, wanted, *, span=None, legend=True):
     """The curves whose names ``wanted`` accepts over the lateral shift."""
     value = list(figure.columns)[2]
-    for position, name in enumerate(filter(wanted, curves_of(figure))):
+    for name in filter(wanted, curves_of(figure)):
         rows = rows_of(figure.columns, curve=name)
         shift, values = rows["lateral shift [mm]"].astype(float), rows[value].astype(float)
         leap = np.flatnonzero(np.abs(np.diff(values)) > LEAP) + 1
-        panel.plot(np.insert(shift, leap, np.nan), np.insert(values, leap, np.nan), label=name, **look_of(name, position))
+        panel.plot(np.insert(shift, leap, np.nan), np.insert(values, leap, np.nan), label=name, **look_of(name))
     panel.set(xlabel="lateral shift of the wheelset, right + [mm]", ylabel=AXES[value])
     if span:
         seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])] for line in panel.lines]
@@ -125,35 +125,35 @@ def draw_place_and_errors(picture, figure):
     draw_zones(whole)
     known = rows_of(figure.columns, curve="rigid, exact")
     known = dict(zip(known["lateral shift [mm]"].astype(float), known["y_wheel [mm]"].astype(float)))
-    for position, name in enumerate(curves_of(figure)):
+    for name in curves_of(figure):
         if name != "rigid, exact":
             rows = rows_of(figure.columns, curve=name)
             shift, place = rows["lateral shift [mm]"].astype(float), rows["y_wheel [mm]"].astype(float)
             error = np.abs(place - [known[at] for at in shift])
-            errors.plot(shift, np.maximum(error, 1e-9), label=name, **look_of(name, position))
+            errors.plot(shift, np.maximum(error, 1e-9), label=name, **look_of(name))
     errors.axvspan(6.3, 8, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
     errors.axvspan(-8, -6.3, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
     errors.set(yscale="log", ylim=(1e-9, 30), xlabel="lateral shift of the wheelset, right + [mm]",
                ylabel="distance from the rigid contact [mm]")
     errors.legend(loc="lower center", fontsize=7.5)
     whole.set_title("Contact on the right wheel")
-    errors.set_title("How far from the exact rigid contact; beyond 6.3 mm grey")
+    errors.set_title("Distance from it; grey: beyond 6.3 mm")
 
 
 def draw_two_searches(picture, figure):
-    rigid, elastic = picture.subplots(1, 2, sharey=True)
-    over_shift(rigid, figure, lambda name: "elastic" not in name, span=(0, 8))
-    rigid.set_title("Rigid contact")
+    kinds = [("Rigid contact", lambda name: "elastic" not in name)]
     if any("elastic" in name for name in curves_of(figure)):
-        over_shift(elastic, figure, lambda name: "elastic" in name or "rigid" in name, span=(0, 8))
-        elastic.set_title("Elastic contact at 78.5 kN, rigid beside it")
-    for panel in (rigid, elastic):
-        inset = panel.inset_axes((0.12, 0.1, 0.45, 0.42))
-        over_shift(inset, figure, lambda name, panel=panel: ("elastic" in name or "rigid" in name) == (panel is elastic)
-                   if "search" not in name else panel is rigid, span=(4.4, 5.6), legend=False)
+        kinds.append(("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
+    for panel, (title, wanted) in zip(picture.subplots(1, len(kinds), sharey=True, squeeze=False)[0], kinds):
+        over_shift(panel, figure, wanted, span=(0, 8), legend=False)
+        inset = panel.inset_axes((0.14, 0.14, 0.5, 0.5))
+        over_shift(inset, figure, wanted, span=(4.4, 5.6), legend=False)
         inset.set(xlabel="", ylabel="")
         inset.tick_params(labelsize=7)
         panel.indicate_inset_zoom(inset, edgecolor=QUIET)
+        panel.set_title(title)
+    handles = {line.get_label(): line for panel in picture.axes for line in panel.lines}
+    picture.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3)
 
 
 def draw_by_yaw(picture, figure):
@@ -169,7 +169,7 @@ def draw_by_yaw(picture, figure):
 
 def draw_roll_by_yaw(picture, figure):
     panel = draw_by_yaw(picture, figure)
-    inset = panel.inset_axes((0.16, 0.42, 0.36, 0.5))
+    inset = panel.inset_axes((0.14, 0.32, 0.38, 0.5))
     over_shift(inset, figure, lambda name: "exact" in name, span=(0, 5.3), legend=False)
     inset.set(xlabel="", ylabel="")
     inset.set_title("tread and flange root", fontsize=8, fontweight="normal")
@@ -178,7 +178,13 @@ def draw_roll_by_yaw(picture, figure):
 
 
 def draw_shift_by_yaw(picture, figure):
-    draw_by_yaw(picture, figure).set_xlim(0, 8)
+    panel = draw_by_yaw(picture, figure)
+    panel.set_xlim(0, 8)
+    inset = panel.inset_axes((0.27, 0.3, 0.36, 0.62))
+    over_shift(inset, figure, every, span=(0, 6.3), legend=False)
+    inset.set(xlabel="", ylabel="", ylim=(-0.5, 11))
+    inset.set_title("before flange contact", fontsize=8, fontweight="normal")
+    inset.tick_params(labelsize=7)
 
 
 # --- where the contact is --------------------------------------------------------------------------
@@ -190,7 +196,7 @@ def draw_picture(picture, figure):
 
 def draw_outlines(panel, figure):
     """Wheel, rail and contact point on the track, to one scale."""
-    ends = {"wheel": HIGH / MM, "rail": -40.0}
+    ends = {"wheel": HIGH / MM, "rail": -60.0}
     for name, colour in (("wheel", WHEEL_COLOUR), ("rail", RAIL_COLOUR)):
         rows = rows_of(figure.columns, curve=name)
         y, height = (rows[column].astype(float) for column in ("y_track [mm]", "height [mm]"))
@@ -199,10 +205,10 @@ def draw_outlines(panel, figure):
     point = rows_of(figure.columns, curve="contact point")
     y, height = float(point["y_track [mm]"][0]), float(point["height [mm]"][0])
     panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white", markeredgewidth=0.6)
-    panel.annotate("contact point", (y, height), (-14, -30), textcoords="offset points", ha="right", color=CONTACT_COLOUR,
+    panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left", color=CONTACT_COLOUR,
                    arrowprops={"arrowstyle": "-", "color": CONTACT_COLOUR, "linewidth": 0.8})
-    panel.text(762, -12, "rail", color=RAIL_LABEL, ha="center")
-    panel.text(762, 9, "wheel", color=WHEEL_COLOUR, ha="center")
+    panel.text(768, -12, "rail", color=RAIL_LABEL, ha="center")
+    panel.text(768, 11, "wheel", color=WHEEL_COLOUR, ha="center")
     panel.set(xlim=(685, 805), ylim=(-32, 16), aspect="equal", xlabel="across the track, right + [mm]",
               ylabel="above top of rail [mm]")
 
@@ -223,7 +229,8 @@ def draw_separation(picture, figure):
     apart = rows_of(figure.columns, curve="vertical less equidistant")
     near.plot(apart["y [mm]"].astype(float), np.abs(apart["separation [mm]"].astype(float)), color=INK)
     near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
-    near.text(0.98, 3.2e-4, "1e-4 ... 1e-3 mm", transform=near.get_yaxis_transform(), color=QUIET, fontsize=8, ha="right", va="center")
+    near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET, fontsize=7.5,
+              ha="center", va="bottom")
     near.set(yscale="log", ylim=(1e-7, 1e-1), xlabel="y from the contact, field side + [mm]",
              ylabel="vertical less equidistant [mm]")
     whole.set(ylim=(-0.3, 8), xlabel="y from the contact, field side + [mm]", ylabel="separation [mm]")
@@ -317,6 +324,8 @@ def draw_patches(picture, figure):
         case = next((k for k, other in enumerate(own) if name.startswith(other)), None)
         look = {"color": COLOURS[case] if case is not None else INK, **({key: THEORY[key] for key in ("linewidth", "linestyle")}
                                                                        if theory else {})}
+        if name == "basic":
+            look["linestyle"] = (0, (3, 1.5))
         closed_outline(edges, station, half, fine=True, label=name, **look)
         pressures.plot(*rounded_edge(station, pressure), **look)
     for panel in (edges, pressures):
@@ -336,7 +345,7 @@ def draw_torn(picture, figure):
     names = [name for name in curves_of(figure) if name != "complete theory"]
     theory = rows_of(figure.columns, curve="complete theory")
     true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)
-    panels = picture.subplots(1, 3, sharey=True)
+    panels = picture.subplots(1, 3, sharex=True, sharey=True)
     for panel, name, colour in zip(panels, names, COLOURS):
         rows = rows_of(figure.columns, curve=name)
         station, half = (rows[column].astype(float) for column in ("station [mm]", "half length [mm]"))
@@ -355,7 +364,7 @@ def draw_torn(picture, figure):
 
 def draw_lateral(picture, figure):
     """Lateral curvature of wheel and rail; rounding noise would fill the picture, so its points are small."""
-    for panel, name, span in zip(picture.subplots(2, 1), ("wheel", "rail"), ((-110, 60), (-40, 110))):
+    for panel, name, span in zip(picture.subplots(2, 1), ("wheel", "rail"), ((-45, 110), (-45, 110))):
         at = np.array(figure.columns[f"y_{name} [mm]"])
         noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
         panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
@@ -365,7 +374,8 @@ def draw_lateral(picture, figure):
                    label="circle through 6 mm")
         panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
                   ylabel="curvature [1/m]")
-        panel.set_title(f"{name.capitalize()}, hollow upwards +")
+        panel.set_title({"wheel": "Wheel, + where it is hollow as in the flange root",
+                         "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}[name])
     picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 
 

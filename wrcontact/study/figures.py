@@ -24,7 +24,7 @@ from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]
 MODULUS = 210e9 / (2 * (1 - 0.28**2))   #: E* of source eq. (2.9) [Pa]
-HOLDS, PARTLY, FAILS = "holds", "holds in part", "does not hold"
+HOLDS, PARTLY, FAILS = "holds", "in part", "fails"   # verdicts
 
 
 @dataclass(frozen=True)
@@ -33,16 +33,17 @@ class SourceFigure:
 
     Attributes
     ----------
-    number, title : "7.10", and what the picture shows.
+    number, title, short : "7.10", what the picture shows, and the same in a few words.
     claim, finding : what the source says of it, and what we find with exact geometry; sentences.
-    verdict : "holds", "holds in part" or "does not hold".
-    key : the number to remember, with its unit.
+    verdict : of the claim: "holds", "in part" or "fails".
+    key : the number to remember, with its unit, in a few words.
     numbers : what the finding rests on, by name with unit.
     columns : the table, by name with unit; arrays or lists (n,), of numbers or of words. NaN is an empty cell.
     """
 
     number: str
     title: str
+    short: str
     claim: str
     finding: str
     verdict: str

@@ -135,12 +135,12 @@ def roll_without_yaw(study):
         tail = (f" Elastic at 78.5 kN the steepest part falls from {numbers['steepest rigid [deg/mm]']:.2f} to "
                 f"{numbers['steepest elastic [deg/mm]']:.2f} deg/mm.")
     return SourceFigure(
-        "4.4", "Roll over lateral shift: rigid search against elastic contact",
+        "4.4", "Roll over lateral shift: rigid search against elastic contact", "roll, rigid and elastic",
         "Rigid roll jumps where the contact moves from tread to flange root and to the flange; elastic contact smooths it.",
         f"The roll does not jump, it bends: at {root:.3f} mm its slope grows {numbers['slope, flange root / tread']:.1f}-fold, at "
         f"{flange:.3f} mm {numbers['slope, flange / flange root']:.0f}-fold, while the roll is continuous. Only the place "
         f"jumps (4.5).{tail}",
-        PARTLY, f"slope of the roll x {numbers['slope, flange / flange root']:.0f} at {flange:.3f} mm, no step", numbers,
+        PARTLY, f"slope x {numbers['slope, flange / flange root']:.0f} at {flange:.3f} mm, no jump", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "rigid, exact": rigid, "elastic, 78.5 kN": soft},
                fine, "roll [deg]"))
 
@@ -160,7 +160,7 @@ def place_without_yaw(study):
                 f"{numbers['largest step, rigid [mm]']:.1f} to {numbers['largest step, elastic [mm]']:.1f} mm.")
     words = ", ".join(f"{shift:.3f} mm ({before:.1f} to {after:.1f})" for shift, before, after in there)
     return SourceFigure(
-        "4.5", "Lateral contact position on the right wheel: rigid search against elastic contact",
+        "4.5", "Lateral contact position on the right wheel: rigid search against elastic contact", "contact position",
         "The rigid contact jumps from tread to flange root and from flange root to flange; elastic contact is smooth.",
         f"Jumps of y_wheel at {words}: three, the first on the tread.{tail}", HOLDS,
         f"jumps at {', '.join(f'{shift:.3f}' for shift, *_ in there)} mm", numbers,
@@ -176,18 +176,18 @@ def place_with_little_force(study):
     known, flange = place(exact(study, grid)), np.abs(grid) > 6.3
     numbers = {"2-D search dy 0.1 mm less exact, flange, largest [mm]": float(np.abs(found - known)[flange].max()),
                "2-D search dy 1 mm less exact, flange, largest [mm]": float(np.abs(coarse - known)[flange].max())}
-    tail, key = "", f"2-D search {numbers['2-D search dy 0.1 mm less exact, flange, largest [mm]']:.2f} mm off on the flange"
+    tail, key = "", f"2-D search {numbers['2-D search dy 0.1 mm less exact, flange, largest [mm]']:.2f} mm off"
     if soft is not None:
         away = np.min(np.abs(fine[:, None] - [shift for shift, *_ in jumps(study, low=-FAR)]), axis=1) > FINE
         numbers["elastic at 1e-4 N less rigid, flange, largest [mm]"] = float(
             np.abs(soft - rigid)[away & (np.abs(fine) > 6.3)].max())
         numbers["elastic at 1e-4 N less rigid, elsewhere, largest [mm]"] = float(
             np.abs(soft - rigid)[away & (np.abs(fine) <= 6.3)].max())
-        key = f"elastic less rigid {numbers['elastic at 1e-4 N less rigid, flange, largest [mm]']:.1e} mm on the flange"
+        key = f"flange: {numbers['elastic at 1e-4 N less rigid, flange, largest [mm]']:.0e} mm from rigid"
         tail = (f"Elastic contact at 1e-4 N is rigid contact, to {numbers['elastic at 1e-4 N less rigid, flange, largest [mm]']:.1e} "
                 "mm on the flange too, away from the jumps. ")
     return SourceFigure(
-        "4.6", "Lateral contact position on the right wheel: elastic contact with next to no force",
+        "4.6", "Lateral contact position on the right wheel: elastic contact with next to no force", "the same at 1e-4 N",
         "At 1e-4 N both agree on tread and flange root, but beyond 6.3 mm they differ noticeably.",
         f"{tail}So the difference on the flange is one of the two programs, not of elasticity; nodes can make one: with dy = 1 mm the "
         f"2-D search is {numbers['2-D search dy 1 mm less exact, flange, largest [mm]']:.1f} mm off there, with 0.1 mm "
@@ -223,13 +223,13 @@ def roll_with_yaw_elastic(study):
                 f"{numbers['yaw 0 deg: share of shifts with elastic roll below rigid']:.0%} of the shifts (by "
                 f"{numbers['yaw 0 deg: rigid less elastic roll at 7 mm [deg]']:.3f} deg at 7 mm).")
     return SourceFigure(
-        "5.6", "Roll over lateral shift, yaw 0 and 1 deg: rigid 3-D search, elastic contact",
+        "5.6", "Roll over lateral shift, yaw 0 and 1 deg: rigid 3-D search, elastic contact", "roll, yaw 0 and 1 deg",
         "The rigid roll has a slight jump near 5 mm that elastic contact (Baeza) has not, and is higher at the same shift.",
         f"It is a bend: the roll's slope grows {numbers['yaw 0 deg: slope behind / before']:.1f}-fold at "
         f"{numbers['yaw 0 deg: bend at [mm]']:.3f} mm without yaw and {numbers['yaw 1 deg: slope behind / before']:.1f}-fold at "
         f"{numbers['yaw 1 deg: bend at [mm]']:.3f} mm with 1 deg, the roll itself does not step.{tail}",
-        PARTLY, f"slope x {numbers['yaw 0 deg: slope behind / before']:.1f} at {numbers['yaw 0 deg: bend at [mm]']:.3f} mm, "
-        f"x {numbers['yaw 1 deg: slope behind / before']:.1f} at {numbers['yaw 1 deg: bend at [mm]']:.3f} mm", numbers,
+        PARTLY, f"slope x {numbers['yaw 0 deg: slope behind / before']:.1f} at {numbers['yaw 0 deg: bend at [mm]']:.3f}, "
+        f"{numbers['yaw 1 deg: bend at [mm]']:.3f} mm, no jump", numbers,
         joined(curves, fine, "roll [deg]"))
 
 
@@ -246,7 +246,7 @@ def flange_root_picture(study):
                "jump at [mm]": root[0], "before [mm]": root[1], "behind [mm]": root[2],
                "gap at the other place [mm]": float(_other_gap(section, root[1])) * 1e3}
     return SourceFigure(
-        "5.7", "Right wheel's contact at 5 mm, no yaw",
+        "5.7", "Right wheel's contact at 5 mm, no yaw", "contact at 5 mm",
         "The contact has moved from the tread side of the flange root to its flange side.",
         f"At 5 mm it is at y_wheel = {numbers['y_wheel [mm]']:.2f} mm, {5 - root[0]:.2f} mm of shift behind the jump from "
         f"{root[1]:.1f} to {root[2]:.1f} mm; the place it left is {1e3 * numbers['gap at the other place [mm]']:.1f} um clear of the "
@@ -264,7 +264,7 @@ def outlines(section):
     contact = section.state.right.contact
     origin = np.array([contact.y_track, contact.z_track])[:, None]
     tables = []
-    for name, curve, span in (("wheel", section.wheel, (-0.068, 0.06)), ("rail", section.rail, (-0.037, 0.037))):
+    for name, curve, span in (("wheel", section.wheel, (-0.068, 0.06)), ("rail", section.rail, (-0.05, 0.05))):
         low, high = max(span[0], curve.ends[0]), min(span[1], curve.ends[1])
         y, z = (curve.point(np.linspace(low, high, 301)) + origin) * 1e3
         tables.append({"curve": name, "y_track [mm]": y, "height [mm]": -z})
@@ -293,7 +293,7 @@ def roll_with_yaw(study):
     flange = [numbers[f"yaw {yaw} deg: jump to the flange [mm]"] for yaw in YAWS]
     root = [numbers[f"yaw {yaw} deg: jump to the flange root [mm]"] for yaw in YAWS[:3]]
     return SourceFigure(
-        "5.8", "Roll over lateral shift for yaw 0, 1, 2, 3 deg",
+        "5.8", "Roll over lateral shift for yaw 0, 1, 2, 3 deg", "roll, yaw 0 ... 3 deg",
         "With yaw the jump comes at smaller shifts, as flange contact does; on tread and flange root the roll is smaller, because "
         "the contact, further from the principal profile, is nearer to the axle.",
         f"Flange contact comes earlier: at {', '.join(f'{value:.3f}' for value in flange)} mm. The other jump comes later: the flange "
@@ -301,7 +301,7 @@ def roll_with_yaw(study):
         f"{turned:.4f} with 1 deg), but not for that reason: the contact rises by "
         f"{1e3 * numbers['3 mm, 1 deg: rise of the contact towards the axle [mm]']:.1f} um, while a wheelset narrower by cos(yaw) rolls "
         f"{100 * (narrow - bare) / (turned - bare):.0f} % of that change without any yaw.",
-        PARTLY, f"flange from {', '.join(f'{value:.3f}' for value in flange)} mm", numbers, joined(curves, fine, "roll [deg]"))
+        PARTLY, f"flange at {', '.join(f'{value:.3f}' for value in flange)} mm", numbers, joined(curves, fine, "roll [deg]"))
 
 
 def shift_with_yaw(study):
@@ -318,12 +318,12 @@ def shift_with_yaw(study):
     first, later, last = (numbers[f"yaw 1 deg{name}"] for name in (": largest [mm]", " at 6.5 mm [mm]", " at 8 mm [mm]"))
     two, three = numbers["yaw 2 deg at 1 mm [mm]"], numbers["yaw 3 deg at 1 mm [mm]"]
     return SourceFigure(
-        "5.9", "Longitudinal shift of the right contact for yaw 0, 1, 2, 3 deg",
+        "5.9", "Longitudinal shift of the right contact for yaw 0, 1, 2, 3 deg", "longitudinal shift",
         "With yaw the contact moves ahead of the axle, about 20 mm in flange contact at 1 deg.",
         f"At 1 deg it is {first:.1f} mm where flange contact begins, {later:.1f} mm at 6.5 mm and {last:.1f} mm at 8 mm; at 3 deg up to "
         f"{numbers['yaw 3 deg: largest [mm]']:.0f} mm. More yaw is not always further ahead: at 1 mm it is {two:.2f} mm with 2 deg, "
         f"{three:.2f} mm with 3, as the contact then stays on the other side of the first jump.", HOLDS,
-        f"{first:.1f} to {last:.1f} mm at 1 deg on the flange", numbers, joined(curves, fine, "x_wheel [mm]"))
+        f"flange, 1 deg: {first:.1f} ... {last:.1f} mm", numbers, joined(curves, fine, "x_wheel [mm]"))
 
 
 FIGURES = {"4.4": roll_without_yaw, "4.5": place_without_yaw, "4.6": place_with_little_force, "5.6": roll_with_yaw_elastic,
