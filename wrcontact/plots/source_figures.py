@@ -80,9 +80,8 @@ def mark_jumps(panel, shifts):
 
 
 def jumps_of(figure):
-    """Lateral shifts [mm] among the numbers whose names say "jump" or "bend"."""
-    return [value for name, value in figure.numbers.items()
-            if name.endswith("at [mm]") and ("jump" in name or "bend" in name) or "jump to the" in name and np.isfinite(value)]
+    """Lateral shifts [mm] of the jumps among the numbers."""
+    return [value for name, value in figure.numbers.items() if name.startswith("jump") and name.endswith("at [mm]")]
 
 
 # --- chapters 4 and 5 ------------------------------------------------------------------------------
@@ -322,8 +321,7 @@ def draw_patches(picture, figure):
                                    ("station [mm]", "half length [mm]", "pressure [MPa]"))
         theory = "complete theory" in name
         case = next((k for k, other in enumerate(own) if name.startswith(other)), None)
-        look = {"color": COLOURS[case] if case is not None else INK, **({key: THEORY[key] for key in ("linewidth", "linestyle")}
-                                                                       if theory else {})}
+        look = {**(THEORY if theory else {}), "color": INK if case is None else COLOURS[case]}
         if name == "basic":
             look["linestyle"] = (0, (3, 1.5))
         closed_outline(edges, station, half, fine=True, label=name, **look)
@@ -369,7 +367,8 @@ def draw_lateral(picture, figure):
         noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
         panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
                    label="three nodes, coordinates to 1 um")
-        panel.plot(at, figure.columns[f"{name}, rough [1/m]"], color=COLOURS[0], label="three nodes 0.2 mm apart, exact profile")
+        panel.plot(at, figure.columns[f"{name}, rough [1/m]"], color=COLOURS[0],
+                   label="three nodes 0.2 mm apart, exact profile")
         panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)), linewidth=1.2,
                    label="circle through 6 mm")
         panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
@@ -386,6 +385,9 @@ DRAWN = {
     "7.9": draw_longitudinal_with_picture, "7.10": draw_patches, "7.11": draw_lateral, "7.12": draw_torn, "7.13": draw_torn,
     "7.14": draw_torn, "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
 }  # fmt: skip
-SIZES = {"5.7": (7.5, 3.9), "7.1": (7.5, 3.9), "7.3": (7.5, 3.9), "7.9": (WIDE, 7.4), "7.11": (WIDE, 6.6), "5.8": (WIDE, 5.4),
-         "5.6": (WIDE, 5.2), **{number: (WIDE, 4.8) for number in ("7.2", "7.4", "7.12", "7.13", "7.14", "7.6", "7.8", "7.10",
-                                                                   "7.15", "7.16", "7.17")}}  # fmt: skip
+SIZES = {
+    "5.6": (WIDE, 5.2), "5.7": (7.5, 3.9), "5.8": (WIDE, 5.4), "7.1": (7.5, 3.9), "7.2": (WIDE, 4.8), "7.3": (7.5, 3.9),
+    "7.4": (WIDE, 4.8), "7.6": (WIDE, 4.8), "7.8": (WIDE, 4.8), "7.9": (WIDE, 7.4), "7.10": (WIDE, 4.8), "7.11": (WIDE, 6.6),
+    "7.12": (WIDE, 4.8), "7.13": (WIDE, 4.8), "7.14": (WIDE, 4.8), "7.15": (WIDE, 4.8), "7.16": (WIDE, 4.8),
+    "7.17": (WIDE, 4.8),
+}  # fmt: skip  [in]

@@ -1,7 +1,7 @@
 """ANALYN as the source writes it, in numpy: one lateral curvature for everything, nodes at fixed distances, one patch.
 
-Source eqs. (2.19)-(2.26).  With E* of its eq. (2.9) the factor of eq. (2.25) must be 2 E*/pi; with E*/(2 pi), as printed, the
-pressure carries a quarter of the force.  Where B <= 0 the formulas have no value: such nodes drop out of the patch.
+Source eqs. (2.19)-(2.26).  With E* of its eq. (2.9) the factor of eq. (2.25) must be 2 E*/pi; with E*/(2 pi), as printed,
+the pressure carries a quarter of the force.  Where B <= 0 the formulas have no value: such nodes drop out of the patch.
 
 >>> import numpy as np
 >>> from wrcontact.study.analyn import solve_analyn
@@ -100,7 +100,8 @@ class StudyPatch:
 
 
 def corrected(B, inside, degree):
-    """``B`` with what is not positive among the nodes ``inside`` replaced by the polynomial fitted to them; NaN where that fails.
+    """``B`` with what is not positive among the nodes ``inside`` replaced by a polynomial fitted to all of them; NaN where
+    that is not positive either.
 
     The source says so of ANALYN's own code, without the degree.
     """

@@ -24,7 +24,7 @@ from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]
 MODULUS = 210e9 / (2 * (1 - 0.28**2))   #: E* of source eq. (2.9) [Pa]
-HOLDS, PARTLY, FAILS = "holds", "in part", "fails"   # verdicts
+HOLDS, PARTLY, FAILS = "holds", "partly", "fails"   # verdicts
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class SourceFigure:
     ----------
     number, title, short : "7.10", what the picture shows, and the same in a few words.
     claim, finding : what the source says of it, and what we find with exact geometry; sentences.
-    verdict : of the claim: "holds", "in part" or "fails".
+    verdict : of the claim: "holds", "partly" or "fails".
     key : the number to remember, with its unit, in a few words.
     numbers : what the finding rests on, by name with unit.
     columns : the table, by name with unit; arrays or lists (n,), of numbers or of words. NaN is an empty cell.
@@ -108,6 +108,11 @@ def stacked(*tables):
             values = table.get(name, math.nan)
             columns[name] += [values] * count if isinstance(values, (str, float)) else list(values)
     return columns
+
+
+def listed(values, digits):
+    """Numbers in words: "28.4, 25.5, 21.7"."""
+    return ", ".join(f"{value:.{digits}f}" for value in values)
 
 
 def rows_of(columns, **wanted):

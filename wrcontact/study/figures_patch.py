@@ -12,7 +12,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from .analyn import solve_analyn
-from .figures import FAILS, FORCE, HOLDS, MODULUS, PARTLY, SourceFigure, stacked
+from .figures import FAILS, FORCE, HOLDS, MODULUS, PARTLY, SourceFigure, listed, stacked
 from .figures_search import outlines
 from .sections import Separation, circle_curvature, rough_curvature
 
@@ -69,11 +69,6 @@ def percent(one, other):
     return 100 * (one / other - 1)
 
 
-def listed(values, digits):
-    """Numbers in words: "28.4, 25.5, 21.7"."""
-    return ", ".join(f"{value:.{digits}f}" for value in values)
-
-
 # --- 7.1 and 7.3: where ----------------------------------------------------------------------------
 
 
@@ -83,7 +78,7 @@ def picture(number, shift, where):
         place, angle = side.contact.y_wheel * 1e3, math.degrees(side.contact_angle)
         key = f"y_wheel {place:.2f} mm, angle {angle:.2f} deg"
         return SourceFigure(number, f"Right wheel's contact at {shift:g} mm, no yaw: {where}", f"contact at {shift:g} mm",
-                            f"The contact is in the {where}." if where == "flange root" else f"The contact is on the {where}.",
+                            f"The contact is {'in' if where == 'flange root' else 'on'} the {where}.",
                             f"It is, at {key}.", HOLDS, key, {"y_wheel [mm]": place, "contact angle [deg]": angle},
                             outlines(study.section(shift)))
 
@@ -172,16 +167,16 @@ def _separation_words(numbers, where):
                         ("within 0.5 mm", "within 1 mm", "inside the patch"))
     if where == "tread":
         return ("On the tread both are almost the same, and begin to differ towards the flange.",
-                f"Within 1 mm of the contact they differ by {one:.0e} mm, within the patch by {patch:.0e} mm; with vertical "
-                f"distances the patch is {length:.1f} % longer and the penetration {depth:.1f} % larger.", HOLDS,
+                f"Within 1 mm of the contact they differ by {one:.0e} mm, within the patch by {patch:.0e} mm; with "
+                f"vertical distances the patch is {length:.1f} % longer and the penetration {depth:.1f} % larger.", HOLDS,
                 f"penetration {depth:+.1f} %, length {length:+.1f} %")
     return ("They differ by 1e-4 ... 1e-3 mm around the contact; the equidistant patch is wider in y and narrower in x, "
             "because other nodes are paired.",
-            f"They differ by {half:.0e} mm at 0.5 mm and {one:.0e} mm at 1 mm from the contact, {patch:.0e} mm at the patch's edge, "
-            f"and always by about a tenth: a vertical distance is 1 / cos(contact angle) = "
-            f"{numbers['1 / cos(contact angle) [%]']:.0f} % longer. With it the patch is {length:.1f} % longer and {-width:.0f} % "
-            f"narrower in y, the penetration {depth:.1f} % larger. Pairing is the small part: the same vertical distances, turned "
-            f"into the contact plane, come within {abs(again):.1f} %.", PARTLY,
+            f"They differ by {half:.0e} mm at 0.5 mm and {one:.0e} mm at 1 mm from the contact, {patch:.0e} mm at the "
+            f"patch's edge, and always by about a tenth: a vertical distance is 1 / cos(contact angle) = "
+            f"{numbers['1 / cos(contact angle) [%]']:.0f} % longer. With it the patch is {length:.1f} % longer and "
+            f"{-width:.0f} % narrower in y, the penetration {depth:.1f} % larger. Pairing is the small part: the same "
+            f"vertical distances, turned into the contact plane, come within {abs(again):.1f} %.", PARTLY,
             f"{half:.0e} ... {one:.0e} mm; penetration {depth:+.1f} %")
 
 
@@ -214,15 +209,16 @@ def longitudinal(number, shift, where):
             columns = stacked({"curve": "longitudinal curvature", **columns}, outlines(section))
         return SourceFigure(number, f"Longitudinal curvature along the wheel at {shift:g} mm, {where}: effective and basic",
                             f"1 / R_x at {shift:g} mm", claim,
-                            f"At the contact the radius is {effective:.3f} m cut along the normal and {basic:.3f} m basic, a factor "
-                            f"of {effective / basic:.3f} at a contact angle of {angle:.1f} deg.", HOLDS,
+                            f"At the contact the radius is {effective:.3f} m cut along the normal and {basic:.3f} m basic, "
+                            f"a factor of {effective / basic:.3f} at a contact angle of {angle:.1f} deg.", HOLDS,
                             f"R {effective:.3f} m effective, {basic:.3f} m basic", numbers, columns)
 
     return make
 
 
 def longitudinal_patches(number, shift, where):
-    claim = {"tread": "The difference is minor.", "flange root": "With the effective radius the patch is visibly longer in x.",
+    claim = {"tread": "The difference is minor.",
+             "flange root": "With the effective radius the patch is visibly longer in x.",
              "flange": "With the effective radius the patch is stretched in x and narrower in s."}[where]
 
     def make(study):
@@ -238,10 +234,12 @@ def longitudinal_patches(number, shift, where):
                     "basic: error of the largest pressure [%]": percent(basic.max_pressure, true.max_pressure)}
         length, width, own, other = list(numbers.values())[-4:]
         return SourceFigure(
-            number, f"Patch at {shift:g} mm, {where}: effective and basic longitudinal radius", f"R_x, patches at {shift:g} mm",
-            claim, f"The effective radius makes the patch {right.patch_length * 1e3:.2f} mm long instead of "
-            f"{basic.patch_length * 1e3:.2f}, and {right.patch_width * 1e3:.2f} mm wide instead of {basic.patch_width * 1e3:.2f}. "
-            f"Against the complete theory the largest pressure is {own:+.1f} % off with it, {other:+.1f} % without.", HOLDS,
+            number, f"Patch at {shift:g} mm, {where}: effective and basic longitudinal radius",
+            f"R_x, patches at {shift:g} mm", claim,
+            f"The effective radius makes the patch {right.patch_length * 1e3:.2f} mm long instead of "
+            f"{basic.patch_length * 1e3:.2f}, and {right.patch_width * 1e3:.2f} mm wide instead of "
+            f"{basic.patch_width * 1e3:.2f}. Against the complete theory the largest pressure is {own:+.1f} % off with it, "
+            f"{other:+.1f} % without.", HOLDS,
             f"effective: length {length:+.1f} %, width {round(width, 1) + 0.0:+.1f} %", numbers,
             stacked(*(outline_columns(name, side) for name, side in sides.items())))
 
@@ -256,8 +254,8 @@ KINDS = {"rough": 0.0, "rough, coordinates to 1 um": PRINTED, "smooth": None}
 
 
 def curvature_of(curve, t, rounding):
-    """Curvature [1/m] of a profile at nodes ``t`` (n,): of three nodes with coordinates rounded to ``rounding`` [m] (0: exact),
-    or, where that is None, of the circle fit."""
+    """Curvature [1/m] of a profile at nodes ``t`` (n,): of three nodes with coordinates rounded to ``rounding`` [m] (0:
+    exact), or, where that is None, of the circle fit."""
     if rounding is None:
         return circle_curvature(curve, t, REACH)
     points = np.array([t, curve.profile.height(t)])
@@ -292,11 +290,12 @@ def lateral_curvatures(study):
     return SourceFigure(
         "7.11", "Lateral curvature of wheel and rail at 1 mm: three nodes 0.2 mm apart, and circles through 6 mm",
         "lateral curvature",
-        "Three nodes give a rough curvature, the rougher the smaller ds; it is smooth from ds = 2 mm on, as a circle fit is at any "
-        "ds.",
-        f"On the exact profiles three nodes are not rough at all: {none:.0e} 1/m off at ds = 0.2 mm, and they follow every joint. "
-        f"Rounding makes the roughness: coordinates to 1 um make B scatter by {little:.0f} 1/m, several times B itself, but at "
-        f"ds = 2 mm by {far:.1f} 1/m, as it falls with 1/ds^2. The circle fit spreads each joint over 6 mm.", PARTLY,
+        "Three nodes give a rough curvature, the rougher the smaller ds; it is smooth from ds = 2 mm on, as a circle fit "
+        "is at any ds.",
+        f"On the exact profiles three nodes are not rough at all: {none:.0e} 1/m off at ds = 0.2 mm, and they follow every "
+        f"joint. Rounding makes the roughness: coordinates to 1 um make B scatter by {little:.0f} 1/m, several times B "
+        f"itself, but at ds = 2 mm by {far:.1f} 1/m, as it falls with 1/ds^2. The circle fit spreads each joint over 6 mm.",
+        PARTLY,
         f"scatter {none:.0e} 1/m; to 1 um: {little:.0f} 1/m", numbers, columns)
 
 
@@ -327,8 +326,8 @@ def lateral_patches(number, shift):
                         for step in (0.0, 1e-5, 1e-4, 1e-3) for words, correction in (("", None), (", corrected", DEGREE))}
         columns = stacked(*(patch_columns(kind, patch) for kind, patch in patches.items()),
                           outline_columns("complete theory", complete))
-        return SourceFigure(number, f"Patch at {shift:g} mm: rough and smooth lateral curvature", f"B, patches at {shift:g} mm",
-                            *_lateral_words(number, numbers), numbers, columns)
+        return SourceFigure(number, f"Patch at {shift:g} mm: rough and smooth lateral curvature",
+                            f"B, patches at {shift:g} mm", *_lateral_words(number, numbers), numbers, columns)
 
     return make
 
@@ -339,22 +338,23 @@ def _lateral_words(number, numbers):
     wide, less = (numbers[f"{kind}: width [mm]"] for kind in ("rough", "smooth"))
     own, left = (numbers[f"{kind}: B <= 0 over [mm]"] for kind in ("rough", "smooth"))
     depth, true, ours = (numbers[f"{name}: penetration [um]"] for name in ("rough", "complete theory", "wrcontact"))
-    hole = (f"B is negative over {own:.1f} mm inside the patch, {left:.1f} mm of which the circle fit leaves; dropping them tears "
-            f"the patch and makes the penetration {depth:.0f} um instead of {true:.0f} (wrcontact: {ours:.0f}).")
+    hole = (f"B is negative over {own:.1f} mm inside the patch, {left:.1f} mm of which the circle fit leaves; dropping "
+            f"them tears the patch and makes the penetration {depth:.0f} um instead of {true:.0f} (wrcontact: {ours:.0f}).")
     key = f"loaded nodes {rough} rough, {smooth} smooth"
     if number == "7.12":
         return ("The rough curvature leaves fewer nodes with B > 0, the smooth patch reaches further.",
-                f"{rough} nodes against {smooth}, but within the same width ({wide:.1f} and {less:.1f} mm). {hole}", PARTLY, key)
+                f"{rough} nodes against {smooth}, but within the same width ({wide:.1f} and {less:.1f} mm). {hole}", PARTLY,
+                key)
     if number == "7.13":
         return ("Here the smooth curvature leaves fewer nodes: no trend.",
-                f"There is one: again the rough one leaves fewer nodes, {rough} against {smooth}, though the smooth patch is "
-                f"{wide - less:.1f} mm less wide. {hole}", FAILS, key)
+                f"There is one: again the rough one leaves fewer nodes, {rough} against {smooth}, though the smooth patch "
+                f"is {wide - less:.1f} mm less wide. {hole}", FAILS, key)
     exact, fine, file = (numbers[f"first point out, coordinates to {step} mm"] for step in ("0", "0.0001", "0.001"))
     return ("The rough curvature breaks the patch; even the first contact point is not in it.",
-            f"Not with exact profiles: the first point has B = {numbers['rough: B at the first point [1/m]']:.1f} 1/m and is in the "
-            f"patch at all of {len(SEVERAL)} shifts from 0.9 to 1.1 mm. With coordinates to 1 um the patch falls into "
-            f"{numbers['rough, coordinates to 1 um: pieces']} pieces and the first point is out at {file:.0%} of the shifts, with "
-            f"0.1 um at {fine:.0%}. {hole}", PARTLY, f"first point out: {exact:.0%}; to 1 um: {file:.0%}")
+            f"Not with exact profiles: the first point has B = {numbers['rough: B at the first point [1/m]']:.1f} 1/m and "
+            f"is in the patch at all of {len(SEVERAL)} shifts from 0.9 to 1.1 mm. With coordinates to 1 um the patch falls "
+            f"into {numbers['rough, coordinates to 1 um: pieces']} pieces and the first point is out at {file:.0%} of the "
+            f"shifts, with 0.1 um at {fine:.0%}. {hole}", PARTLY, f"first point out: {exact:.0%}; to 1 um: {file:.0%}")
 
 
 # --- 7.15 to 7.17: yaw -----------------------------------------------------------------------------
@@ -365,7 +365,8 @@ def yaw_patches(number, shift, where):
         numbers, tables = {}, []
         for yaw in (0, 1, 2):
             name, side, complete = f"yaw {yaw} deg", study.right(shift, float(yaw)), study.complete(shift, float(yaw))
-            numbers |= {f"{name}: y_wheel [mm]": side.contact.y_wheel * 1e3, f"{name}: x_wheel [mm]": side.contact.x_wheel * 1e3,
+            numbers |= {f"{name}: y_wheel [mm]": side.contact.y_wheel * 1e3,
+                        f"{name}: x_wheel [mm]": side.contact.x_wheel * 1e3,
                         f"{name}: longitudinal radius [m]": 1 / side.curvature_x,
                         f"{name}: lateral radius [m]": 1 / side.curvature_y, **sizes(name, side),
                         f"{name}: complete theory, area [mm2]": complete.area * 1e6}
@@ -388,12 +389,13 @@ def _yaw_words(numbers, where):
     key = f"area {listed(area, 1)} mm2"
     if where == "tread":
         narrow = numbers["no yaw, wheelset narrower by cos(2 deg): area [mm2]"]
-        return (f"There is one here: area {listed(area, 0)} mm2, largest pressure {listed(pressure, 0)} MPa. Yaw acts as a narrower "
-                f"wheelset: one narrower by cos(2 deg) has {narrow:.0f} mm2 without yaw.", FAILS, key)
+        return (f"There is one here: area {listed(area, 0)} mm2, largest pressure {listed(pressure, 0)} MPa. Yaw acts as a "
+                f"narrower wheelset: one narrower by cos(2 deg) has {narrow:.0f} mm2 without yaw.", FAILS, key)
     if where == "flange root":
         return (f"0 and 1 deg are alike ({listed(area[:2], 1)} mm2); at 2 deg the wheel is on its flange, "
                 f"{numbers['yaw 2 deg: x_wheel [mm]']:.0f} mm ahead, as the jump is at 5.878 mm: {area[2]:.1f} mm2 and "
-                f"{pressure[2] / pressure[0]:.1f} times the pressure. Patches of two places are compared; that hides the pattern.",
+                f"{pressure[2] / pressure[0]:.1f} times the pressure. Patches of two places are compared; that hides "
+                "the pattern.",
                 PARTLY, key)
     return (f"There is one: the patch becomes shorter ({listed(length, 1)} mm) and wider ({listed(width, 2)} mm), as the "
             f"longitudinal radius falls ({listed(radius, 2)} m).", FAILS, f"length {listed(length, 1)} mm")

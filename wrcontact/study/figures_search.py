@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .figures import FAILS, FORCE, HOLDS, PARTLY, SourceFigure, stacked
+from .figures import FAILS, FORCE, HOLDS, PARTLY, SourceFigure, listed, stacked
 from .search import Search2D, Search3D
 
 STEP = 0.1      # [mm] of lateral shift between the source's searches
@@ -15,6 +15,7 @@ LEAP = 0.5      # [mm] a contact that moves further within a nanometre of latera
 CLOSE = 2e-3    # [mm] beside a jump the places are told; the printed S1002 takes the last one in two steps, 1 um apart
 BESIDE = 0.02   # [mm] from a jump at which slopes are taken
 ROOT, FLANGE = -26.0, -36.5   # [mm] y_wheel where the flange root begins and between its contacts and those on the flange
+ON_FLANGE = 6.3       # [mm] of lateral shift, from where the source sees a difference
 YAWS = (0, 1, 2, 3)   # [deg]
 SMALL_FORCE = 1e-4    # [N]
 
@@ -75,7 +76,7 @@ def _jump_between(study, yaw, a, b, before, after):
 
 
 def slopes(study, shift, yaw=0.0):
-    """Slope of the roll before and behind a lateral shift [mm], and what the roll itself changes within 2e-6 mm: [deg/mm], [deg]."""
+    """Slope of the roll before and behind a lateral shift [mm], [deg/mm], and what the roll changes within 2e-6 mm [deg]."""
     at = shift + np.array([-2 * BESIDE, -BESIDE, -1e-6, 1e-6, BESIDE, 2 * BESIDE])
     values = roll(exact(study, at, yaw))
     return (values[1] - values[0]) / BESIDE, (values[5] - values[4]) / BESIDE, abs(values[3] - values[2])
@@ -87,7 +88,7 @@ def steepest(shift, values):
 
 
 def joined(curves, grid, name):
-    """Long table of ``curves`` (name: values) over ``grid`` [mm] under the heading ``name``; those that are None left out."""
+    """Long table of ``curves`` (values over ``grid`` [mm], or both, or None: left out) under the heading ``name``."""
     return stacked(*({"curve": curve, "lateral shift [mm]": at, name: values} for curve, (at, values) in
                      ((curve, entry if isinstance(entry, tuple) else (grid, entry)) for curve, entry in curves.items()
                       if entry is not None)))
@@ -119,28 +120,27 @@ def roll_without_yaw(study):
     fine = shifts(-FAR, FINE)
     rigid, soft = roll(exact(study, fine)), or_none(roll, elastic(study, fine))
     _, root, flange = (shift for shift, *_ in jumps(study))
-    (root_low, root_high, step), (low, high, flange_step) = slopes(study, root), slopes(study, flange)
+    (root_low, root_high, root_step), (low, high, flange_step) = slopes(study, root), slopes(study, flange)
+    root_bend, flange_bend = root_high / root_low, high / low
     numbers = {"bend to the flange root at [mm]": root, "bend to the flange at [mm]": flange,
-               "change of roll at the jump to the flange root [deg]": step,
+               "change of roll at the jump to the flange root [deg]": root_step,
                "change of roll at the jump to the flange [deg]": flange_step,
-               "slope, flange root / tread": root_high / root_low, "slope, flange / flange root": high / low,
+               "slope, flange root / tread": root_bend, "slope, flange / flange root": flange_bend,
                "2-D search less exact, largest [deg]": float(np.abs(found - roll(exact(study, grid))).max()),
                "steepest rigid [deg/mm]": steepest(fine, rigid)}
     tail = ""
     if soft is not None:
-        on_flange = np.abs(fine) > 6.4
         numbers |= {"steepest elastic [deg/mm]": steepest(fine, soft),
-                    "elastic less rigid in magnitude, flange, mean [deg]": float(np.mean(np.abs(soft) - np.abs(rigid),
-                                                                                         where=on_flange))}
-        tail = (f" Elastic at 78.5 kN the steepest part falls from {numbers['steepest rigid [deg/mm]']:.2f} to "
-                f"{numbers['steepest elastic [deg/mm]']:.2f} deg/mm.")
+                    "elastic less rigid in magnitude, largest [deg]": float(np.max(np.abs(soft) - np.abs(rigid))),
+                    "rigid less elastic in magnitude, largest [deg]": float(np.max(np.abs(rigid) - np.abs(soft)))}
+        tail = (f" Elastic contact at 78.5 kN rounds the bends; its steepest part has "
+                f"{numbers['steepest elastic [deg/mm]']:.2f} instead of {numbers['steepest rigid [deg/mm]']:.2f} deg/mm.")
     return SourceFigure(
         "4.4", "Roll over lateral shift: rigid search against elastic contact", "roll, rigid and elastic",
         "Rigid roll jumps where the contact moves from tread to flange root and to the flange; elastic contact smooths it.",
-        f"The roll does not jump, it bends: at {root:.3f} mm its slope grows {numbers['slope, flange root / tread']:.1f}-fold, at "
-        f"{flange:.3f} mm {numbers['slope, flange / flange root']:.0f}-fold, while the roll is continuous. Only the place "
-        f"jumps (4.5).{tail}",
-        PARTLY, f"slope x {numbers['slope, flange / flange root']:.0f} at {flange:.3f} mm, no jump", numbers,
+        f"The roll does not jump, it bends: its slope grows {root_bend:.1f}-fold at {root:.3f} mm and "
+        f"{flange_bend:.0f}-fold at {flange:.3f} mm, while it is continuous. Only the place jumps (4.5).{tail}",
+        PARTLY, f"slope x {flange_bend:.0f} at {flange:.3f} mm, no jump", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "rigid, exact": rigid, "elastic, 78.5 kN": soft},
                fine, "roll [deg]"))
 
@@ -154,16 +154,15 @@ def place_without_yaw(study):
     numbers |= {f"jump {k + 1} by [mm]": after - before for k, (_, before, after) in enumerate(there)}
     tail = ""
     if soft is not None:
-        numbers |= {"largest step, rigid [mm]": float(np.abs(np.diff(rigid)).max()),
-                    "largest step, elastic [mm]": float(np.abs(np.diff(soft)).max())}
-        tail = (f" Elastic at 78.5 kN the largest step in {FINE} mm of shift falls from "
-                f"{numbers['largest step, rigid [mm]']:.1f} to {numbers['largest step, elastic [mm]']:.1f} mm.")
+        most, least = (float(np.abs(np.diff(places)).max()) for places in (rigid, soft))
+        numbers |= {"largest step, rigid [mm]": most, "largest step, elastic [mm]": least}
+        tail = f" Elastic at 78.5 kN the largest step in {FINE} mm of shift is {least:.2f} instead of {most:.1f} mm."
     words = ", ".join(f"{shift:.3f} mm ({before:.1f} to {after:.1f})" for shift, before, after in there)
     return SourceFigure(
         "4.5", "Lateral contact position on the right wheel: rigid search against elastic contact", "contact position",
         "The rigid contact jumps from tread to flange root and from flange root to flange; elastic contact is smooth.",
-        f"Jumps of y_wheel at {words}: three, the first on the tread.{tail}", HOLDS,
-        f"jumps at {', '.join(f'{shift:.3f}' for shift, *_ in there)} mm", numbers,
+        f"y_wheel jumps at {words}: three jumps, the first on the tread.{tail}", HOLDS,
+        f"jumps at {listed((shift for shift, *_ in there), 3)} mm", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "rigid, exact": rigid, "elastic, 78.5 kN": soft},
                fine, "y_wheel [mm]"))
 
@@ -173,26 +172,26 @@ def place_with_little_force(study):
     fine = shifts(-FAR, FINE)
     rigid, soft = place(exact(study, fine)), or_none(place, elastic(study, fine, force=SMALL_FORCE))
     coarse = searched(Search2D(study.system(), spacing=1e-3, tolerance=1e-6), grid)[1]
-    known, flange = place(exact(study, grid)), np.abs(grid) > 6.3
-    numbers = {"2-D search dy 0.1 mm less exact, flange, largest [mm]": float(np.abs(found - known)[flange].max()),
-               "2-D search dy 1 mm less exact, flange, largest [mm]": float(np.abs(coarse - known)[flange].max())}
-    tail, key = "", f"2-D search {numbers['2-D search dy 0.1 mm less exact, flange, largest [mm]']:.2f} mm off"
+    known, flange = place(exact(study, grid)), np.abs(grid) > ON_FLANGE
+    near, far = (float(np.abs(places - known)[flange].max()) for places in (found, coarse))
+    numbers = {"2-D search dy 0.1 mm less exact, flange, largest [mm]": near,
+               "2-D search dy 1 mm less exact, flange, largest [mm]": far}
+    tail, key = "", f"2-D search {near:.2f} mm off"
     if soft is not None:
+        apart = np.abs(soft - rigid)
         away = np.min(np.abs(fine[:, None] - [shift for shift, *_ in jumps(study, low=-FAR)]), axis=1) > FINE
-        numbers["elastic at 1e-4 N less rigid, flange, largest [mm]"] = float(
-            np.abs(soft - rigid)[away & (np.abs(fine) > 6.3)].max())
-        numbers["elastic at 1e-4 N less rigid, elsewhere, largest [mm]"] = float(
-            np.abs(soft - rigid)[away & (np.abs(fine) <= 6.3)].max())
-        key = f"flange: {numbers['elastic at 1e-4 N less rigid, flange, largest [mm]']:.0e} mm from rigid"
-        tail = (f"Elastic contact at 1e-4 N is rigid contact, to {numbers['elastic at 1e-4 N less rigid, flange, largest [mm]']:.1e} "
-                "mm on the flange too, away from the jumps. ")
+        beyond = np.abs(fine) > ON_FLANGE
+        there, elsewhere = (float(apart[away & where].max()) for where in (beyond, ~beyond))
+        numbers |= {"elastic at 1e-4 N less rigid, flange, largest [mm]": there,
+                    "elastic at 1e-4 N less rigid, elsewhere, largest [mm]": elsewhere}
+        key = f"flange: {there:.0e} mm from rigid"
+        tail = (f"Away from the jumps elastic contact at 1e-4 N is rigid contact, to {there:.0e} mm on the flange and "
+                f"{elsewhere:.0e} mm elsewhere. ")
     return SourceFigure(
         "4.6", "Lateral contact position on the right wheel: elastic contact with next to no force", "the same at 1e-4 N",
         "At 1e-4 N both agree on tread and flange root, but beyond 6.3 mm they differ noticeably.",
-        f"{tail}So the difference on the flange is one of the two programs, not of elasticity; nodes can make one: with dy = 1 mm the "
-        f"2-D search is {numbers['2-D search dy 1 mm less exact, flange, largest [mm]']:.1f} mm off there, with 0.1 mm "
-        f"{numbers['2-D search dy 0.1 mm less exact, flange, largest [mm]']:.2f} mm.",
-        FAILS, key, numbers,
+        f"{tail}So the difference on the flange is one of the two programs, not of elasticity. Coarse nodes can make one: "
+        f"with dy = 1 mm the 2-D search is up to {far:.1f} mm off there, with 0.1 mm {near:.2f} mm.", FAILS, key, numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "source's 2-D search, dy 1 mm": (grid, coarse),
                 "rigid, exact": rigid, "elastic, 1e-4 N": soft}, fine, "y_wheel [mm]"))
 
@@ -213,50 +212,54 @@ def roll_with_yaw_elastic(study):
         numbers |= {f"yaw {yaw} deg: bend at [mm]": root, f"yaw {yaw} deg: slope behind / before": high / low,
                     f"yaw {yaw} deg: step of the roll [deg]": step}
         if soft is not None:
-            low, high = _slopes_apart(fine, soft, root, 0.4)
-            numbers[f"yaw {yaw} deg: elastic slope 0.4 mm behind / before"] = high / low
-            numbers[f"yaw {yaw} deg: share of shifts with elastic roll below rigid"] = float(np.mean((np.abs(soft) < np.abs(rigid))[1:]))
-            numbers[f"yaw {yaw} deg: rigid less elastic roll at 7 mm [deg]"] = float(np.interp(7, fine, np.abs(rigid) - np.abs(soft)))
+            numbers |= {f"yaw {yaw} deg: {name}": value for name, value in _softer(fine, rigid, soft, root).items()}
     tail = ""
     if study.elastic:
-        tail = (f" The elastic roll has no bend there, and is the smaller one at "
-                f"{numbers['yaw 0 deg: share of shifts with elastic roll below rigid']:.0%} of the shifts (by "
-                f"{numbers['yaw 0 deg: rigid less elastic roll at 7 mm [deg]']:.3f} deg at 7 mm).")
+        share, least, most = (numbers[f"yaw 0 deg: {name}"] for name in SOFTER)
+        tail = (f" The elastic slope changes gradually there. The elastic roll is the smaller one at {share:.0%} of the "
+                f"shifts, by up to {most:.4f} deg, and elsewhere larger by up to {least:.4f} deg.")
+    at, at_one = (numbers[f"yaw {yaw} deg: bend at [mm]"] for yaw in (0, 1))
+    bend, bend_one = (numbers[f"yaw {yaw} deg: slope behind / before"] for yaw in (0, 1))
     return SourceFigure(
         "5.6", "Roll over lateral shift, yaw 0 and 1 deg: rigid 3-D search, elastic contact", "roll, yaw 0 and 1 deg",
         "The rigid roll has a slight jump near 5 mm that elastic contact (Baeza) has not, and is higher at the same shift.",
-        f"It is a bend: the roll's slope grows {numbers['yaw 0 deg: slope behind / before']:.1f}-fold at "
-        f"{numbers['yaw 0 deg: bend at [mm]']:.3f} mm without yaw and {numbers['yaw 1 deg: slope behind / before']:.1f}-fold at "
-        f"{numbers['yaw 1 deg: bend at [mm]']:.3f} mm with 1 deg, the roll itself does not step.{tail}",
-        PARTLY, f"slope x {numbers['yaw 0 deg: slope behind / before']:.1f} at {numbers['yaw 0 deg: bend at [mm]']:.3f}, "
-        f"{numbers['yaw 1 deg: bend at [mm]']:.3f} mm, no jump", numbers,
-        joined(curves, fine, "roll [deg]"))
+        f"It is a bend: the roll's slope grows {bend:.1f}-fold at {at:.3f} mm without yaw and {bend_one:.1f}-fold at "
+        f"{at_one:.3f} mm with 1 deg; the roll itself does not step.{tail}",
+        PARTLY, f"slope x {bend:.1f} at {at:.3f}, {at_one:.3f} mm, no jump", numbers, joined(curves, fine, "roll [deg]"))
 
 
-def _slopes_apart(shift, values, middle, width):
-    """Slopes over ``width`` before and behind ``middle`` [mm]."""
-    at = np.interp([middle - width, middle, middle + width], shift, values)
-    return (at[1] - at[0]) / width, (at[2] - at[1]) / width
+#: Names of what is compared of elastic and rigid roll.
+SOFTER = ("share of shifts with less elastic roll", "elastic less rigid, largest [deg]", "rigid less elastic, largest [deg]")
+
+
+def _softer(shift, rigid, soft, bend):
+    """What elastic contact makes of the roll, by the names of SOFTER; and its slopes on both sides of ``bend`` [mm]."""
+    more = np.abs(soft) - np.abs(rigid)
+    values = float(np.mean(more[1:] < 0)), float(more.max()), float(-more.min())
+    at = np.interp([bend - 0.4, bend, bend + 0.4], shift, soft)
+    return dict(zip(SOFTER, values)) | {"elastic slope, 0.4 mm behind / before": float((at[2] - at[1]) / (at[1] - at[0]))}
 
 
 def flange_root_picture(study):
     section, side = study.section(5.0), study.right(5.0)
-    root = next(jump for jump in jumps(study) if jump[1] > ROOT > jump[2])
-    numbers = {"y_wheel [mm]": side.contact.y_wheel * 1e3, "contact angle [deg]": math.degrees(side.contact_angle),
-               "jump at [mm]": root[0], "before [mm]": root[1], "behind [mm]": root[2],
-               "gap at the other place [mm]": float(_other_gap(section, root[1])) * 1e3}
+    shift, before, after = next(jump for jump in jumps(study) if jump[1] > ROOT > jump[2])
+    here, clear = side.contact.y_wheel * 1e3, _other_gap(section, before) * 1e6
+    numbers = {"y_wheel [mm]": here, "contact angle [deg]": math.degrees(side.contact_angle), "jump at [mm]": shift,
+               "before [mm]": before, "behind [mm]": after, "gap at the other place [um]": clear,
+               "patches under load": side.patch_count}
     return SourceFigure(
         "5.7", "Right wheel's contact at 5 mm, no yaw", "contact at 5 mm",
         "The contact has moved from the tread side of the flange root to its flange side.",
-        f"At 5 mm it is at y_wheel = {numbers['y_wheel [mm]']:.2f} mm, {5 - root[0]:.2f} mm of shift behind the jump from "
-        f"{root[1]:.1f} to {root[2]:.1f} mm; the place it left is {1e3 * numbers['gap at the other place [mm]']:.1f} um clear of the "
-        "rail, so under load both carry.", HOLDS, f"y_wheel {numbers['y_wheel [mm]']:.2f} mm", numbers, outlines(section))
+        f"At 5 mm it is at y_wheel = {here:.2f} mm, {5 - shift:.2f} mm of shift behind the jump from {before:.1f} to "
+        f"{after:.1f} mm. The place it left is {clear:.0f} um clear of the rail: under 78.5 kN both carry, in "
+        f"{side.patch_count} patches.", HOLDS,
+        f"y_wheel {here:.2f} mm", numbers, outlines(section))
 
 
 def _other_gap(section, y_wheel):
     """Smallest vertical gap [m] within 3 mm of ``y_wheel`` [mm]."""
     nodes = section.vertical(2e-5, 2000)
-    return nodes.gap[np.abs(nodes.wheel * 1e3 - y_wheel) < 3].min()
+    return float(nodes.gap[np.abs(nodes.wheel * 1e3 - y_wheel) < 3].min())
 
 
 def outlines(section):
@@ -283,25 +286,35 @@ def roll_with_yaw(study):
             here = [shift for shift, before, after in jumps(study, yaw) if low < after < high < before]
             numbers[f"yaw {yaw} deg: jump to the {name} [mm]"] = here[0] if here else math.nan
         numbers[f"yaw {yaw} deg: roll at 3 mm [deg]"] = float(roll(exact(study, [3.0], yaw))[0])
-    narrower = study.system(running_circle_distance=1.5 * math.cos(math.radians(1)))
-    bare, turned = numbers["yaw 0 deg: roll at 3 mm [deg]"], numbers["yaw 1 deg: roll at 3 mm [deg]"]
-    narrow = math.degrees(narrower.evaluate(lateral_shift=3e-3, normal_force=0.0, outputs="geometry").roll)
-    lowest = study.system().evaluate(lateral_shift=3e-3, yaw=math.radians(1), normal_force=0.0, outputs="geometry").right
-    numbers |= {"3 mm, 1 deg: change of roll [deg]": turned - bare, "the same by a narrower wheelset [deg]": narrow - bare,
-                "3 mm, 1 deg: rise of the contact towards the axle [mm]": 1e3 * lowest.contact.x_wheel**2
-                / (2 * lowest.rolling_radius)}
-    flange = [numbers[f"yaw {yaw} deg: jump to the flange [mm]"] for yaw in YAWS]
-    root = [numbers[f"yaw {yaw} deg: jump to the flange root [mm]"] for yaw in YAWS[:3]]
+    numbers |= _why_less(study)
+    flange, root = ([numbers[f"yaw {yaw} deg: jump to the {name} [mm]"] for yaw in YAWS]
+                    for name in ("flange", "flange root"))
+    bare, turned = (numbers[f"yaw {yaw} deg: roll at 3 mm [deg]"] for yaw in (0, 1))
+    rise, share = (numbers[name] for name in WHY)
     return SourceFigure(
         "5.8", "Roll over lateral shift for yaw 0, 1, 2, 3 deg", "roll, yaw 0 ... 3 deg",
-        "With yaw the jump comes at smaller shifts, as flange contact does; on tread and flange root the roll is smaller, because "
-        "the contact, further from the principal profile, is nearer to the axle.",
-        f"Flange contact comes earlier: at {', '.join(f'{value:.3f}' for value in flange)} mm. The other jump comes later: the flange "
-        f"root at {', '.join(f'{value:.3f}' for value in root)} mm, at 3 deg never. The roll is smaller ({bare:.4f} deg at 3 mm, "
-        f"{turned:.4f} with 1 deg), but not for that reason: the contact rises by "
-        f"{1e3 * numbers['3 mm, 1 deg: rise of the contact towards the axle [mm]']:.1f} um, while a wheelset narrower by cos(yaw) rolls "
-        f"{100 * (narrow - bare) / (turned - bare):.0f} % of that change without any yaw.",
-        PARTLY, f"flange at {', '.join(f'{value:.3f}' for value in flange)} mm", numbers, joined(curves, fine, "roll [deg]"))
+        "With yaw the jump comes at smaller shifts, as flange contact does; on tread and flange root the roll is smaller, "
+        "because the contact, further from the principal profile, is nearer to the axle.",
+        f"Flange contact comes earlier, at {listed(flange, 3)} mm, but the flange root later, at {listed(root[:3], 3)} mm "
+        f"and at 3 deg never. Before, the roll is smaller ({bare:.4f} deg at 3 mm, {turned:.4f} with 1 deg), but not for "
+        f"that reason: the contact rises by {rise:.1f} um only. A yawed wheelset is a narrower one: one narrower by "
+        f"cos(yaw) has {share:.0f} % of that change without any yaw.", PARTLY,
+        f"flange at {listed(flange, 3)} mm", numbers, joined(curves, fine, "roll [deg]"))
+
+
+#: Names of what explains the smaller roll with yaw.
+WHY = ("3 mm, 1 deg: rise of the contact towards the axle [um]",
+       "3 mm: change of roll of a wheelset narrower by cos(1 deg), of that with 1 deg [%]")
+
+
+def _why_less(study):
+    """The source's reason for the smaller roll and another one, by the names of WHY."""
+    narrower = study.system(running_circle_distance=1.5 * math.cos(math.radians(1)))
+    cases = (study.system(), 0.0), (narrower, 0.0), (study.system(), math.radians(1))
+    bare, narrow, yawed = (system.evaluate(lateral_shift=3e-3, yaw=yaw, normal_force=0.0, outputs="geometry")
+                           for system, yaw in cases)
+    rise = yawed.right.contact.x_wheel**2 / (2 * yawed.right.rolling_radius)
+    return dict(zip(WHY, (rise * 1e6, 100 * (narrow.roll - bare.roll) / (yawed.roll - bare.roll))))
 
 
 def shift_with_yaw(study):
@@ -311,19 +324,19 @@ def shift_with_yaw(study):
     for yaw in YAWS:
         x = exact(study, fine, yaw).right.contact.x_wheel * 1e3
         curves |= {f"exact, yaw {yaw} deg": x, f"source's 3-D search, yaw {yaw} deg": (grid, found[yaw][2])}
-        numbers[f"yaw {yaw} deg: largest [mm]"] = float(x.max())
-        for shift in (1.0, 6.5, 8.0):
-            at = exact(study, [shift], yaw).right.contact.x_wheel
-            numbers[f"yaw {yaw} deg at {shift:g} mm [mm]"] = float(at[0]) * 1e3
+        numbers[f"yaw {yaw} deg: largest [mm]"] = float(x.max()) + 0.0
+        places = exact(study, [1.0, 6.5, 8.0], yaw).right.contact.x_wheel * 1e3 + 0.0
+        numbers |= {f"yaw {yaw} deg at {at:g} mm [mm]": float(place) for at, place in zip((1.0, 6.5, 8.0), places)}
     first, later, last = (numbers[f"yaw 1 deg{name}"] for name in (": largest [mm]", " at 6.5 mm [mm]", " at 8 mm [mm]"))
-    two, three = numbers["yaw 2 deg at 1 mm [mm]"], numbers["yaw 3 deg at 1 mm [mm]"]
+    two, three, most = (numbers[f"yaw {name} [mm]"] for name in ("2 deg at 1 mm", "3 deg at 1 mm", "3 deg: largest"))
     return SourceFigure(
         "5.9", "Longitudinal shift of the right contact for yaw 0, 1, 2, 3 deg", "longitudinal shift",
         "With yaw the contact moves ahead of the axle, about 20 mm in flange contact at 1 deg.",
-        f"At 1 deg it is {first:.1f} mm where flange contact begins, {later:.1f} mm at 6.5 mm and {last:.1f} mm at 8 mm; at 3 deg up to "
-        f"{numbers['yaw 3 deg: largest [mm]']:.0f} mm. More yaw is not always further ahead: at 1 mm it is {two:.2f} mm with 2 deg, "
-        f"{three:.2f} mm with 3, as the contact then stays on the other side of the first jump.", HOLDS,
-        f"flange, 1 deg: {first:.1f} ... {last:.1f} mm", numbers, joined(curves, fine, "x_wheel [mm]"))
+        f"At 1 deg it is {first:.1f} mm ahead where flange contact begins, {later:.1f} mm at 6.5 mm and {last:.1f} mm at 8 "
+        f"mm; at 3 deg up to {most:.0f} mm. More yaw is not always further ahead: at 1 mm it is {two:.2f} mm with 2 deg "
+        f"and {three:.2f} mm with 3, as the contact is then on the other side of the first jump.", HOLDS,
+        f"flange, 1 deg: {first:.1f} ... {last:.1f} mm", numbers,
+        joined(curves, fine, "x_wheel [mm]"))
 
 
 FIGURES = {"4.4": roll_without_yaw, "4.5": place_without_yaw, "4.6": place_with_little_force, "5.6": roll_with_yaw_elastic,

@@ -1,10 +1,10 @@
 """What the source feeds to ANALYN, its chapter 6: separations and curvatures along wheel and rail, without yaw.
 
-A right wheel and its rail are two curves that touch.  From the contact point, nodes are laid along both, and what lies between
-two nodes of a pair is the separation::
+A right wheel and its rail are two curves that touch.  From the contact point, nodes are laid along both, and what lies
+between two nodes of a pair is the separation::
 
     same y             vertical distance                                  Section.vertical
-    same arc length    distance of the pair                               Section.equidistant (chords: half circles of radius ds)
+    same arc length    distance of the pair                               Section.equidistant (arcs, or chords as the source)
     same station       distance along the contact normal, as the kernel   Section.normal
 
 Plain numpy on the profiles' own formulas: nothing of the kernel but the rigid pose.
@@ -188,8 +188,9 @@ class Section:
         return 0.5 * (rail - wheel)
 
     def smooth_lateral(self, nodes, reach):
-        """B [1/m] from circles through the profiles within ``reach`` [m] to both sides, as the source says of ANALYN's own."""
-        rail, wheel = (circle_curvature(curve, t, reach) for curve, t in ((self.rail, nodes.rail), (self.wheel, nodes.wheel)))
+        """B [1/m] from circles through the profiles within ``reach`` [m] to both sides: ANALYN's own way in the source."""
+        curves = (self.rail, nodes.rail), (self.wheel, nodes.wheel)
+        rail, wheel = (circle_curvature(curve, t, reach) for curve, t in curves)
         return 0.5 * (rail - wheel)
 
 
@@ -200,9 +201,9 @@ def _known(station, gap, wheel, rail, stretch=1.0):
 
 
 def rough_curvature(points, printed=False):
-    """Change of the inclination from chord to chord over their length [1/m] at ``points`` (2, n); the ends take their neighbours'.
+    """Change of the inclination from chord to chord over their length [1/m] at ``points`` (2, n); the ends repeat the next.
 
-    It belongs to the middle one of three nodes.  Source eq. (6.3) as ``printed`` gives it to the first one, a node too early.
+    It belongs to the middle one of three nodes.  Source eq. (6.3) as ``printed`` gives it to the first one, a node early.
     """
     step = np.diff(points, axis=1)
     inclination = np.unwrap(np.arctan2(step[1], step[0]))
@@ -213,7 +214,7 @@ def rough_curvature(points, printed=False):
 
 
 def circle_curvature(curve, t, reach, count=31):
-    """Curvature [1/m] of the circles fitted by least squares to ``count`` points within ``reach`` [m] of abscissae ``t`` (n,).
+    """Curvature [1/m] of circles fitted by least squares to ``count`` points within ``reach`` [m] of abscissae ``t`` (n,).
 
     In axes along the chord, ``v = a + b u + k (u^2 + v^2) / 2`` is a circle of curvature ``k / sqrt(1 + b^2 - 2 a k)`` and
     linear in (a, b, k).
