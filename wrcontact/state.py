@@ -6,7 +6,7 @@ from .kernel import layout
 
 
 class _View:
-    """Named places of an output array (270,) or (n, 270), from ``offset`` on."""
+    """Named places of an output array (276,) or (n, 276), from ``offset`` on."""
 
     __slots__ = ("_values", "_offset")
 
@@ -41,6 +41,15 @@ def _run(offset, unit, text):
         return self._values[..., start:start + layout.STATION_COUNT]
 
     return property(read, doc=f"{text} [{unit}], (31,).")
+
+
+class Vector(_View):
+    """Three components in the track's axes: x forward, y to the right, z down."""
+
+    __slots__ = ()
+    x = _place(0, "N or N m", "component forward")
+    y = _place(1, "N or N m", "component to the right")
+    z = _place(2, "N or N m", "component down")
 
 
 class Contact(_View):
@@ -124,7 +133,8 @@ class Side(_View):
 class WheelsetState:
     """Result of an evaluation: ``status``, ``roll`` [rad], ``vertical_shift`` [m, positive down], ``left``, ``right``.
 
-    ``inputs`` are the five inputs, ``values`` the kernel's outputs; (n, ...) for a table.
+    ``force`` [N] and ``moment`` [N m], about the wheelset's centre, are the resultant of the contact forces on the wheelset.
+    ``inputs`` are the seven inputs, ``values`` the kernel's outputs; (n, ...) for a table.
     """
 
     __slots__ = ("values", "status", "inputs")
@@ -143,6 +153,16 @@ class WheelsetState:
     def vertical_shift(self):
         """Vertical shift of the wheelset [m], positive down."""
         return _number(self.values[..., layout.OUT_VERTICAL_SHIFT])
+
+    @property
+    def force(self):
+        """Resultant of the normal contact forces on the wheelset [N]."""
+        return Vector(self.values, layout.OUT_FORCE)
+
+    @property
+    def moment(self):
+        """Their moment about the wheelset's centre [N m]."""
+        return Vector(self.values, layout.OUT_MOMENT)
 
     @property
     def left(self):

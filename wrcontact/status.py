@@ -4,6 +4,8 @@ import math
 from enum import IntEnum
 
 from .kernel import layout
+from .kernel.elastic import DEEPEST
+from .kernel.roll import ROLL_LIMIT
 from .tables import LATERAL_LIMIT, YAW_LIMIT
 
 
@@ -20,21 +22,24 @@ class Status(IntEnum):
         return str(int(self))  # as from Python 3.11 on
 
 
-INPUT_NAMES = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
-INPUT_UNITS = ("m", "rad", "rad", "N", "1")
+INPUT_NAMES = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input", "roll_input")
+INPUT_UNITS = ("m", "rad", "rad", "N", "1", "m", "rad")
 
 
-def explain(status, inputs):
+def explain(status, inputs, compliant=False):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
-    ``inputs`` are the five inputs in the order of :data:`INPUT_NAMES`.
+    ``inputs`` are the seven inputs in the order of :data:`INPUT_NAMES`; ``compliant`` whether height and roll are given.
     """
-    shift, yaw, _, force, transfer = (float(value) for value in inputs)
+    shift, yaw, _, force, transfer, height, roll = (float(value) for value in inputs)
     kept = "the outputs keep their last valid values"
     if status == Status.VALID:
         return ""
     if status == Status.INVALID_INPUT:
         return f"{_invalid_input(inputs)}; {kept}"
+    if status == Status.UNLOADED and compliant:
+        return (f"vertical_shift_input is {height:g} m at roll_input {roll:g} rad, so a wheel is lifted and carries no load; its "
+                "patch is empty (a load needs a height below the rail's)")
     if status == Status.UNLOADED:
         name, value = ("normal_force", f"{force:g} N") if force == 0.0 else ("load_transfer", f"{transfer:g}")
         return (f"{name} is {value}, so a wheel carries no load; its patch is empty "
@@ -45,6 +50,11 @@ def explain(status, inputs):
         if abs(shift) > LATERAL_LIMIT:
             return (f"lateral_shift is {shift:g} m, beyond the profiles; permitted is |lateral_shift| <= "
                     f"{LATERAL_LIMIT:g} m; {kept}")
+        if compliant and abs(roll) > ROLL_LIMIT:
+            return f"roll_input is {roll:g} rad; permitted is |roll_input| <= {ROLL_LIMIT:g} rad; {kept}"
+        if compliant:
+            return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift {shift:g} m: a wheel is "
+                    f"off its rail or deeper in it than {DEEPEST:g} m; {kept}")
         return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a profile, where "
                 f"there is no contact; permitted are shifts that keep the contact on both profiles; {kept}")
     return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, load_transfer "

@@ -41,8 +41,8 @@ OPTIONAL = ("tolerance",)
 
 #: The methods that can be chosen, by parameter; the first one is the default.
 CHOICES = {
-    "contact_mode": ("rigid",),
-    "load": ("normal",),
+    "contact_mode": ("rigid", "elastic", "compliant"),
+    "load": ("normal", "vertical"),
     "normal_model": ("analyn", "analyn_strip", "hertz"),
     "separation": ("normal", "vertical", "equidistant", "equidistant_chord"),
     "longitudinal_curvature": ("effective", "basic"),
@@ -52,14 +52,19 @@ CHOICES = {
 #: Methods that need scipy, which an FMU does not carry: further choices in Python.
 OFFLINE_CHOICES = {"normal_model": ("halfspace",)}
 
-#: The half-space model takes nothing but the rigid geometry from the kernel, whose cheapest model is Hertz's.
-KERNEL_NUMBERS = {"analyn": layout.MODEL_ANALYN, "analyn_strip": layout.MODEL_ANALYN_STRIP, "hertz": layout.MODEL_HERTZ,
-                  "halfspace": layout.MODEL_HERTZ,
-                  "effective": layout.LONGITUDINAL_EFFECTIVE, "basic": layout.LONGITUDINAL_BASIC}
-SEPARATIONS = {"normal": layout.SEPARATION_NORMAL, "vertical": layout.SEPARATION_VERTICAL,
-               "equidistant": layout.SEPARATION_EQUIDISTANT, "equidistant_chord": layout.SEPARATION_CHORD}
-LATERAL_CURVATURES = {"adaptive": layout.LATERAL_ADAPTIVE, "smooth": layout.LATERAL_SMOOTH, "rough": layout.LATERAL_ROUGH}
-
+#: The kernel's number of each choice.  The half-space model takes nothing but the rigid geometry from the kernel, whose
+#: cheapest model is Hertz's.
+METHOD_NUMBERS = {
+    "contact_mode": {"rigid": layout.MODE_RIGID, "elastic": layout.MODE_ELASTIC, "compliant": layout.MODE_COMPLIANT},
+    "load": {"normal": layout.LOAD_NORMAL, "vertical": layout.LOAD_VERTICAL},
+    "normal_model": {"analyn": layout.MODEL_ANALYN, "analyn_strip": layout.MODEL_ANALYN_STRIP, "hertz": layout.MODEL_HERTZ,
+                     "halfspace": layout.MODEL_HERTZ},
+    "separation": {"normal": layout.SEPARATION_NORMAL, "vertical": layout.SEPARATION_VERTICAL,
+                   "equidistant": layout.SEPARATION_EQUIDISTANT, "equidistant_chord": layout.SEPARATION_CHORD},
+    "longitudinal_curvature": {"effective": layout.LONGITUDINAL_EFFECTIVE, "basic": layout.LONGITUDINAL_BASIC},
+    "lateral_curvature": {"adaptive": layout.LATERAL_ADAPTIVE, "smooth": layout.LATERAL_SMOOTH,
+                          "rough": layout.LATERAL_ROUGH},
+}
 
 #: What of an evaluation can be wanted.
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
@@ -77,8 +82,11 @@ class ContactSystem:
     running_circle_distance : distance of the two running circles [m].
     nominal_radius : wheel radius at the running circle [m].
     youngs_modulus, poisson_ratio : of wheel and rail [Pa, 1].
-    contact_mode : "rigid", contact where the undeformed profiles first touch.
-    load : "normal", ``normal_force`` is the total over a wheel's patches.
+    contact_mode : "rigid", contact where the undeformed profiles first touch; "elastic", the wheels sink in until each
+        carries its load, and height and roll follow from that (wrcontact/kernel/elastic.py); or "compliant", height and
+        roll are inputs, and the loads follow.
+    load : what ``normal_force`` is: "normal", the total over a wheel's patches, or "vertical", the vertical component of
+        their resultant.
     normal_model : "analyn" (Sichani et al. 2014), "analyn_strip" (the same, put right by strips on one half-space), "hertz"
         (curvatures at the contact point), or "halfspace" (complete theory on the true three-dimensional gap,
         wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel,
@@ -132,11 +140,9 @@ class ContactSystem:
         return build_tables(readable_wheel(self.wheel), placed, nominal_radius=chosen["nominal_radius"],
                             running_circle_distance=chosen["running_circle_distance"],
                             contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
-                            normal_model=KERNEL_NUMBERS[chosen["normal_model"]],
-                            longitudinal_curvature=KERNEL_NUMBERS[chosen["longitudinal_curvature"]],
-                            resolution=self.resolution, separation=SEPARATIONS[chosen["separation"]],
-                            lateral_curvature=LATERAL_CURVATURES[chosen["lateral_curvature"]],
-                            curvature_step=chosen["curvature_step"], curvature_reach=chosen["curvature_reach"])
+                            methods={name: numbers[chosen[name]] for name, numbers in METHOD_NUMBERS.items()},
+                            resolution=self.resolution, curvature_step=chosen["curvature_step"],
+                            curvature_reach=chosen["curvature_reach"])
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)
@@ -168,7 +174,7 @@ class ContactSystem:
         return Stepper(self._tables)
 
     def evaluate(self, lateral_shift=0.0, yaw=0.0, normal_force=78.5e3, load_transfer=0.0, roll_guess=0.0,
-                 penetration=None, side="both", outputs="all"):
+                 penetration=None, side="both", outputs="all", vertical_shift_input=0.0, roll_input=0.0):
         """The contact of both wheels at one pose.
 
         Parameters
@@ -179,7 +185,9 @@ class ContactSystem:
         load_transfer : share of it moved from the left to the right wheel, -1 ... 1.
         roll_guess : where the roll search starts [rad]; changes the cost, never the answer up to 0.093 rad of yaw; beyond,
             in one to three of 100 poses, it does.
-        penetration : prescribe the penetration [m] instead of the force: one value, or (left, right).
+        penetration : prescribe the penetration [m] instead of the force: one value, or (left, right); rigid contact only.
+        vertical_shift_input, roll_input : height [m], positive down, and roll [rad] of the compliant form, which the other
+            contact modes do not read; a wheel above its rail is lifted and carries nothing.
         side, outputs : what is wanted, as for :meth:`stepper`; the rest is NaN.
 
         Returns
@@ -195,19 +203,20 @@ class ContactSystem:
         stepper.prescribe(penetration)
         stepper.want(side, outputs)
         inputs = stepper.inputs
-        inputs[0], inputs[1], inputs[2], inputs[3], inputs[4] = (lateral_shift, yaw, roll_guess, normal_force,
-                                                                 load_transfer)
+        inputs[0], inputs[1], inputs[2], inputs[3], inputs[4], inputs[5], inputs[6] = (
+            lateral_shift, yaw, roll_guess, normal_force, load_transfer, vertical_shift_input, roll_input)
         status = stepper.step()
         return WheelsetState(stepper.outputs.copy(), Status(status), inputs.copy())
 
     def evaluate_many(self, lateral_shift=0.0, yaw=0.0, normal_force=78.5e3, load_transfer=0.0, roll_guess=0.0,
-                      penetration=None, side="both", outputs="all"):
+                      penetration=None, side="both", outputs="all", vertical_shift_input=0.0, roll_input=0.0):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays (n, ...).
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         """
         columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float)) for column in
-                                        (lateral_shift, yaw, roll_guess, normal_force, load_transfer)))
+                                        (lateral_shift, yaw, roll_guess, normal_force, load_transfer,
+                                         vertical_shift_input, roll_input)))
         if columns[0].ndim != 1:
             raise ValueError(f"the inputs broadcast to shape {columns[0].shape}; permitted are one-dimensional arrays")
         inputs = np.ascontiguousarray(np.stack(columns, axis=1))
@@ -224,8 +233,9 @@ class Stepper:
 
     Attributes
     ----------
-    inputs : (5,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1].
-    outputs : (270,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.
+    inputs : (7,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1],
+        vertical_shift_input [m], roll_input [rad].
+    outputs : (276,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.
     state : (11,) where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is at work.
     """
@@ -249,13 +259,16 @@ class Stepper:
         """
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 5) into ``outputs`` (n, 270) and ``status`` (n,), C-contiguous float64."""
+        """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, 276) and ``status`` (n,), C-contiguous float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
     def prescribe(self, penetration):
         """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to the force."""
         if penetration is self._penetration:
             return
+        if self._tables[layout.SET_MODE] != layout.MODE_RIGID:
+            raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' is none, since "
+                             "it follows from the load or from the height")
         left, right = np.broadcast_to(np.nan if penetration is None else np.asarray(penetration, dtype=float), 2)
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or 0.0 <= value <= 0.01):
@@ -291,6 +304,10 @@ def _check_halfspace(chosen):
     """ValueError, in a sentence, for what the half-space model cannot be combined with."""
     if chosen["normal_model"] != "halfspace":
         return
+    for name in ("contact_mode", "load"):
+        if chosen[name] != CHOICES[name][0]:
+            raise ValueError(f"{name} is {chosen[name]!r}; permitted with the normal_model 'halfspace', which solves one wheel "
+                             f"at its rigid contact, is {CHOICES[name][0]!r}")
     for name in ("longitudinal_curvature", "separation", "lateral_curvature"):
         if chosen[name] != CHOICES[name][0]:
             raise ValueError(f"{name} is {chosen[name]!r}; permitted with the normal_model 'halfspace', which knows the whole "

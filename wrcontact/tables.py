@@ -16,14 +16,20 @@ YAW_LIMIT = 0.12       # [rad]
 START_STEP = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
 
 
-def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, normal_model,
-                 longitudinal_curvature, resolution, separation=layout.SEPARATION_NORMAL,
-                 lateral_curvature=layout.LATERAL_ADAPTIVE, curvature_step=0.2e-3, curvature_reach=3e-3):
+#: Where the kernel keeps the number of each method.
+METHOD_SETTINGS = {"contact_mode": layout.SET_MODE, "load": layout.SET_LOAD, "normal_model": layout.SET_NORMAL_MODEL,
+                   "separation": layout.SET_SEPARATION, "longitudinal_curvature": layout.SET_LONGITUDINAL,
+                   "lateral_curvature": layout.SET_LATERAL}
+
+
+def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, methods, resolution,
+                 curvature_step=0.2e-3, curvature_reach=3e-3):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
-    ``normal_model``, ``longitudinal_curvature``, ``separation`` and ``lateral_curvature`` are the kernel's numbers MODEL_...,
-    LONGITUDINAL_..., SEPARATION_... and LATERAL_..., ``resolution`` is a :class:`~wrcontact.resolution.Resolution`.
+    ``methods`` holds the kernel's number MODE_..., LOAD_..., MODEL_... of each method by its parameter's name (those left
+    out are 0, the first choice), ``resolution`` is a :class:`~wrcontact.resolution.Resolution`.
     """
+    lateral_curvature = methods.get("lateral_curvature", layout.LATERAL_ADAPTIVE)
     wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
     parts = {
         layout.SET_WHEEL: wheel_table,
@@ -42,9 +48,6 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[layout.SET_CONTACT_MODULUS] = contact_modulus
     settings[layout.SET_LATERAL_LIMIT] = LATERAL_LIMIT
     settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
-    settings[layout.SET_NORMAL_MODEL] = normal_model
-    settings[layout.SET_LONGITUDINAL] = longitudinal_curvature
-    settings[layout.SET_SEPARATION], settings[layout.SET_LATERAL] = separation, lateral_curvature
     settings[[layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]] = resolution
     settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
     settings[layout.SET_SIDES], settings[layout.SET_DEPTH] = layout.SIDES_BOTH, layout.DEPTH_ALL
@@ -55,6 +58,8 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
         offset += len(table)
     tables = np.concatenate([settings, *parts.values()])
     fill_starts(tables)
+    for name, number in methods.items():
+        tables[METHOD_SETTINGS[name]] = number
     return tables
 
 

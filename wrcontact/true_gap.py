@@ -138,7 +138,7 @@ class ContactPlane:
 def contact_plane(tables, outputs, inputs, index):
     """The contact plane of side ``index`` (0 left, 1 right) as a right wheel; the one mirror of this file.
 
-    ``tables``, ``outputs`` (270,), ``inputs`` (5,) as the kernel holds them after a valid step.
+    ``tables``, ``outputs`` (276,), ``inputs`` (7,) as the kernel holds them after a valid step.
     """
     shift, yaw, roll = inputs[layout.IN_LATERAL_SHIFT], inputs[layout.IN_YAW], outputs[layout.OUT_ROLL]
     side = outputs[(layout.OUT_LEFT, layout.OUT_RIGHT)[index]:]
@@ -354,7 +354,7 @@ class HalfspaceStepper(Stepper):
         write_side(side, plane, contact, outline)
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 5) into ``outputs`` (n, 270) and ``status`` (n,)."""
+        """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, 276) and ``status`` (n,)."""
         for row, values in enumerate(inputs):
             self.inputs[:] = values
             status[row] = self.step()

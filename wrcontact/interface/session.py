@@ -192,7 +192,7 @@ class Session:
             self._tell()
 
     def _tell(self):
-        self.tell(outcomes.explain(self.status, self._values[:INPUTS]))
+        self.tell(outcomes.explain(self.status, self._values[:INPUTS], self.parameters["contact_mode"] == "compliant"))
         self._told = True
 
     # --- saved states ----------------------------------------------------------------------------

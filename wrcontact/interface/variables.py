@@ -9,6 +9,7 @@ import re
 from dataclasses import dataclass
 
 from ..kernel import layout
+from ..kernel.roll import ROLL_LIMIT
 from ..system import CHOICES, RANGES
 from ..tables import LATERAL_LIMIT, YAW_LIMIT
 from .starts import STARTS
@@ -37,6 +38,7 @@ UNITS = {
         Unit("m", {"m": 1}, "Length", "mm", 1e3),
         Unit("rad", {"rad": 1}, "Angle", "deg", 180.0 / math.pi),
         Unit("N", {"kg": 1, "m": 1, "s": -2}, "Force", "kN", 1e-3),
+        Unit("N.m", {"kg": 1, "m": 2, "s": -2}, "Moment", "kN.m", 1e-3),
         Unit("Pa", {"kg": 1, "m": -1, "s": -2}, "Pressure", "MPa", 1e-6),
         Unit("m2", {"m": 2}, "Area", "mm2", 1e6),
         Unit("1/m", {"m": -1}, "Curvature"),
@@ -82,14 +84,19 @@ class Variable:
         return "continuous" if self.type == REAL else "discrete"
 
 
-# What an output follows in rigid contact.  roll_guess is in neither: it changes the cost of a step, never its answer.
-GEOMETRY = ("lateral_shift", "yaw")
-LOAD = GEOMETRY + ("normal_force", "load_transfer")
+# What an output can follow.  roll_guess is in neither: it changes the cost of a step, never its answer.  An FMU declares its
+# dependencies once for all contact modes: in elastic and compliant contact the position follows the load, or height and roll.
+GEOMETRY = ("lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input")
+LOAD = GEOMETRY
 
 # What each method decides, and what each choice means; which choices there are is said in one place, system.CHOICES.
 METHODS = {
-    "contact_mode": ("how wheel and rail meet", {"rigid": "undeformed surfaces touch, at equal gaps left and right"}),
-    "load": ("what normal_force prescribes", {"normal": "the total over the patches of a wheel"}),
+    "contact_mode": ("how wheel and rail meet", {
+        "rigid": "undeformed surfaces touch, at equal gaps left and right",
+        "elastic": "the wheels sink in until each carries its load, which gives height and roll",
+        "compliant": "height and roll are the inputs vertical_shift_input and roll_input, and the loads follow"}),
+    "load": ("what normal_force prescribes", {"normal": "the total over the patches of a wheel",
+                                                  "vertical": "the vertical component of their resultant"}),
     "normal_model": (
         "normal contact",
         {"analyn": "ANALYN with interacting regions", "analyn_strip": "ANALYN followed by a strip correction",
@@ -126,6 +133,10 @@ def _inputs():
                  unit="N", start=78500.0, minimum=0.0, maximum=1e7, nominal=1e5, index=layout.IN_NORMAL_FORCE),
         Variable("load_transfer", INPUT, "Share L of the normal force N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left",
                  unit="1", start=0.0, minimum=-1.0, maximum=1.0, nominal=0.1, index=layout.IN_LOAD_TRANSFER),
+        Variable("vertical_shift_input", INPUT, "Vertical shift of the wheelset in the contact_mode compliant, positive down; other modes do not read it",
+                 unit="m", start=0.0, nominal=1e-3, index=layout.IN_VERTICAL_SHIFT),
+        Variable("roll_input", INPUT, "Roll of the wheelset in the contact_mode compliant, positive with the right wheel down; other modes do not read it",
+                 unit="rad", start=0.0, minimum=-ROLL_LIMIT, maximum=ROLL_LIMIT, nominal=1e-3, index=layout.IN_ROLL),
     ]  # fmt: skip
 
 
@@ -219,6 +230,10 @@ def _side(side, first):
             yield _output(f"{side}.{name}[{j + 1}]", meaning, unit, nominal, first + slot + j, LOAD, minimum, f"{wheel}, station {j + 1}")
 
 
+#: Axes of the track frame.
+AXES = (("x", "forward"), ("y", "to the right"), ("z", "down"))
+
+
 def _output(name, meaning, unit, nominal, index, depends_on=GEOMETRY, minimum=None, place=""):
     """A Real output; angles are bounded by a right angle."""
     right_angle = math.pi / 2 if unit == "rad" else None
@@ -232,6 +247,10 @@ def _outputs():
     return [
         _output("roll", "Roll of the wheelset, positive with the right wheel down", "rad", 1e-3, layout.OUT_ROLL),
         _output("vertical_shift", "Vertical shift of the wheelset, positive down", "m", 1e-3, layout.OUT_VERTICAL_SHIFT),
+        *(_output(f"force.{axis}", f"Resultant of the contact forces on the wheelset, {way}", "N", 1e5, layout.OUT_FORCE + i, LOAD)
+          for i, (axis, way) in enumerate(AXES)),
+        *(_output(f"moment.{axis}", f"Moment of the contact forces about the wheelset's centre, around the axis {way}", "N.m", 1e4,
+                  layout.OUT_MOMENT + i, LOAD) for i, (axis, way) in enumerate(AXES)),
         *_side("left", layout.OUT_LEFT),
         *_side("right", layout.OUT_RIGHT),
         Variable(

@@ -8,7 +8,9 @@ Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level)
 (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
 
 Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
-of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).
+of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
+have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
+the angle between the two.
 """
 
 from math import fabs, pi, sqrt
@@ -16,9 +18,10 @@ from typing import Final
 
 from .layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
 from .nodes import NODE_LINE, NODE_RISE, node_field
-from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD, REGION_LOW,
-                      REGION_MIDDLE, REGION_MOVE, REGION_RESIDUAL, REGION_SLOPE, REGION_SPACING, REGION_SQUARE,
-                      REGION_STATION, REGION_STIFFNESS, region_block)
+from .regions import (REGION_COS, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD,
+                      REGION_LOW, REGION_MIDDLE, REGION_MOVE, REGION_OFFSET, REGION_OWN, REGION_RESIDUAL, REGION_SHARE,
+                      REGION_SIN, REGION_SLOPE, REGION_SPACING, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS,
+                      REGION_TURN, region_block)
 
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.
@@ -146,21 +149,37 @@ def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
     """
     result = 0.0
     if first != second:
-        distance = work[region_block(first) + REGION_MIDDLE] - work[region_block(second) + REGION_MIDDLE]
-        squares = work[region_block(first) + REGION_SQUARE] + work[region_block(second) + REGION_SQUARE]
+        one = region_block(first)
+        other = region_block(second)
+        distance = work[one + REGION_OFFSET] + work[one + REGION_MIDDLE] - work[other + REGION_OFFSET] - work[
+            other + REGION_MIDDLE]
+        squares = work[one + REGION_SQUARE] + work[other + REGION_SQUARE]
         result = 1.0 / (pi * tables[SET_CONTACT_MODULUS] * sqrt(distance * distance + ELONGATED * squares))
+        result *= planes_cosine(work, first, second)
     return result
 
 
+def planes_cosine(work: 'float[:]', first: int, second: int):
+    """Cosine of the angle between the planes of two regions; 1 in one plane."""
+    one = region_block(first)
+    other = region_block(second)
+    cosine = 1.0
+    if work[one + REGION_OWN] == 1.0 or work[other + REGION_OWN] == 1.0:
+        cosine = work[one + REGION_COS] * work[other + REGION_COS] + work[one + REGION_SIN] * work[other + REGION_SIN]
+        if cosine < 0.0:
+            cosine = 0.0
+    return cosine
+
+
 def load_regions(tables: 'float[:]', work: 'float[:]', count: int):
-    """Loads and stiffnesses of all regions at their levels; the total load [N]."""
+    """Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]."""
     total = 0.0
     for i in range(count):
         block = region_block(i)
         load, stiffness = region_load(work, i, work[block + REGION_LEVEL])
         work[block + REGION_LOAD] = load
         work[block + REGION_STIFFNESS] = stiffness
-        total += load
+        total += work[block + REGION_SHARE] * load
     return total
 
 
@@ -170,7 +189,8 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
     all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
     """
     for i in range(count):
-        work[region_block(i) + REGION_LEVEL] = penetration - work[region_block(i) + REGION_GAP]
+        work[region_block(i) + REGION_LEVEL] = (work[region_block(i) + REGION_TURN] * penetration
+                                                - work[region_block(i) + REGION_GAP])
     low = 0.0
     high = HIGHEST * penetration
     total_before = 0.0
@@ -217,7 +237,7 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
 
 def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetration: float):
     """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
-    level_i = penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+    level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
 
     Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
     Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
@@ -228,9 +248,10 @@ def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetratio
         pushed = 0.0
         for j in range(count):
             pushed += influence(tables, work, i, j) * work[region_block(j) + REGION_LOAD]
-        residual = penetration - work[block + REGION_GAP] - pushed - work[block + REGION_LEVEL]
+        turn = work[block + REGION_TURN]
+        residual = turn * penetration - work[block + REGION_GAP] - pushed - work[block + REGION_LEVEL]
         work[block + REGION_RESIDUAL] = residual
-        work[block + REGION_SLOPE] = 1.0
+        work[block + REGION_SLOPE] = turn
         work[block + REGION_MOVE] = residual
         if fabs(residual) > largest:
             largest = fabs(residual)
@@ -240,7 +261,7 @@ def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetratio
     for sweep in range(sweeps):
         for i in range(count):
             block = region_block(i)
-            slope = 1.0
+            slope = work[block + REGION_TURN]
             move = work[block + REGION_RESIDUAL]
             for j in range(count):
                 other = region_block(j)
@@ -253,8 +274,9 @@ def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetratio
     rest = 0.0
     for i in range(count):
         block = region_block(i)
-        slope += work[block + REGION_STIFFNESS] * work[block + REGION_SLOPE]
-        rest += work[block + REGION_STIFFNESS] * work[block + REGION_MOVE]
+        counted = work[block + REGION_SHARE] * work[block + REGION_STIFFNESS]
+        slope += counted * work[block + REGION_SLOPE]
+        rest += counted * work[block + REGION_MOVE]
     return largest, slope, rest
 
 

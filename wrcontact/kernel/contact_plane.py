@@ -28,6 +28,11 @@ FRAME_Z: Final[int] = WORK_CONTACT + 7           # wheel height [m]
 FRAME_WHEEL_COS: Final[int] = WORK_CONTACT + 8   # of the plane's angle in the wheelset's frame
 FRAME_WHEEL_SIN: Final[int] = WORK_CONTACT + 9
 FRAME_LIFT: Final[int] = WORK_CONTACT + 17       # of the wheel's point below the rail's [m]; zero but for rounding
+FRAME_ASIDE: Final[int] = WORK_CONTACT + 18      # lateral shift that lets the wheel just touch [m]; zero for a rigid contact
+FRAME_RAISE: Final[int] = WORK_CONTACT + 19      # what is added to the gap of a region with a plane of its own [m]
+FRAME_POSE: Final[int] = WORK_CONTACT + 20       # vertical shift of the wheelset where it stands [m]
+FRAME_DEPTH: Final[int] = WORK_CONTACT + 21      # how deep wheel and rail overlap there, along the normal [m]
+FRAME_PRESSED: Final[int] = WORK_CONTACT + 22    # 1 if the wheel comes down, 0 if it comes along the normal
 # the tracer: the last station and the profile abscissae that belong to it
 TRACER_STATION: Final[int] = WORK_CONTACT + 10
 TRACER_RAIL: Final[int] = WORK_CONTACT + 11
@@ -46,14 +51,17 @@ TRACE_ITERATIONS: Final[int] = 30
 CURVATURE_FLOOR: Final[float] = 0.05
 
 
-def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, shift: float):
+def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, aside: float, shift: float):
     """Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there.
+
+    aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
 
     Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
     much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
     """
     z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
     y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
+    y_track += aside
     abscissa = y_track - tables[SET_RAIL_Y]
     height, rail_slope, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
     cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope)
@@ -69,6 +77,11 @@ def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, shift: f
     work[FRAME_WHEEL_COS] = work[at + PLACE_COS_ROLL] * cosine + work[at + PLACE_SIN_ROLL] * sine
     work[FRAME_WHEEL_SIN] = work[at + PLACE_COS_ROLL] * sine - work[at + PLACE_SIN_ROLL] * cosine
     work[FRAME_LIFT] = z_track + shift - height
+    work[FRAME_ASIDE] = aside
+    work[FRAME_RAISE] = 0.0
+    work[FRAME_POSE] = shift
+    work[FRAME_DEPTH] = 0.0
+    work[FRAME_PRESSED] = 0.0
     start_tracer(work, 0.0, abscissa, y)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
@@ -200,7 +213,7 @@ def trace_outline(tables: 'float[:]', work: 'float[:]', at: int, station: float,
     sine = work[FRAME_SIN]
     start = tables[wheel + START]
     stop = tables[wheel + STOP]
-    left = tables[SET_RAIL_Y] + work[FRAME_ABSCISSA]
+    left = tables[SET_RAIL_Y] + work[FRAME_ABSCISSA] - work[FRAME_ASIDE]
     above = work[FRAME_SHIFT] - work[FRAME_HEIGHT]
     y = first_abscissa(work, TRACER_WHEEL, station - work[TRACER_STATION])
     exists = 0
@@ -250,7 +263,7 @@ def normal_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station:
     rail_height, rail_rate, rail_bend, on_rail = trace_rail(tables, work, station, tolerance)
     wheel_height, wheel_rate, wheel_bend, curvature, on_wheel = trace_wheel(tables, work, station, tolerance)
     work[TRACER_STATION] = station
-    gap = wheel_height - rail_height
+    gap = wheel_height - rail_height + work[FRAME_RAISE]
     if on_rail == 0 or on_wheel == 0:
         gap = NO_GAP
     return gap, wheel_rate - rail_rate, wheel_bend - rail_bend, curvature
@@ -261,10 +274,9 @@ def is_yawed(work: 'float[:]'):
     return int(work[int(work[FRAME_PLACE]) + PLACE_YAWED])
 
 
-def ridge_place(tables: 'float[:]', work: 'float[:]'):
-    """Track coordinate x [m] of the wheel's outline where the tracer stands."""
+def ridge_place(tables: 'float[:]', work: 'float[:]', y: float):
+    """Track coordinate x [m] of the wheel's outline at wheel abscissa ``y`` [m]."""
     at = int(work[FRAME_PLACE])
-    y = work[TRACER_WHEEL]
     z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
     sin_phi, cos_phi = around_wheel(work, at, slope)
     r = work[at + PLACE_RADIUS] + z

@@ -5,10 +5,9 @@ from typing import Final
 
 from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
 from .lateral_curvature import relative_curvature
-from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SIDE_BEST_Y,
-                     SIDE_BLOCK, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
-                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE,
-                     WORK_SIDE)
+from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SIDE_CONTACT_ANGLE,
+                     SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
+                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE)
 from .locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel
 from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
 
@@ -16,16 +15,16 @@ from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_
 PARALLEL: Final[float] = 1e-6
 
 
-def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, shift: float):
-    """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right); opens its contact plane.
+def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, y: float, aside: float,
+                     shift: float):
+    """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
+    ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
 
     1 if the profiles are parallel at the smallest gap, else 0.
     """
-    side = WORK_SIDE + SIDE_BLOCK * index
     at = WORK_PLACE + PLACE_BLOCK * index
     out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
-    y = work[side + SIDE_BEST_Y]
-    z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, shift)
+    z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
     sin_phi, cos_phi = around_wheel(work, at, slope)
     r = tables[SET_RADIUS] + z
     lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]

@@ -12,12 +12,16 @@ IN_YAW: Final[int] = 1
 IN_ROLL_GUESS: Final[int] = 2
 IN_NORMAL_FORCE: Final[int] = 3
 IN_LOAD_TRANSFER: Final[int] = 4
-INPUT_COUNT: Final[int] = 5
+IN_VERTICAL_SHIFT: Final[int] = 5    # prescribed height and roll of the compliant form
+IN_ROLL: Final[int] = 6
+INPUT_COUNT: Final[int] = 7
 
 # outputs: wheelset -------------------------------------------------------------------------------
 OUT_ROLL: Final[int] = 0
 OUT_VERTICAL_SHIFT: Final[int] = 1
-OUT_LEFT: Final[int] = 2
+OUT_FORCE: Final[int] = 2            # resultant of the contact forces on the wheelset, x, y, z in the track frame
+OUT_MOMENT: Final[int] = 5           # and their moment about the wheelset's centre
+OUT_LEFT: Final[int] = 8
 OUT_RIGHT: Final[int] = OUT_LEFT + 134
 OUTPUT_COUNT: Final[int] = OUT_RIGHT + 134
 
@@ -88,7 +92,15 @@ SET_SEPARATION: Final[int] = 24      # one of SEPARATION_...
 SET_LATERAL: Final[int] = 25         # one of LATERAL_...
 SET_WHEEL_CURVATURE: Final[int] = 26    # offsets of the tables of the profiles' lateral curvatures
 SET_RAIL_CURVATURE: Final[int] = 27
+SET_MODE: Final[int] = 30            # one of MODE_...
+SET_LOAD: Final[int] = 31            # one of LOAD_...
 SETTING_COUNT: Final[int] = 48
+
+MODE_RIGID: Final[int] = 0
+MODE_ELASTIC: Final[int] = 1
+MODE_COMPLIANT: Final[int] = 2
+LOAD_NORMAL: Final[int] = 0
+LOAD_VERTICAL: Final[int] = 1
 
 MODEL_HERTZ: Final[int] = 0
 MODEL_ANALYN: Final[int] = 1
@@ -133,22 +145,23 @@ INVALID_INPUT: Final[int] = 4
 # workspace: one array, cut up here ------------------------------------------------------------------
 SCAN_LIMIT: Final[int] = 400         # scan nodes over one wheel
 REGION_LIMIT: Final[int] = 3         # loaded regions of one wheel
-REGION_BLOCK: Final[int] = 32        # numbers kept of each
+REGION_BLOCK: Final[int] = 48        # numbers kept of each
 NODE_FIELDS: Final[int] = 9          # node arrays of each
 NODE_LIMIT: Final[int] = 256         # their length
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
 PLACE_BLOCK: Final[int] = 16         # a placed wheel
 SIDE_BLOCK: Final[int] = 400         # search data of one side
-CONTACT_BLOCK: Final[int] = 32       # contact frame and tracer
+CONTACT_BLOCK: Final[int] = 40       # contact frame and tracer
+SUPPORT_BLOCK: Final[int] = 8        # how one side carries its load, while the height is sought
 ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
 STRIP_FIELDS: Final[int] = 16        # strip arrays
 STRIP_LIMIT: Final[int] = 104        # their length
 SEPARATION_BLOCK: Final[int] = 8     # origin of the region whose separation is measured
 
 WORK_INPUTS: Final[int] = 0          # inputs of the row at work
-WORK_KNOWN: Final[int] = 6           # 1 when the outputs below belong to them
-WORK_STATUS: Final[int] = 7          # and their status
-WORK_OUTPUTS: Final[int] = WORK_INPUTS + 8          # outputs under construction
+WORK_KNOWN: Final[int] = WORK_INPUTS + INPUT_COUNT  # 1 when the outputs below belong to them
+WORK_STATUS: Final[int] = WORK_KNOWN + 1            # and their status
+WORK_OUTPUTS: Final[int] = WORK_STATUS + 1          # outputs under construction
 WORK_PLACE: Final[int] = WORK_OUTPUTS + OUTPUT_COUNT          # left and right placed wheel
 WORK_SIDE: Final[int] = WORK_PLACE + 2 * PLACE_BLOCK          # left and right search data
 WORK_CONTACT: Final[int] = WORK_SIDE + 2 * SIDE_BLOCK         # contact frame of the side at work
@@ -160,7 +173,9 @@ WORK_DISTANCE: Final[int] = WORK_STRIPS + STRIP_FIELDS * STRIP_LIMIT        # lo
 WORK_INFLUENCE: Final[int] = WORK_DISTANCE + STRIP_LIMIT * STRIP_LIMIT      # displacement of strips by strips, square
 WORK_SYSTEM: Final[int] = WORK_INFLUENCE + STRIP_LIMIT * STRIP_LIMIT        # the system that is solved
 WORK_SEPARATION: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
-WORK_SIZE: Final[int] = WORK_SEPARATION + SEPARATION_BLOCK
+WORK_FRAMES: Final[int] = WORK_SEPARATION + SEPARATION_BLOCK                # of the regions, and the contact point's
+WORK_SUPPORT: Final[int] = WORK_FRAMES + CONTACT_BLOCK * (REGION_LIMIT + 1)       # left and right
+WORK_SIZE: Final[int] = WORK_SUPPORT + 2 * SUPPORT_BLOCK
 
 # search data of one side, relative to its block
 SIDE_BEST: Final[int] = 0            # smallest gap found [m]

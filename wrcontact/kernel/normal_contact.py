@@ -12,21 +12,23 @@ from math import isfinite, log, pi, sqrt
 from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
-from .contact_plane import TRACER_STATION, is_yawed, ridge_place
+from .contact_plane import FRAME_DEPTH, FRAME_PRESSED, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
-from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE,
-                     PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
+from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID,
+                     PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
                      SEPARATION_CHORD, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_LATERAL, SET_NODES,
-                     SET_NORMAL_MODEL, SET_SEPARATION, SET_STRIDE, SIDE_AREA,
-                     SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE,
-                     SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
-                     SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
+                     SET_NORMAL_MODEL, SET_SEPARATION, SET_STRIDE, SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
+                     SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH,
+                     SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION,
+                     SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
 from .nodes import FLOOR, NODE_LENGTH, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .patches import gather_islands, write_outline, write_patches
-from .regions import (FAR, REGION_BEND, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST,
-                      REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_REACHED, REGION_SIDE_HIGH, REGION_SIDE_LOW,
-                      REGION_SLANT, REGION_SQUARE, REGION_STATION, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL,
-                      REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region, region_block, zone_width)
+from .planes import enter_plane, give_planes, leave_plane
+from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
+                      REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_REACHED, REGION_SHARE,
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS,
+                      REGION_TURN, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL, REGION_WIDTH_LOW, bound_regions, find_regions,
+                      open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
 from .strips import correct_strips
 
@@ -86,12 +88,12 @@ def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', regi
     start = work[TRACER_STATION]
     yawed = is_yawed(work)
     if yawed == 1:
-        slant = ridge_place(tables, work)
+        slant = ridge_place(tables, work, work[TRACER_WHEEL])
     if not work[block + REGION_WIDTH_LEVEL] > 0.0:
         low = high
     low = zone_width(tables, work, state, block, -1.0, level, low)
     if yawed == 1:
-        slant -= ridge_place(tables, work)
+        slant -= ridge_place(tables, work, work[TRACER_WHEEL])
         if start > work[TRACER_STATION]:
             work[block + REGION_SLANT] = slant / (start - work[TRACER_STATION])
     work[block + REGION_SIDE_HIGH] = side_curvature(high_reached, high, 0.5 * (low + high))
@@ -144,6 +146,7 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
     for i in range(count):
         block = region_block(i)
         level = work[block + REGION_LEVEL]
+        enter_plane(work, i)
         measure_widths(tables, work, state, i, MEASURED * level)
         mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
         widest = work[block + REGION_WIDTH_LOW]
@@ -160,6 +163,7 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
         high_reach = level * enlarge * zone_share(tables, A, work[block + REGION_SIDE_HIGH])
         lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
+        leave_plane(work, i)
         work[block + REGION_SQUARE] = level / work[node_field(i, NODE_LENGTH)]
     return 0
 
@@ -168,7 +172,7 @@ def start_levels(work: 'float[:]', count: int, penetration: float):
     """Levels before any interaction is known; a region that is hardly reached still gets nodes for a tenth of it."""
     for i in range(count):
         block = region_block(i)
-        level = penetration - work[block + REGION_GAP]
+        level = work[block + REGION_TURN] * penetration - work[block + REGION_GAP]
         if level < 0.1 * penetration:
             level = 0.1 * penetration
         work[block + REGION_LEVEL] = level
@@ -216,33 +220,50 @@ def gather_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side
     open_contact_region(tables, work, state)
     count = find_regions(tables, work, state, side, penetration)
     count = bound_regions(tables, work, state, count, penetration)
+    give_planes(tables, work, state, count)
     start_levels(work, count, penetration)
     return count
 
 
-def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, prescribed: float):
-    """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
-    number; third value 1 when met."""
+def first_penetration(tables: 'float[:]', work: 'float[:]', state: 'float[:]', force: float):
+    """What the penetration [m] under the prescribed ``force`` [N] is estimated to be."""
     open_contact_region(tables, work, state)
     work[region_block(0) + REGION_WIDTH_LEVEL] = 0.0
+    return estimate_penetration(tables, work, state, force / work[region_block(0) + REGION_SHARE])
+
+
+def solve_estimated(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, estimate: float,
+                    by_penetration: int):
+    """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third value 1 when
+    met, else 0."""
+    count = gather_regions(tables, work, state, side, estimate)
+    penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+    if met == 0 and count > 1:
+        # regions so close that pressing on each other has no fixed point are one region
+        count = 1
+        open_contact_region(tables, work, state)
+        start_levels(work, count, estimate)
+        penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+    return penetration, count, met
+
+
+def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, prescribed: float):
+    """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
+    number; third value 1 when met, else 0.  A pressed wheel has its regions where it stands."""
     by_penetration = 0
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = 1
-    else:
-        penetration = estimate_penetration(tables, work, state, force)
+    if work[FRAME_PRESSED] == 1.0:
+        penetration, count, met = solve_estimated(tables, work, state, side, force, work[FRAME_DEPTH], by_penetration)
+        return penetration, count, met
+    if by_penetration == 0:
+        penetration = first_penetration(tables, work, state, force)
     count = 1
     met = 0
     for repeat in range(ESTIMATE_REPEATS):
         estimate = penetration
-        count = gather_regions(tables, work, state, side, estimate)
-        penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
-        if met == 0 and count > 1:
-            # regions so close that pressing on each other has no fixed point are one region
-            count = 1
-            open_contact_region(tables, work, state)
-            start_levels(work, count, estimate)
-            penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+        penetration, count, met = solve_estimated(tables, work, state, side, force, estimate, by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
             break
     return penetration, count, met
@@ -279,11 +300,15 @@ def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, p
     B = 0.5 * work[side + SIDE_CURVATURE_Y]
     if not B > FLOOR * A:
         B = FLOOR * A
+    block = region_block(0)
     stiffness = hertz_stiffness(tables, base, A, B, tables[SET_CONTACT_MODULUS])
     penetration = prescribed
     if not isfinite(prescribed):
-        penetration = (force / stiffness) ** (2.0 / 3.0)
+        penetration = (force / (work[block + REGION_SHARE] * stiffness)) ** (2.0 / 3.0)
     load = stiffness * penetration * sqrt(penetration)
+    work[block + REGION_STIFFNESS] = 1.5 * stiffness * sqrt(penetration)
+    work[block + REGION_CARRIED] = load
+    work[block + REGION_MOMENT] = 0.0
     one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
     a = sqrt(penetration / (one_alpha * A))
     b = sqrt(penetration / (one_beta * B))
@@ -318,8 +343,10 @@ def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, p
 
 def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, outputs: int, force: float,
                  prescribed: float):
-    """Normal contact of the side whose frame is open, into the outputs at ``outputs``; 1 when met, else 0."""
+    """Normal contact of the side whose frame is open, into the outputs at ``outputs``; the number of regions, and 1 when
+    met, else 0."""
     met = 1
+    count = 1
     if int(tables[SET_NORMAL_MODEL]) == MODEL_HERTZ:
         solve_hertz(tables, work, outputs, force, prescribed)
     else:
@@ -330,7 +357,7 @@ def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
                 by_penetration = 1
             penetration, strips, met = correct_strips(tables, work, state, count, force, penetration, by_penetration)
             if met == 1:
-                islands = gather_strips(tables, work, strips)
+                islands = gather_strips(work, strips)
                 write_patches(work, outputs, islands)
                 if int(tables[SET_DEPTH]) == DEPTH_ALL:
                     write_strip_outline(work, outputs, strips, islands)
@@ -340,4 +367,4 @@ def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
             if int(tables[SET_DEPTH]) == DEPTH_ALL:
                 write_outline(work, outputs, count, islands)
         work[outputs + SIDE_PENETRATION] = penetration
-    return met
+    return count, met

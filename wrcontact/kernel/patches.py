@@ -4,18 +4,17 @@ A patch is a connected run of loaded strips.  Between nodes the line load and th
 are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
 """
 
-from math import atan, atan2, fabs, pi, sqrt
+from math import atan2, fabs, pi, sqrt
 from typing import Final
 
 from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
 from .layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_LIMIT, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SET_RAIL, SIDE_AREA, SIDE_HALF_LENGTH,
+                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SIDE_AREA, SIDE_HALF_LENGTH,
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS)
 from .nodes import NODE_LENGTH, NODE_LINE, NODE_LOAD, NODE_PRESSURE, NODE_RISE, NODE_SQUARE, node_field
-from .profile_table import height_slope
-from .regions import (REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_RAIL, REGION_SPACING,
-                      REGION_STATION, region_block)
+from .regions import (REGION_CARRIED, REGION_COS, REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW,
+                      REGION_MOMENT, REGION_OFFSET, REGION_SIN, REGION_SPACING, REGION_STATION, region_block)
 
 # an island: a run of loaded cells under construction
 ISLAND_SIZE: Final[int] = 10
@@ -150,9 +149,10 @@ def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
     for region in range(count):
         block = region_block(region)
         level = work[block + REGION_LEVEL]
+        work[block + REGION_CARRIED] = 0.0
+        work[block + REGION_MOMENT] = 0.0
         if level > 0.0:
-            height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
-            angle = -atan(slope)
+            angle = -atan2(work[block + REGION_SIN], work[block + REGION_COS])
             load_nodes(work, region, level)
             for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
                 islands = gather_cell(work, region, level, k, islands, angle)
@@ -175,7 +175,7 @@ def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: in
     if k == int(work[block + REGION_FIRST]) or k == int(work[block + REGION_LAST]) - 1:
         stop = clip_to_bound(work, block, low, outward, stop)
     if stop > start:
-        inner = work[block + REGION_STATION] + spacing * float(low)
+        inner = work[block + REGION_OFFSET] + work[block + REGION_STATION] + spacing * float(low)
         begin = inner + spacing * start
         end = inner + spacing * stop
         if outward < 0:
@@ -204,8 +204,11 @@ def add_cell(work: 'float[:]', region: int, before: int, low: int, high: int, st
     load = width * quadratic_integral(work[loads + before], work[loads + low], work[loads + high], start, stop)
     moment = quadratic_moment(work[loads + before], work[loads + low], work[loads + high], start, stop)
     area = root_integral(work[squares + before], work[squares + low], work[squares + high], start, stop)
+    moment = inner * load + width * step * moment
+    work[region_block(region) + REGION_CARRIED] += load
+    work[region_block(region) + REGION_MOMENT] += moment
     work[at + ISLAND_LOAD] += load
-    work[at + ISLAND_MOMENT] += inner * load + width * step * moment
+    work[at + ISLAND_MOMENT] += moment
     work[at + ISLAND_AREA] += 2.0 * width * area
     if work[squares + low] > work[at + ISLAND_HALF_LENGTH]:
         work[at + ISLAND_HALF_LENGTH] = peak_square(work, squares, low)
@@ -278,8 +281,9 @@ def write_outline(work: 'float[:]', side: int, count: int, islands: int):
             if j > 0 and j < STATION_COUNT - 1:
                 for region in range(count):
                     block = region_block(region)
-                    if station >= work[block + REGION_LOW] and station <= work[block + REGION_HIGH]:
-                        half, pressure = strip_at(work, region, station)
+                    own = station - work[block + REGION_OFFSET]
+                    if own >= work[block + REGION_LOW] and own <= work[block + REGION_HIGH] and half == 0.0:
+                        half, pressure = strip_at(work, region, own)
             work[side + SIDE_STATION + j] = station
             work[side + SIDE_HALF_LENGTH + j] = half
             work[side + SIDE_PRESSURE + j] = pressure

@@ -9,7 +9,7 @@ from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_SIN, FRAME_Y, NO_GAP, TRACER_RAIL,
                             TRACER_WHEEL, normal_gap, start_tracer)
-from .layout import (REGION_BLOCK, REGION_LIMIT, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
+from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
                      SIDE_NODE, WORK_REGION)
 from .profile_table import height_slope
 from .search import ROW_Y, SCAN_NODES, SCAN_ROW, scan_side
@@ -42,6 +42,14 @@ REGION_UPRIGHT_A: Final[int] = 28    # upright ellipse with the strips of a yawe
 REGION_UPRIGHT_B: Final[int] = 29    # real ones, and its penetration over the real one [-]
 REGION_UPRIGHT_SHARE: Final[int] = 30
 REGION_SLANT: Final[int] = 31        # of the line along which the gap is smallest, dx/ds [-]; of a yawed wheel only
+REGION_OWN: Final[int] = 32          # 1 if it has a plane of its own, else 0
+REGION_TURN: Final[int] = 33         # how much of the penetration comes along its normal [-]
+REGION_OFFSET: Final[int] = 34       # from its own stations to those of the outputs [m]
+REGION_COS: Final[int] = 35          # of the rail's angle at its minimum
+REGION_SIN: Final[int] = 36
+REGION_SHARE: Final[int] = 37        # of its load that counts for the prescribed force
+REGION_MOMENT: Final[int] = 38       # of the load that it carries, over the stations of the outputs [N m]
+REGION_CARRIED: Final[int] = 39      # that load [N]
 REGION_SQUARE: Final[int] = 24       # square of its half-length as estimated [m^2]
 REGION_WEIGHT: Final[int] = 23       # integral of their density's graded part
 REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]
@@ -100,7 +108,23 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
     work[block + REGION_WHEEL] = work[TRACER_WHEEL]
     work[block + REGION_BEND] = bend
     work[block + REGION_CURVATURE] = curvature
+    lean_region(tables, work, block)
     return found
+
+
+def lean_region(tables: 'float[:]', work: 'float[:]', block: int):
+    """Angle of a region in the contact point's plane, and what follows from it."""
+    height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
+    cosine = 1.0 / sqrt(1.0 + slope * slope)
+    work[block + REGION_OWN] = 0.0
+    work[block + REGION_TURN] = 1.0
+    work[block + REGION_OFFSET] = 0.0
+    work[block + REGION_COS] = cosine
+    work[block + REGION_SIN] = slope * cosine
+    work[block + REGION_SHARE] = 1.0
+    if int(tables[SET_LOAD]) == LOAD_VERTICAL:
+        work[block + REGION_SHARE] = cosine
+    return 0
 
 
 def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
@@ -115,6 +139,7 @@ def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]')
     work[block + REGION_CURVATURE] = curvature
     work[block + REGION_LOW] = -FAR
     work[block + REGION_HIGH] = FAR
+    lean_region(tables, work, block)
     return 0
 
 

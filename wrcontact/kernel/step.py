@@ -6,16 +6,16 @@ The recipe: check the inputs, find the roll at which both wheels touch, describe
 from math import fabs, isfinite
 from typing import Final
 
-from .contact_point import describe_contact
-from .layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER,
-                     IN_NORMAL_FORCE, IN_ROLL_GUESS, IN_YAW, NOT_CONVERGED, OFF_PROFILE, OUTPUT_COUNT, OUT_LEFT,
-                     OUT_RIGHT, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT, SET_DEPTH, SET_LATERAL_LIMIT,
-                     SET_PENETRATION_LEFT, SET_SIDES, SET_YAW_LIMIT, SIDES_BOTH, SIDES_LEFT, SIDE_BEST, SIDE_BEST_Y,
-                     SIDE_BLOCK, SIDE_PATCH_COUNT, SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATE_ROLL, STATE_SHIFT,
-                     STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, UNLOADED, VALID, WORK_INPUTS, WORK_KNOWN, WORK_OUTPUTS,
-                     WORK_SIDE, WORK_STATUS)
-from .normal_contact import solve_normal
-from .roll import solve_roll
+from .elastic import solve_elastic, stand_compliant
+from .layout import (DEPTH_GEOMETRY, INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE,
+                     IN_ROLL, IN_ROLL_GUESS, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OFF_PROFILE, OUTPUT_COUNT,
+                     OUT_FORCE, OUT_MOMENT, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT, SET_DEPTH, SET_LATERAL_LIMIT,
+                     SET_MODE, SET_SIDES, SET_YAW_LIMIT, SIDES_BOTH, SIDES_LEFT, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK,
+                     SIDE_SIZE, STATE_ROLL, STATE_SHIFT, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, SUPPORT_BLOCK, UNLOADED,
+                     VALID, WORK_INPUTS, WORK_KNOWN, WORK_OUTPUTS, WORK_SIDE, WORK_STATUS, WORK_SUPPORT)
+from .resultant import clear_resultant
+from .roll import ROLL_LIMIT, solve_roll
+from .side import SUPPORT_HEIGHT, clear_from, first_unwanted, side_outputs, step_side
 from .starts import START_LEFT, START_RIGHT, START_ROLL, nearest_start
 
 #: After a longer lateral move the search does not start at the last contacts [m].
@@ -41,45 +41,9 @@ def inputs_in_range(tables: 'float[:]', work: 'float[:]'):
         inside = 0
     if fabs(work[WORK_INPUTS + IN_YAW]) > tables[SET_YAW_LIMIT]:
         inside = 0
+    if int(tables[SET_MODE]) == MODE_COMPLIANT and fabs(work[WORK_INPUTS + IN_ROLL]) > ROLL_LIMIT:
+        inside = 0
     return inside
-
-
-def clear_side(tables: 'float[:]', work: 'float[:]', out: int, first: int):
-    """Zeros in a side's outputs; from ``first`` on what stands for outputs that are not wanted."""
-    for i in range(first):
-        work[out + i] = 0.0
-    for i in range(first, SIDE_SIZE):
-        work[out + i] = tables[SET_ABSENT]
-    if first <= SIDE_PENETRATION:
-        work[out + SIDE_PATCH_COUNT] = tables[SET_ABSENT]
-    return 0
-
-
-def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, shift: float, force: float):
-    """Contact and patches of one side, as far as they are wanted; its outcome."""
-    side = WORK_SIDE + SIDE_BLOCK * index
-    out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
-    depth = int(tables[SET_DEPTH])
-    first = SIDE_SIZE
-    if depth == DEPTH_PATCHES:
-        first = SIDE_STATION
-    if depth == DEPTH_GEOMETRY:
-        first = SIDE_PENETRATION
-    clear_side(tables, work, out, first)
-    status = VALID
-    if describe_contact(tables, work, state, index, shift) == 0:
-        status = OFF_PROFILE
-    else:
-        penetration = tables[SET_PENETRATION_LEFT + index]
-        pressed = force
-        if isfinite(penetration):
-            pressed = penetration
-        if not pressed > 0.0:
-            status = UNLOADED
-        elif depth != DEPTH_GEOMETRY:
-            if solve_normal(tables, work, state, side, out, force, penetration) == 0:
-                status = NOT_CONVERGED
-    return status
 
 
 def find_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
@@ -103,34 +67,89 @@ def find_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     return solve_roll(tables, work, state, guess, warm)
 
 
+def side_force(work: 'float[:]', index: int):
+    """The prescribed force of side ``index`` [N], with load transfer."""
+    sign = float(2 * index - 1)
+    return work[WORK_INPUTS + IN_NORMAL_FORCE] * (1.0 + sign * work[WORK_INPUTS + IN_LOAD_TRANSFER])
+
+
+def is_wanted(tables: 'float[:]', index: int):
+    """1 if the outputs of side ``index`` are wanted, else 0."""
+    wanted = 0
+    if int(tables[SET_SIDES]) == SIDES_BOTH or int(tables[SET_SIDES]) == SIDES_LEFT + index:
+        wanted = 1
+    return wanted
+
+
+def stand_rigid(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float):
+    """Rigid contact: both wheels touch at ``roll``, and each carries its load there; the outcome."""
+    status = VALID
+    work[WORK_OUTPUTS + OUT_ROLL] = roll
+    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST]
+    clear_resultant(work)
+    for index in range(2):
+        if is_wanted(tables, index) == 1:
+            outcome = step_side(tables, work, state, index, side_force(work, index))
+            if outcome > status:
+                status = outcome
+    return status
+
+
+def stand_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', rigid_roll: float):
+    """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
+    roll, status = solve_elastic(tables, work, state, rigid_roll, side_force(work, 0), side_force(work, 1))
+    work[WORK_OUTPUTS + OUT_ROLL] = roll
+    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT]
+    return status
+
+
+def remember(work: 'float[:]', state: 'float[:]', roll: float):
+    """Keep where the rigid wheelset stood, for the next search."""
+    state[STATE_ROLL] = roll
+    state[STATE_Y_LEFT] = work[WORK_SIDE + SIDE_BEST_Y]
+    state[STATE_Y_RIGHT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y]
+    state[STATE_SHIFT] = work[WORK_INPUTS + IN_LATERAL_SHIFT]
+    state[STATE_WARM] = 1.0
+    return 0
+
+
+def withhold(tables: 'float[:]', work: 'float[:]'):
+    """Take back what is not wanted of the outputs; the resultant needs both sides and their loads."""
+    for index in range(2):
+        first = first_unwanted(tables)
+        if is_wanted(tables, index) == 0:
+            first = 0
+        if first < SIDE_SIZE:
+            clear_from(tables, work, side_outputs(index), first)
+    partial = int(tables[SET_SIDES]) != SIDES_BOTH or int(tables[SET_DEPTH]) == DEPTH_GEOMETRY
+    if partial and int(tables[SET_MODE]) == MODE_RIGID:
+        for i in range(3):
+            work[WORK_OUTPUTS + OUT_FORCE + i] = tables[SET_ABSENT]
+            work[WORK_OUTPUTS + OUT_MOMENT + i] = tables[SET_ABSENT]
+    return 0
+
+
 def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     """Evaluate the wheelset at the workspace's inputs into its outputs; the status."""
     if inputs_valid(work) == 0:
         return INVALID_INPUT
     if inputs_in_range(tables, work) == 0:
         return OFF_PROFILE
-    roll, status = find_roll(tables, work, state)
-    if status != VALID:
-        return status
-    work[WORK_OUTPUTS + OUT_ROLL] = roll
-    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST]
-    for index in range(2):
-        sign = float(2 * index - 1)
-        outcome = VALID
-        force = work[WORK_INPUTS + IN_NORMAL_FORCE] * (1.0 + sign * work[WORK_INPUTS + IN_LOAD_TRANSFER])
-        shift = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
-        if int(tables[SET_SIDES]) == SIDES_BOTH or int(tables[SET_SIDES]) == SIDES_LEFT + index:
-            outcome = step_side(tables, work, state, index, shift, force)
-        else:
-            clear_side(tables, work, WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index, 0)
-        if outcome > status:
-            status = outcome
-    if status <= UNLOADED:
-        state[STATE_ROLL] = roll
-        state[STATE_Y_LEFT] = work[WORK_SIDE + SIDE_BEST_Y]
-        state[STATE_Y_RIGHT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y]
-        state[STATE_SHIFT] = work[WORK_INPUTS + IN_LATERAL_SHIFT]
-        state[STATE_WARM] = 1.0
+    mode = int(tables[SET_MODE])
+    status = VALID
+    if mode == MODE_COMPLIANT:
+        status = stand_compliant(tables, work, state)
+    else:
+        roll, status = find_roll(tables, work, state)
+        if status != VALID:
+            return status
+        if mode == MODE_RIGID:
+            status = stand_rigid(tables, work, state, roll)
+        if status <= UNLOADED:
+            remember(work, state, roll)
+        if mode == MODE_ELASTIC:
+            status = stand_elastic(tables, work, state, roll)
+    withhold(tables, work)
     return status
 
 

@@ -4,13 +4,12 @@ A patch is a run of loaded strips that touch each other.  Near its edge the line
 distance, so the edge is where the straight line through the last two strips' line loads ends.
 """
 
-from math import atan, sqrt
+from math import atan2, sqrt
 
-from .layout import SET_RAIL, SIDE_HALF_LENGTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS
+from .layout import REGION_LIMIT, SIDE_HALF_LENGTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS
 from .patches import (ISLAND_AREA, ISLAND_HALF_LENGTH, ISLAND_LIMIT, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_PRESSURE,
                       ISLAND_SIZE, ISLAND_START, ISLAND_STOP, open_island, root_integral)
-from .profile_table import height_slope
-from .regions import REGION_RAIL, region_block
+from .regions import REGION_CARRIED, REGION_COS, REGION_MOMENT, REGION_SIN, region_block
 from .strips import (STRIP_LINE, STRIP_PRESSURE, STRIP_REGION, STRIP_SQUARE, STRIP_STATION, STRIP_WIDTH, run_edge,
                      run_end, strip_field)
 
@@ -81,8 +80,11 @@ def largest_of(work: 'float[:]', field: int, first: int, last: int):
     return best
 
 
-def gather_strips(tables: 'float[:]', work: 'float[:]', strips: int):
+def gather_strips(work: 'float[:]', strips: int):
     """Collect the runs of loaded strips as islands; their number."""
+    for region in range(REGION_LIMIT):
+        work[region_block(region) + REGION_CARRIED] = 0.0
+        work[region_block(region) + REGION_MOMENT] = 0.0
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
     lines = strip_field(STRIP_LINE)
@@ -95,15 +97,17 @@ def gather_strips(tables: 'float[:]', work: 'float[:]', strips: int):
         if work[lines + first] > 0.0:
             last = run_end(work, strips, first)
             block = region_block(int(work[strip_field(STRIP_REGION) + first]))
-            height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
             start = run_edge(work, strips, first, last, -1)
             stop = run_edge(work, strips, last, first, 1)
-            open_island(work, islands, start, -atan(slope))
+            open_island(work, islands, start, -atan2(work[block + REGION_SIN], work[block + REGION_COS]))
             at = WORK_ISLANDS + ISLAND_SIZE * islands
             for i in range(first, last + 1):
                 load = work[lines + i] * work[widths + i]
                 work[at + ISLAND_LOAD] += load
                 work[at + ISLAND_MOMENT] += load * work[stations + i]
+                carrier = region_block(int(work[strip_field(STRIP_REGION) + i]))
+                work[carrier + REGION_CARRIED] += load
+                work[carrier + REGION_MOMENT] += load * work[stations + i]
             work[at + ISLAND_STOP] = stop
             work[at + ISLAND_AREA] = run_area(work, first, last, start, stop)
             pressure = top_value(work, pressures, largest_of(work, pressures, first, last), first, last)

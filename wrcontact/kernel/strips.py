@@ -14,13 +14,14 @@ One round of 2 and 3 is a sweep.  Where the true patch differs from ANALYN's, st
 from math import fabs, log, pi, sqrt
 from typing import Final
 
+from .analyn import planes_cosine
 from .contact_plane import is_yawed
 from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT,
                      STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
 from .nodes import NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, cubic_through, node_field
 from .regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_SPACING,
-                      REGION_START, REGION_STATION, REGION_STOP, REGION_UPRIGHT_A, REGION_UPRIGHT_B,
-                      REGION_UPRIGHT_SHARE, REGION_WEIGHT, region_block)
+                      REGION_OFFSET, REGION_SHARE, REGION_START, REGION_STATION, REGION_STOP, REGION_TURN,
+                      REGION_UPRIGHT_A, REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WEIGHT, region_block)
 
 # strip fields
 STRIP_STATION: Final[int] = 0        # middle [m]
@@ -154,9 +155,10 @@ def place_strips(tables: 'float[:]', work: 'float[:]', count: int, penetration: 
     width = 0.0
     for region in range(count):
         block = region_block(region)
-        work[block + REGION_START] = zone_end(work, region, -1, penetration)
-        work[block + REGION_STOP] = zone_end(work, region, 1, penetration)
-        work[block + REGION_WEIGHT] = weigh_region(work, region, penetration)
+        share = work[block + REGION_TURN] * penetration
+        work[block + REGION_START] = zone_end(work, region, -1, share)
+        work[block + REGION_STOP] = zone_end(work, region, 1, share)
+        work[block + REGION_WEIGHT] = weigh_region(work, region, share)
         weight += work[block + REGION_WEIGHT]
         width += work[block + REGION_STOP] - work[block + REGION_START]
     strips = 0
@@ -170,7 +172,7 @@ def place_strips(tables: 'float[:]', work: 'float[:]', count: int, penetration: 
             own = int(tables[SET_STRIPS] * share + 0.5)
             if own < LEAST:
                 own = LEAST
-            strips = divide_zone(work, region, penetration, strips, own, even, graded, share)
+            strips = divide_zone(work, region, work[block + REGION_TURN] * penetration, strips, own, even, graded, share)
     return strips
 
 
@@ -181,6 +183,7 @@ def divide_zone(work: 'float[:]', region: int, penetration: float, strips: int, 
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
     regions = strip_field(STRIP_REGION)
+    offset = work[block + REGION_OFFSET]
     each = share / float(own)
     done = 0.0
     made = 0
@@ -193,7 +196,7 @@ def divide_zone(work: 'float[:]', region: int, penetration: float, strips: int, 
             density = even + graded * 0.5 * (before + after)
             while made < own - 1 and done + density * length >= each * float(made + 1):
                 cut = start + (each * float(made + 1) - done) / density
-                work[stations + strips + made] = 0.5 * (edge + cut)
+                work[stations + strips + made] = offset + 0.5 * (edge + cut)
                 work[widths + strips + made] = cut - edge
                 work[regions + strips + made] = float(region)
                 edge = cut
@@ -203,7 +206,7 @@ def divide_zone(work: 'float[:]', region: int, penetration: float, strips: int, 
     while made < own:
         # the last one, and any that rounding has left over
         cut = edge + (work[block + REGION_STOP] - edge) / float(own - made)
-        work[stations + strips + made] = 0.5 * (edge + cut)
+        work[stations + strips + made] = offset + 0.5 * (edge + cut)
         work[widths + strips + made] = cut - edge
         work[regions + strips + made] = float(region)
         edge = cut
@@ -234,7 +237,8 @@ def locate_strip(work: 'float[:]', i: int):
     """Gap and A of strip ``i`` where it stands; its node and the share of the way to the next one."""
     region = int(work[strip_field(STRIP_REGION) + i])
     block = region_block(region)
-    u = (work[strip_field(STRIP_STATION) + i] - work[block + REGION_STATION]) / work[block + REGION_SPACING]
+    u = ((work[strip_field(STRIP_STATION) + i] - work[block + REGION_OFFSET] - work[block + REGION_STATION])
+         / work[block + REGION_SPACING])
     k = int(u + float(NODE_MIDDLE)) - NODE_MIDDLE
     if k > int(work[block + REGION_LAST]) - 1:
         k = int(work[block + REGION_LAST]) - 1
@@ -244,13 +248,13 @@ def locate_strip(work: 'float[:]', i: int):
     gap = cubic_value(work, node_field(region, NODE_GAP) + k, x)
     work[strip_field(STRIP_GAP) + i] = work[block + REGION_GAP] + gap
     work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_A, k, x)
-    work[strip_field(STRIP_TURN) + i] = 1.0
+    work[strip_field(STRIP_TURN) + i] = work[block + REGION_TURN]
     if is_yawed(work) == 1:
         # the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients)
         turn = work[block + REGION_UPRIGHT_SHARE]
         work[strip_field(STRIP_GAP) + i] = turn * work[block + REGION_GAP] + gap * work[block + REGION_UPRIGHT_B]
         work[strip_field(STRIP_A) + i] *= work[block + REGION_UPRIGHT_A]
-        work[strip_field(STRIP_TURN) + i] = turn
+        work[strip_field(STRIP_TURN) + i] = turn * work[block + REGION_TURN]
     return region, k, x
 
 
@@ -276,6 +280,7 @@ def describe_strips(work: 'float[:]', strips: int, penetration: float):
             loaded = 1.0
             square = level / length
         below = penetration - work[strip_field(STRIP_GAP) + i] / work[strip_field(STRIP_TURN) + i]
+        below *= work[region_block(region) + REGION_TURN]
         inside = INSIDE * INSIDE * below / length
         if inside > square:
             square = inside
@@ -390,8 +395,8 @@ def near_share(share: float):
     return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest))
 
 
-def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int):
-    """F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4)."""
+def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int, count: int):
+    """F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4).  ``count`` is the number of regions."""
     base = int(tables[SET_INFLUENCE])
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
@@ -407,6 +412,19 @@ def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int):
             if j >= 0 and j < strips and j != i:
                 work[row + j] += near_share(0.5 * work[widths + j] / fabs(work[stations + i] - work[stations + j]))
         work[row + i] = 2.0 * log(8.0 * work[halves + i] / work[widths + i])
+    if count > 1:
+        turn_influence(work, strips)
+    return 0
+
+
+def turn_influence(work: 'float[:]', strips: int):
+    """Let strips of regions in different planes press on each other by the cosine of the angle between them."""
+    regions = strip_field(STRIP_REGION)
+    for i in range(strips):
+        for j in range(strips):
+            if work[regions + i] != work[regions + j]:
+                work[WORK_INFLUENCE + strips * i + j] *= planes_cosine(work, int(work[regions + i]),
+                                                                       int(work[regions + j]))
     return 0
 
 
@@ -467,7 +485,10 @@ def solve_loaded(tables: 'float[:]', work: 'float[:]', strips: int, force: float
     rest_load = 0.0
     for rank in range(size):
         row = WORK_SYSTEM + (size + 2) * rank
-        half = work[strip_field(STRIP_HALF) + int(work[ranks + rank])]
+        i = int(work[ranks + rank])
+        half = work[strip_field(STRIP_HALF) + i]
+        # what of it counts for the prescribed force
+        half *= work[region_block(int(work[strip_field(STRIP_REGION) + i])) + REGION_SHARE]
         unit_load += half * work[row + size]
         rest_load += half * work[row + size + 1]
     penetration = prescribed
@@ -626,7 +647,7 @@ def correct_strips(tables: 'float[:]', work: 'float[:]', state: 'float[:]', coun
     met = 0
     sweeps = int(tables[SET_SWEEPS])
     for sweep in range(sweeps):
-        fill_influence(tables, work, strips)
+        fill_influence(tables, work, strips, count)
         penetration, met = solve_strips(tables, work, state, strips, force, predicted, by_penetration)
         if met == 0:
             return penetration, strips, met

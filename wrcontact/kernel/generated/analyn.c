@@ -10,7 +10,9 @@
  * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
  *
  * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
- * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).
+ * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
+ * have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
+ * the angle between the two.
  */
 
 #include "analyn.h"
@@ -197,20 +199,45 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
  */
 static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
 {
+    int64_t one;
+    int64_t other;
     double distance;
     double squares;
     double result;
     result = 0.0;
     if (first != second)
     {
-        distance = (*cspan_at(&work, regions__region_block(first) + regions__REGION_MIDDLE)) - (*cspan_at(&work, regions__region_block(second) + regions__REGION_MIDDLE));
-        squares = (*cspan_at(&work, regions__region_block(first) + regions__REGION_SQUARE)) + (*cspan_at(&work, regions__region_block(second) + regions__REGION_SQUARE));
+        one = regions__region_block(first);
+        other = regions__region_block(second);
+        distance = (*cspan_at(&work, one + regions__REGION_OFFSET)) + (*cspan_at(&work, one + regions__REGION_MIDDLE)) - (*cspan_at(&work, other + regions__REGION_OFFSET)) - (*cspan_at(&work, other + regions__REGION_MIDDLE));
+        squares = (*cspan_at(&work, one + regions__REGION_SQUARE)) + (*cspan_at(&work, other + regions__REGION_SQUARE));
         result = 1.0 / (M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) * sqrt(distance * distance + analyn__ELONGATED * squares));
+        result *= analyn__planes_cosine(work, first, second);
     }
     return result;
 }
 
-/* Loads and stiffnesses of all regions at their levels; the total load [N]. */
+/* Cosine of the angle between the planes of two regions; 1 in one plane. */
+static inline double analyn__planes_cosine(array_double_1d work, int64_t first, int64_t second)
+{
+    int64_t one;
+    int64_t other;
+    double cosine;
+    one = regions__region_block(first);
+    other = regions__region_block(second);
+    cosine = 1.0;
+    if (((*cspan_at(&work, one + regions__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + regions__REGION_OWN)) == 1.0))
+    {
+        cosine = (*cspan_at(&work, one + regions__REGION_COS)) * (*cspan_at(&work, other + regions__REGION_COS)) + (*cspan_at(&work, one + regions__REGION_SIN)) * (*cspan_at(&work, other + regions__REGION_SIN));
+        if (cosine < 0.0)
+        {
+            cosine = 0.0;
+        }
+    }
+    return cosine;
+}
+
+/* Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]. */
 static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count)
 {
     int64_t i;
@@ -225,7 +252,7 @@ static inline double analyn__load_regions(array_double_1d tables, array_double_1
         analyn__region_load(&load, &stiffness, work, i, (*cspan_at(&work, block + regions__REGION_LEVEL)));
         (*cspan_at(&work, block + regions__REGION_LOAD)) = load;
         (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = stiffness;
-        total += load;
+        total += (*cspan_at(&work, block + regions__REGION_SHARE)) * load;
     }
     return total;
 }
@@ -252,7 +279,7 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     double newton;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, regions__region_block(i) + regions__REGION_LEVEL)) = penetration - (*cspan_at(&work, regions__region_block(i) + regions__REGION_GAP));
+        (*cspan_at(&work, regions__region_block(i) + regions__REGION_LEVEL)) = (*cspan_at(&work, regions__region_block(i) + regions__REGION_TURN)) * penetration - (*cspan_at(&work, regions__region_block(i) + regions__REGION_GAP));
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
@@ -329,7 +356,7 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
 }
 
 /* Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
- * level_i = penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+ * level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
  *
  * Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
  * Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
@@ -340,12 +367,14 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     int64_t block;
     double pushed;
     int64_t j;
+    double turn;
     double residual;
     int64_t sweeps;
     int64_t sweep;
     double move;
     int64_t other;
     double coupling;
+    double counted;
     (*largest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -355,9 +384,10 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
         {
             pushed += analyn__influence(tables, work, i, j) * (*cspan_at(&work, regions__region_block(j) + regions__REGION_LOAD));
         }
-        residual = penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - pushed - (*cspan_at(&work, block + regions__REGION_LEVEL));
+        turn = (*cspan_at(&work, block + regions__REGION_TURN));
+        residual = turn * penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - pushed - (*cspan_at(&work, block + regions__REGION_LEVEL));
         (*cspan_at(&work, block + regions__REGION_RESIDUAL)) = residual;
-        (*cspan_at(&work, block + regions__REGION_SLOPE)) = 1.0;
+        (*cspan_at(&work, block + regions__REGION_SLOPE)) = turn;
         (*cspan_at(&work, block + regions__REGION_MOVE)) = residual;
         if (fabs(residual) > (*largest))
         {
@@ -374,7 +404,7 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             block = regions__region_block(i);
-            (*slope) = 1.0;
+            (*slope) = (*cspan_at(&work, block + regions__REGION_TURN));
             move = (*cspan_at(&work, block + regions__REGION_RESIDUAL));
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
@@ -392,8 +422,9 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = regions__region_block(i);
-        (*slope) += (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SLOPE));
-        (*rest) += (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_MOVE));
+        counted = (*cspan_at(&work, block + regions__REGION_SHARE)) * (*cspan_at(&work, block + regions__REGION_STIFFNESS));
+        (*slope) += counted * (*cspan_at(&work, block + regions__REGION_SLOPE));
+        (*rest) += counted * (*cspan_at(&work, block + regions__REGION_MOVE));
     }
     return 0;
 }

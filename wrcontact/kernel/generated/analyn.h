@@ -10,7 +10,9 @@
  * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
  *
  * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
- * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).
+ * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
+ * have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
+ * the angle between the two.
  */
 
 #ifndef WRCONTACT_KERNEL_ANALYN_H
@@ -36,6 +38,7 @@ static inline int64_t analyn__cell_part(double* start, double* stop, double d_be
 static inline double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
 static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
+static inline double analyn__planes_cosine(array_double_1d work, int64_t first, int64_t second);
 static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second);
 static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
 static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);

@@ -12,10 +12,12 @@
 
 /* Place the contact plane at wheel abscissa ``y``; the slope is the rail's, which is the outline's there.
  *
+ * aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
+ *
  * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
  * much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
  */
-static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double shift)
+static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double aside, double shift)
 {
     double bend;
     double z_track;
@@ -29,6 +31,7 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     double sine;
     profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
     locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, (*z), (*slope), bend);
+    (*y_track) += aside;
     abscissa = (*y_track) - (*cspan_at(&tables, layout__SET_RAIL_Y));
     profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
@@ -44,6 +47,11 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine;
     (*cspan_at(&work, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine;
     (*cspan_at(&work, contact_plane__FRAME_LIFT)) = z_track + shift - height;
+    (*cspan_at(&work, contact_plane__FRAME_ASIDE)) = aside;
+    (*cspan_at(&work, contact_plane__FRAME_RAISE)) = 0.0;
+    (*cspan_at(&work, contact_plane__FRAME_POSE)) = shift;
+    (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 0.0;
     contact_plane__start_tracer(work, 0.0, abscissa, y);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
@@ -257,7 +265,7 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* res
     sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
     start = (*cspan_at(&tables, wheel + profile_table__START));
     stop = (*cspan_at(&tables, wheel + profile_table__STOP));
-    left = (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+    left = (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) - (*cspan_at(&work, contact_plane__FRAME_ASIDE));
     above = (*cspan_at(&work, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
     y = contact_plane__first_abscissa(work, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, contact_plane__TRACER_STATION)));
     (*exists) = INT64_C(0);
@@ -328,7 +336,7 @@ static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, d
     contact_plane__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, tables, work, station, tolerance);
     contact_plane__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, tables, work, station, tolerance);
     (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*gap) = wheel_height - rail_height;
+    (*gap) = wheel_height - rail_height + (*cspan_at(&work, contact_plane__FRAME_RAISE));
     if ((on_rail == INT64_C(0)) || (on_wheel == INT64_C(0)))
     {
         (*gap) = contact_plane__NO_GAP;
@@ -346,11 +354,10 @@ static inline int64_t contact_plane__is_yawed(array_double_1d work)
     return result;
 }
 
-/* Track coordinate x [m] of the wheel's outline where the tracer stands. */
-static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work)
+/* Track coordinate x [m] of the wheel's outline at wheel abscissa ``y`` [m]. */
+static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work, double y)
 {
     int64_t at;
-    double y;
     double z;
     double slope;
     double sin_phi;
@@ -359,7 +366,6 @@ static inline double contact_plane__ridge_place(array_double_1d tables, array_do
     double lateral;
     double result;
     at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
     profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
     r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;

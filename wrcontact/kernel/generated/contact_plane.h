@@ -17,31 +17,36 @@
 #include "locus.h"
 #include "profile_table.h"
 
-static const int64_t contact_plane__FRAME_ABSCISSA = INT64_C(1110);
-static const int64_t contact_plane__FRAME_HEIGHT = INT64_C(1111);
-static const int64_t contact_plane__FRAME_Y = INT64_C(1112);
-static const int64_t contact_plane__FRAME_COS = INT64_C(1113);
-static const int64_t contact_plane__FRAME_SIN = INT64_C(1114);
-static const int64_t contact_plane__FRAME_SHIFT = INT64_C(1115);
-static const int64_t contact_plane__FRAME_PLACE = INT64_C(1116);
-static const int64_t contact_plane__FRAME_Z = INT64_C(1117);
-static const int64_t contact_plane__FRAME_WHEEL_COS = INT64_C(1118);
-static const int64_t contact_plane__FRAME_WHEEL_SIN = INT64_C(1119);
-static const int64_t contact_plane__FRAME_LIFT = INT64_C(1127);
-static const int64_t contact_plane__TRACER_STATION = INT64_C(1120);
-static const int64_t contact_plane__TRACER_RAIL = INT64_C(1121);
-static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(1122);
-static const int64_t contact_plane__TRACER_RAIL_BEND = INT64_C(1123);
-static const int64_t contact_plane__TRACER_WHEEL = INT64_C(1124);
-static const int64_t contact_plane__TRACER_WHEEL_RATE = INT64_C(1125);
-static const int64_t contact_plane__TRACER_WHEEL_BEND = INT64_C(1126);
+static const int64_t contact_plane__FRAME_ABSCISSA = INT64_C(1117);
+static const int64_t contact_plane__FRAME_HEIGHT = INT64_C(1118);
+static const int64_t contact_plane__FRAME_Y = INT64_C(1119);
+static const int64_t contact_plane__FRAME_COS = INT64_C(1120);
+static const int64_t contact_plane__FRAME_SIN = INT64_C(1121);
+static const int64_t contact_plane__FRAME_SHIFT = INT64_C(1122);
+static const int64_t contact_plane__FRAME_PLACE = INT64_C(1123);
+static const int64_t contact_plane__FRAME_Z = INT64_C(1124);
+static const int64_t contact_plane__FRAME_WHEEL_COS = INT64_C(1125);
+static const int64_t contact_plane__FRAME_WHEEL_SIN = INT64_C(1126);
+static const int64_t contact_plane__FRAME_LIFT = INT64_C(1134);
+static const int64_t contact_plane__FRAME_ASIDE = INT64_C(1135);
+static const int64_t contact_plane__FRAME_RAISE = INT64_C(1136);
+static const int64_t contact_plane__FRAME_POSE = INT64_C(1137);
+static const int64_t contact_plane__FRAME_DEPTH = INT64_C(1138);
+static const int64_t contact_plane__FRAME_PRESSED = INT64_C(1139);
+static const int64_t contact_plane__TRACER_STATION = INT64_C(1127);
+static const int64_t contact_plane__TRACER_RAIL = INT64_C(1128);
+static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(1129);
+static const int64_t contact_plane__TRACER_RAIL_BEND = INT64_C(1130);
+static const int64_t contact_plane__TRACER_WHEEL = INT64_C(1131);
+static const int64_t contact_plane__TRACER_WHEEL_RATE = INT64_C(1132);
+static const int64_t contact_plane__TRACER_WHEEL_BEND = INT64_C(1133);
 static const double contact_plane__NO_GAP = 1.0;
 static const double contact_plane__NEAR = 0.001;
 static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);
 static const double contact_plane__CURVATURE_FLOOR = 0.05;
 
 static inline int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y);
-static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double shift);
+static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double aside, double shift);
 static inline double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
 static inline double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away);
 static inline int64_t contact_plane__trace_profile(double* result_0, double* result_1, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);
@@ -50,6 +55,6 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* res
 static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
 static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance);
 static inline int64_t contact_plane__is_yawed(array_double_1d work);
-static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work);
+static inline double contact_plane__ridge_place(array_double_1d tables, array_double_1d work, double y);
 
 #endif

@@ -5,16 +5,15 @@
 
 #include "contact_point.h"
 
-/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right); opens its contact plane.
+/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
+ * ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
  *
  * 1 if the profiles are parallel at the smallest gap, else 0.
  */
-static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift)
+static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
 {
-    int64_t side;
     int64_t at;
     int64_t out;
-    double y;
     double z;
     double slope;
     double y_track;
@@ -25,11 +24,9 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     double r;
     double lateral;
     int64_t parallel;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
-    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
-    contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, shift);
+    contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
     r = (*cspan_at(&tables, layout__SET_RADIUS)) + z;
     lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));

@@ -15,6 +15,6 @@
 
 static const double contact_point__PARALLEL = 1e-06;
 
-static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift);
+static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift);
 
 #endif

@@ -60,7 +60,7 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        slant = contact_plane__ridge_place(tables, work);
+        slant = contact_plane__ridge_place(tables, work, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
     }
     if (!((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0))
     {
@@ -69,7 +69,7 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
     low = regions__zone_width(tables, work, state, block, -1.0, level, low);
     if (yawed == INT64_C(1))
     {
-        slant -= contact_plane__ridge_place(tables, work);
+        slant -= contact_plane__ridge_place(tables, work, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
         if (start > (*cspan_at(&work, contact_plane__TRACER_STATION)))
         {
             (*cspan_at(&work, block + regions__REGION_SLANT)) = slant / (start - (*cspan_at(&work, contact_plane__TRACER_STATION)));
@@ -161,6 +161,7 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     {
         block = regions__region_block(i);
         level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        planes__enter_plane(work, i);
         normal_contact__measure_widths(tables, work, state, i, normal_contact__MEASURED * level);
         mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
         widest = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
@@ -183,6 +184,7 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         high_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)));
         nodes__lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
+        planes__leave_plane(work, i);
         (*cspan_at(&work, block + regions__REGION_SQUARE)) = level / (*cspan_at(&work, nodes__node_field(i, nodes__NODE_LENGTH)));
     }
     return INT64_C(0);
@@ -197,7 +199,7 @@ static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = regions__region_block(i);
-        level = penetration - (*cspan_at(&work, block + regions__REGION_GAP));
+        level = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work, block + regions__REGION_GAP));
         if (level < 0.1 * penetration)
         {
             level = 0.1 * penetration;
@@ -276,45 +278,68 @@ static inline int64_t normal_contact__gather_regions(array_double_1d tables, arr
     regions__open_contact_region(tables, work, state);
     count = regions__find_regions(tables, work, state, side, penetration);
     count = regions__bound_regions(tables, work, state, count, penetration);
+    planes__give_planes(tables, work, state, count);
     normal_contact__start_levels(work, count, penetration);
     return count;
 }
 
+/* What the penetration [m] under the prescribed ``force`` [N] is estimated to be. */
+static inline double normal_contact__first_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
+{
+    double result;
+    regions__open_contact_region(tables, work, state);
+    (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_WIDTH_LEVEL)) = 0.0;
+    result = normal_contact__estimate_penetration(tables, work, state, force / (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_SHARE)));
+    return result;
+}
+
+/* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third value 1 when
+ * met, else 0.
+ */
+static inline int64_t normal_contact__solve_estimated(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration)
+{
+    (*count) = normal_contact__gather_regions(tables, work, state, side, estimate);
+    normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
+    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
+    {
+        /* regions so close that pressing on each other has no fixed point are one region */
+        (*count) = INT64_C(1);
+        regions__open_contact_region(tables, work, state);
+        normal_contact__start_levels(work, (*count), estimate);
+        normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
+    }
+    return 0;
+}
+
 /* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
- * number; third value 1 when met.
+ * number; third value 1 when met, else 0.  A pressed wheel has its regions where it stands.
  */
 static inline int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
 {
     int64_t by_penetration;
     int64_t repeat;
     double estimate;
-    regions__open_contact_region(tables, work, state);
-    (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_WIDTH_LEVEL)) = 0.0;
     by_penetration = INT64_C(0);
     (*penetration) = prescribed;
     if (isfinite(prescribed))
     {
         by_penetration = INT64_C(1);
     }
-    else
+    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
     {
-        (*penetration) = normal_contact__estimate_penetration(tables, work, state, force);
+        normal_contact__solve_estimated(penetration, count, met, tables, work, state, side, force, (*cspan_at(&work, contact_plane__FRAME_DEPTH)), by_penetration);
+        return 0;
+    }
+    if (by_penetration == INT64_C(0))
+    {
+        (*penetration) = normal_contact__first_penetration(tables, work, state, force);
     }
     (*count) = INT64_C(1);
     (*met) = INT64_C(0);
     for (repeat = INT64_C(0); repeat < normal_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate = (*penetration);
-        (*count) = normal_contact__gather_regions(tables, work, state, side, estimate);
-        normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
-        if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
-        {
-            /* regions so close that pressing on each other has no fixed point are one region */
-            (*count) = INT64_C(1);
-            regions__open_contact_region(tables, work, state);
-            normal_contact__start_levels(work, (*count), estimate);
-            normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
-        }
+        normal_contact__solve_estimated(penetration, count, met, tables, work, state, side, force, estimate, by_penetration);
         if (((*penetration) < normal_contact__ESTIMATE_FACTOR * estimate) && (normal_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -370,6 +395,7 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     int64_t base;
     double A;
     double B;
+    int64_t block;
     double stiffness;
     double load;
     double one_alpha;
@@ -391,13 +417,17 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     {
         B = nodes__FLOOR * A;
     }
+    block = regions__region_block(INT64_C(0));
     stiffness = hertz__hertz_stiffness(tables, base, A, B, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
     penetration = prescribed;
     if (!isfinite(prescribed))
     {
-        penetration = pow((force / stiffness), (2.0 / 3.0));
+        penetration = pow((force / ((*cspan_at(&work, block + regions__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
     }
     load = stiffness * penetration * sqrt(penetration);
+    (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt(penetration);
+    (*cspan_at(&work, block + regions__REGION_CARRIED)) = load;
+    (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
     hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
     a = sqrt(penetration / (one_alpha * A));
     b = sqrt(penetration / (one_beta * B));
@@ -434,34 +464,35 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     return penetration;
 }
 
-/* Normal contact of the side whose frame is open, into the outputs at ``outputs``; 1 when met, else 0. */
-static inline int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
+/* Normal contact of the side whose frame is open, into the outputs at ``outputs``; the number of regions, and 1 when
+ * met, else 0.
+ */
+static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
 {
     double penetration;
-    int64_t count;
     int64_t by_penetration;
     int64_t strips;
     int64_t islands;
-    int64_t met;
-    met = INT64_C(1);
+    (*met) = INT64_C(1);
+    (*count) = INT64_C(1);
     if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_HERTZ)
     {
         normal_contact__solve_hertz(tables, work, outputs, force, prescribed);
     }
     else
     {
-        normal_contact__solve_analyn(&penetration, &count, &met, tables, work, state, side, force, prescribed);
-        if ((met == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
+        normal_contact__solve_analyn(&penetration, count, met, tables, work, state, side, force, prescribed);
+        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
         {
             by_penetration = INT64_C(0);
             if (isfinite(prescribed))
             {
                 by_penetration = INT64_C(1);
             }
-            strips__correct_strips(&penetration, &strips, &met, tables, work, state, count, force, penetration, by_penetration);
-            if (met == INT64_C(1))
+            strips__correct_strips(&penetration, &strips, met, tables, work, state, (*count), force, penetration, by_penetration);
+            if ((*met) == INT64_C(1))
             {
-                islands = strip_patches__gather_strips(tables, work, strips);
+                islands = strip_patches__gather_strips(work, strips);
                 patches__write_patches(work, outputs, islands);
                 if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
                 {
@@ -469,16 +500,16 @@ static inline int64_t normal_contact__solve_normal(array_double_1d tables, array
                 }
             }
         }
-        else if (met == INT64_C(1))
+        else if ((*met) == INT64_C(1))
         {
-            islands = patches__gather_islands(tables, work, count);
+            islands = patches__gather_islands(tables, work, (*count));
             patches__write_patches(work, outputs, islands);
             if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
             {
-                patches__write_outline(work, outputs, count, islands);
+                patches__write_outline(work, outputs, (*count), islands);
             }
         }
         (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
     }
-    return met;
+    return 0;
 }

@@ -20,6 +20,7 @@
 #include "layout.h"
 #include "nodes.h"
 #include "patches.h"
+#include "planes.h"
 #include "regions.h"
 #include "strip_patches.h"
 #include "strips.h"
@@ -50,9 +51,11 @@ static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t
 static inline int64_t normal_contact__covered(array_double_1d work, int64_t count);
 static inline double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
 static inline int64_t normal_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration);
+static inline double normal_contact__first_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
 static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration);
+static inline int64_t normal_contact__solve_estimated(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration);
 static inline int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed);
 static inline double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed);
-static inline int64_t normal_contact__solve_normal(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed);
 
 #endif

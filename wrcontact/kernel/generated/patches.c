@@ -196,8 +196,6 @@ static inline int64_t patches__gather_islands(array_double_1d tables, array_doub
     int64_t region;
     int64_t block;
     double level;
-    double height;
-    double slope;
     double angle;
     int64_t k_end;
     int64_t k;
@@ -207,10 +205,11 @@ static inline int64_t patches__gather_islands(array_double_1d tables, array_doub
     {
         block = regions__region_block(region);
         level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        (*cspan_at(&work, block + regions__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
         if (level > 0.0)
         {
-            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
-            angle = -atan(slope);
+            angle = -atan2((*cspan_at(&work, block + regions__REGION_SIN)), (*cspan_at(&work, block + regions__REGION_COS)));
             patches__load_nodes(work, region, level);
             k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
@@ -258,7 +257,7 @@ static inline int64_t patches__gather_cell(array_double_1d work, int64_t region,
     }
     if (stop > start)
     {
-        inner = (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * (double)(low);
+        inner = (*cspan_at(&work, block + regions__REGION_OFFSET)) + (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * (double)(low);
         begin = inner + spacing * start;
         end = inner + spacing * stop;
         if (outward < INT64_C(0))
@@ -303,8 +302,11 @@ static inline int64_t patches__add_cell(array_double_1d work, int64_t region, in
     load = width * analyn__quadratic_integral((*cspan_at(&work, loads + before)), (*cspan_at(&work, loads + low)), (*cspan_at(&work, loads + high)), start, stop);
     moment = patches__quadratic_moment((*cspan_at(&work, loads + before)), (*cspan_at(&work, loads + low)), (*cspan_at(&work, loads + high)), start, stop);
     area = patches__root_integral((*cspan_at(&work, squares + before)), (*cspan_at(&work, squares + low)), (*cspan_at(&work, squares + high)), start, stop);
+    moment = inner * load + width * step * moment;
+    (*cspan_at(&work, regions__region_block(region) + regions__REGION_CARRIED)) += load;
+    (*cspan_at(&work, regions__region_block(region) + regions__REGION_MOMENT)) += moment;
     (*cspan_at(&work, at + patches__ISLAND_LOAD)) += load;
-    (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += inner * load + width * step * moment;
+    (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += moment;
     (*cspan_at(&work, at + patches__ISLAND_AREA)) += 2.0 * width * area;
     if ((*cspan_at(&work, squares + low)) > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)))
     {
@@ -412,6 +414,7 @@ static inline int64_t patches__write_outline(array_double_1d work, int64_t side,
     double pressure;
     int64_t region;
     int64_t block;
+    double own;
     if (islands > INT64_C(0))
     {
         start = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
@@ -426,9 +429,10 @@ static inline int64_t patches__write_outline(array_double_1d work, int64_t side,
                 for (region = INT64_C(0); region < count; region += INT64_C(1))
                 {
                     block = regions__region_block(region);
-                    if ((station >= (*cspan_at(&work, block + regions__REGION_LOW))) && (station <= (*cspan_at(&work, block + regions__REGION_HIGH))))
+                    own = station - (*cspan_at(&work, block + regions__REGION_OFFSET));
+                    if ((own >= (*cspan_at(&work, block + regions__REGION_LOW))) && (own <= (*cspan_at(&work, block + regions__REGION_HIGH))) && (half == 0.0))
                     {
-                        patches__strip_at(&half, &pressure, work, region, station);
+                        patches__strip_at(&half, &pressure, work, region, own);
                     }
                 }
             }

@@ -13,7 +13,6 @@
 #include "analyn.h"
 #include "layout.h"
 #include "nodes.h"
-#include "profile_table.h"
 #include "regions.h"
 
 static const int64_t patches__ISLAND_SIZE = INT64_C(10);

@@ -64,7 +64,29 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
     (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
     (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+    regions__lean_region(tables, work, block);
     return found;
+}
+
+/* Angle of a region in the contact point's plane, and what follows from it. */
+static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block)
+{
+    double height;
+    double slope;
+    double cosine;
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
+    cosine = 1.0 / sqrt(1.0 + slope * slope);
+    (*cspan_at(&work, block + regions__REGION_OWN)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_TURN)) = 1.0;
+    (*cspan_at(&work, block + regions__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_COS)) = cosine;
+    (*cspan_at(&work, block + regions__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work, block + regions__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+    {
+        (*cspan_at(&work, block + regions__REGION_SHARE)) = cosine;
+    }
+    return INT64_C(0);
 }
 
 /* Region 0: the rigid contact point itself, station and gap zero. */
@@ -85,6 +107,7 @@ static inline int64_t regions__open_contact_region(array_double_1d tables, array
     (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
     (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
     (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
+    regions__lean_region(tables, work, block);
     return INT64_C(0);
 }
 

@@ -21,13 +21,13 @@
 #include "locus.h"
 #include "profile_table.h"
 
-static const int64_t separation__ORIGIN_STATION = INT64_C(42550);
-static const int64_t separation__ORIGIN_GAP = INT64_C(42551);
-static const int64_t separation__ORIGIN_RAIL = INT64_C(42552);
-static const int64_t separation__ORIGIN_HEIGHT = INT64_C(42553);
-static const int64_t separation__ORIGIN_ACROSS = INT64_C(42554);
-static const int64_t separation__ORIGIN_DOWN = INT64_C(42555);
-static const int64_t separation__ORIGIN_SPACING = INT64_C(42556);
+static const int64_t separation__ORIGIN_STATION = INT64_C(42613);
+static const int64_t separation__ORIGIN_GAP = INT64_C(42614);
+static const int64_t separation__ORIGIN_RAIL = INT64_C(42615);
+static const int64_t separation__ORIGIN_HEIGHT = INT64_C(42616);
+static const int64_t separation__ORIGIN_ACROSS = INT64_C(42617);
+static const int64_t separation__ORIGIN_DOWN = INT64_C(42618);
+static const int64_t separation__ORIGIN_SPACING = INT64_C(42619);
 static const double separation__SHARP = 1e-13;
 static const int64_t separation__ITERATIONS = INT64_C(40);
 static const double separation__GAUSS_1 = 0.2386191860831969;

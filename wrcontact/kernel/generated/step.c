@@ -43,77 +43,11 @@ static inline int64_t step__inputs_in_range(array_double_1d tables, array_double
     {
         inside = INT64_C(0);
     }
+    if (((int64_t)((*cspan_at(&tables, layout__SET_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL))) > roll__ROLL_LIMIT))
+    {
+        inside = INT64_C(0);
+    }
     return inside;
-}
-
-/* Zeros in a side's outputs; from ``first`` on what stands for outputs that are not wanted. */
-static inline int64_t step__clear_side(array_double_1d tables, array_double_1d work, int64_t out, int64_t first)
-{
-    int64_t i;
-    for (i = INT64_C(0); i < first; i += INT64_C(1))
-    {
-        (*cspan_at(&work, out + i)) = 0.0;
-    }
-    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
-    }
-    if (first <= layout__SIDE_PENETRATION)
-    {
-        (*cspan_at(&work, out + layout__SIDE_PATCH_COUNT)) = (*cspan_at(&tables, layout__SET_ABSENT));
-    }
-    return INT64_C(0);
-}
-
-/* Contact and patches of one side, as far as they are wanted; its outcome. */
-static inline int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force)
-{
-    int64_t side;
-    int64_t out;
-    int64_t depth;
-    int64_t first;
-    double penetration;
-    double pressed;
-    int64_t status;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
-    depth = (int64_t)((*cspan_at(&tables, layout__SET_DEPTH)));
-    first = layout__SIDE_SIZE;
-    if (depth == layout__DEPTH_PATCHES)
-    {
-        first = layout__SIDE_STATION;
-    }
-    if (depth == layout__DEPTH_GEOMETRY)
-    {
-        first = layout__SIDE_PENETRATION;
-    }
-    step__clear_side(tables, work, out, first);
-    status = layout__VALID;
-    if (contact_point__describe_contact(tables, work, state, index, shift) == INT64_C(0))
-    {
-        status = layout__OFF_PROFILE;
-    }
-    else
-    {
-        penetration = (*cspan_at(&tables, layout__SET_PENETRATION_LEFT + index));
-        pressed = force;
-        if (isfinite(penetration))
-        {
-            pressed = penetration;
-        }
-        if (!(pressed > 0.0))
-        {
-            status = layout__UNLOADED;
-        }
-        else if (depth != layout__DEPTH_GEOMETRY)
-        {
-            if (normal_contact__solve_normal(tables, work, state, side, out, force, penetration) == INT64_C(0))
-            {
-                status = layout__NOT_CONVERGED;
-            }
-        }
-    }
-    return status;
 }
 
 /* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has moved little,
@@ -150,16 +84,111 @@ static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array
     return 0;
 }
 
-/* Evaluate the wheelset at the workspace's inputs into its outputs; the status. */
-static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
+/* The prescribed force of side ``index`` [N], with load transfer. */
+static inline double step__side_force(array_double_1d work, int64_t index)
+{
+    double sign;
+    double result;
+    sign = (double)(INT64_C(2) * index - INT64_C(1));
+    result = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER)));
+    return result;
+}
+
+/* 1 if the outputs of side ``index`` are wanted, else 0. */
+static inline int64_t step__is_wanted(array_double_1d tables, int64_t index)
+{
+    int64_t wanted;
+    wanted = INT64_C(0);
+    if (((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_LEFT + index))
+    {
+        wanted = INT64_C(1);
+    }
+    return wanted;
+}
+
+/* Rigid contact: both wheels touch at ``roll``, and each carries its load there; the outcome. */
+static inline int64_t step__stand_rigid(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
+{
+    int64_t index;
+    int64_t outcome;
+    int64_t status;
+    status = layout__VALID;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST));
+    resultant__clear_resultant(work);
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        if (step__is_wanted(tables, index) == INT64_C(1))
+        {
+            outcome = side__step_side(tables, work, state, index, step__side_force(work, index));
+            if (outcome > status)
+            {
+                status = outcome;
+            }
+        }
+    }
+    return status;
+}
+
+/* Elastic contact: the height and roll at which both wheels carry their loads; the outcome. */
+static inline int64_t step__stand_elastic(array_double_1d tables, array_double_1d work, array_double_1d state, double rigid_roll)
 {
     double roll;
     int64_t status;
+    elastic__solve_elastic(&roll, &status, tables, work, state, rigid_roll, step__side_force(work, INT64_C(0)), step__side_force(work, INT64_C(1)));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT));
+    return status;
+}
+
+/* Keep where the rigid wheelset stood, for the next search. */
+static inline int64_t step__remember(array_double_1d work, array_double_1d state, double roll)
+{
+    (*cspan_at(&state, layout__STATE_ROLL)) = roll;
+    (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
+    (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
+    (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
+    (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
+    return INT64_C(0);
+}
+
+/* Take back what is not wanted of the outputs; the resultant needs both sides and their loads. */
+static inline int64_t step__withhold(array_double_1d tables, array_double_1d work)
+{
     int64_t index;
-    double sign;
-    int64_t outcome;
-    double force;
-    double shift;
+    int64_t first;
+    bool partial;
+    int64_t i;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        first = side__first_unwanted(tables);
+        if (step__is_wanted(tables, index) == INT64_C(0))
+        {
+            first = INT64_C(0);
+        }
+        if (first < layout__SIDE_SIZE)
+        {
+            side__clear_from(tables, work, side__side_outputs(index), first);
+        }
+    }
+    partial = ((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_GEOMETRY);
+    if (partial && ((int64_t)((*cspan_at(&tables, layout__SET_MODE))) == layout__MODE_RIGID))
+    {
+        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Evaluate the wheelset at the workspace's inputs into its outputs; the status. */
+static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
+{
+    int64_t mode;
+    int64_t status;
+    double roll;
     if (step__inputs_valid(work) == INT64_C(0))
     {
         return layout__INVALID_INPUT;
@@ -168,40 +197,33 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     {
         return layout__OFF_PROFILE;
     }
-    step__find_roll(&roll, &status, tables, work, state);
-    if (status != layout__VALID)
+    mode = (int64_t)((*cspan_at(&tables, layout__SET_MODE)));
+    status = layout__VALID;
+    if (mode == layout__MODE_COMPLIANT)
     {
-        return status;
+        status = elastic__stand_compliant(tables, work, state);
     }
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST));
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    else
     {
-        sign = (double)(INT64_C(2) * index - INT64_C(1));
-        outcome = layout__VALID;
-        force = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER)));
-        shift = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
-        if (((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_LEFT + index))
+        step__find_roll(&roll, &status, tables, work, state);
+        if (status != layout__VALID)
         {
-            outcome = step__step_side(tables, work, state, index, shift, force);
+            return status;
         }
-        else
+        if (mode == layout__MODE_RIGID)
         {
-            step__clear_side(tables, work, layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index, INT64_C(0));
+            status = step__stand_rigid(tables, work, state, roll);
         }
-        if (outcome > status)
+        if (status <= layout__UNLOADED)
         {
-            status = outcome;
+            step__remember(work, state, roll);
+        }
+        if (mode == layout__MODE_ELASTIC)
+        {
+            status = step__stand_elastic(tables, work, state, roll);
         }
     }
-    if (status <= layout__UNLOADED)
-    {
-        (*cspan_at(&state, layout__STATE_ROLL)) = roll;
-        (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
-        (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
-        (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
-        (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
-    }
+    step__withhold(tables, work);
     return status;
 }
 

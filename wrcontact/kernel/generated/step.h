@@ -9,19 +9,24 @@
 #define WRCONTACT_KERNEL_STEP_H
 
 #include "../native/spans.h"
-#include "contact_point.h"
+#include "elastic.h"
 #include "layout.h"
-#include "normal_contact.h"
+#include "resultant.h"
 #include "roll.h"
+#include "side.h"
 #include "starts.h"
 
 static const double step__NEAR_SHIFT = 0.0002;
 
 static inline int64_t step__inputs_valid(array_double_1d work);
 static inline int64_t step__inputs_in_range(array_double_1d tables, array_double_1d work);
-static inline int64_t step__clear_side(array_double_1d tables, array_double_1d work, int64_t out, int64_t first);
-static inline int64_t step__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double shift, double force);
 static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline double step__side_force(array_double_1d work, int64_t index);
+static inline int64_t step__is_wanted(array_double_1d tables, int64_t index);
+static inline int64_t step__stand_rigid(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t step__stand_elastic(array_double_1d tables, array_double_1d work, array_double_1d state, double rigid_roll);
+static inline int64_t step__remember(array_double_1d work, array_double_1d state, double roll);
+static inline int64_t step__withhold(array_double_1d tables, array_double_1d work);
 static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
 static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
 static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);

@@ -118,8 +118,9 @@ static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t fi
 }
 
 /* Collect the runs of loaded strips as islands; their number. */
-static inline int64_t strip_patches__gather_strips(array_double_1d tables, array_double_1d work, int64_t strips)
+static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t strips)
 {
+    int64_t region;
     int64_t stations;
     int64_t widths;
     int64_t lines;
@@ -128,15 +129,19 @@ static inline int64_t strip_patches__gather_strips(array_double_1d tables, array
     int64_t first;
     int64_t last;
     int64_t block;
-    double height;
-    double slope;
     double start;
     double stop;
     int64_t at;
     int64_t i;
     double load;
+    int64_t carrier;
     double pressure;
     int64_t islands;
+    for (region = INT64_C(0); region < layout__REGION_LIMIT; region += INT64_C(1))
+    {
+        (*cspan_at(&work, regions__region_block(region) + regions__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, regions__region_block(region) + regions__REGION_MOMENT)) = 0.0;
+    }
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     lines = strips__strip_field(strips__STRIP_LINE);
@@ -151,16 +156,18 @@ static inline int64_t strip_patches__gather_strips(array_double_1d tables, array
         {
             last = strips__run_end(work, strips, first);
             block = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + first))));
-            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
             start = strips__run_edge(work, strips, first, last, -INT64_C(1));
             stop = strips__run_edge(work, strips, last, first, INT64_C(1));
-            patches__open_island(work, islands, start, -atan(slope));
+            patches__open_island(work, islands, start, -atan2((*cspan_at(&work, block + regions__REGION_SIN)), (*cspan_at(&work, block + regions__REGION_COS))));
             at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * islands;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
                 load = (*cspan_at(&work, lines + i)) * (*cspan_at(&work, widths + i));
                 (*cspan_at(&work, at + patches__ISLAND_LOAD)) += load;
                 (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += load * (*cspan_at(&work, stations + i));
+                carrier = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i))));
+                (*cspan_at(&work, carrier + regions__REGION_CARRIED)) += load;
+                (*cspan_at(&work, carrier + regions__REGION_MOMENT)) += load * (*cspan_at(&work, stations + i));
             }
             (*cspan_at(&work, at + patches__ISLAND_STOP)) = stop;
             (*cspan_at(&work, at + patches__ISLAND_AREA)) = strip_patches__run_area(work, first, last, start, stop);

@@ -12,7 +12,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "patches.h"
-#include "profile_table.h"
 #include "regions.h"
 #include "strips.h"
 
@@ -22,7 +21,7 @@ static inline double strip_patches__cell_area(double low, double high, double be
 static inline double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop);
 static inline double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
 static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last);
-static inline int64_t strip_patches__gather_strips(array_double_1d tables, array_double_1d work, int64_t strips);
+static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t strips);
 static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands);
 
 #endif

@@ -159,10 +159,10 @@ static inline int64_t strips__place_strips(array_double_1d tables, array_double_
     double width;
     int64_t region;
     int64_t block;
+    double share;
     double length;
     double even;
     double graded;
-    double share;
     int64_t own;
     int64_t strips;
     weight = 0.0;
@@ -170,9 +170,10 @@ static inline int64_t strips__place_strips(array_double_1d tables, array_double_
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
         block = regions__region_block(region);
-        (*cspan_at(&work, block + regions__REGION_START)) = strips__zone_end(work, region, -INT64_C(1), penetration);
-        (*cspan_at(&work, block + regions__REGION_STOP)) = strips__zone_end(work, region, INT64_C(1), penetration);
-        (*cspan_at(&work, block + regions__REGION_WEIGHT)) = strips__weigh_region(work, region, penetration);
+        share = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration;
+        (*cspan_at(&work, block + regions__REGION_START)) = strips__zone_end(work, region, -INT64_C(1), share);
+        (*cspan_at(&work, block + regions__REGION_STOP)) = strips__zone_end(work, region, INT64_C(1), share);
+        (*cspan_at(&work, block + regions__REGION_WEIGHT)) = strips__weigh_region(work, region, share);
         weight += (*cspan_at(&work, block + regions__REGION_WEIGHT));
         width += (*cspan_at(&work, block + regions__REGION_STOP)) - (*cspan_at(&work, block + regions__REGION_START));
     }
@@ -191,7 +192,7 @@ static inline int64_t strips__place_strips(array_double_1d tables, array_double_
             {
                 own = strips__LEAST;
             }
-            strips = strips__divide_zone(work, region, penetration, strips, own, even, graded, share);
+            strips = strips__divide_zone(work, region, (*cspan_at(&work, block + regions__REGION_TURN)) * penetration, strips, own, even, graded, share);
         }
     }
     return strips;
@@ -204,6 +205,7 @@ static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, 
     int64_t stations;
     int64_t widths;
     int64_t regions;
+    double offset;
     double each;
     double done;
     int64_t made;
@@ -220,6 +222,7 @@ static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, 
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     regions = strips__strip_field(strips__STRIP_REGION);
+    offset = (*cspan_at(&work, block + regions__REGION_OFFSET));
     each = share / (double)(own);
     done = 0.0;
     made = INT64_C(0);
@@ -236,7 +239,7 @@ static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, 
             while((made < own - INT64_C(1)) && (done + density * length >= each * (double)(made + INT64_C(1))))
             {
                 cut = start + (each * (double)(made + INT64_C(1)) - done) / density;
-                (*cspan_at(&work, stations + strips + made)) = 0.5 * (edge + cut);
+                (*cspan_at(&work, stations + strips + made)) = offset + 0.5 * (edge + cut);
                 (*cspan_at(&work, widths + strips + made)) = cut - edge;
                 (*cspan_at(&work, regions + strips + made)) = (double)(region);
                 edge = cut;
@@ -250,7 +253,7 @@ static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, 
     {
         /* the last one, and any that rounding has left over */
         cut = edge + ((*cspan_at(&work, block + regions__REGION_STOP)) - edge) / (double)(own - made);
-        (*cspan_at(&work, stations + strips + made)) = 0.5 * (edge + cut);
+        (*cspan_at(&work, stations + strips + made)) = offset + 0.5 * (edge + cut);
         (*cspan_at(&work, widths + strips + made)) = cut - edge;
         (*cspan_at(&work, regions + strips + made)) = (double)(region);
         edge = cut;
@@ -302,7 +305,7 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     double turn;
     (*region) = (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
     block = regions__region_block((*region));
-    u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
+    u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + regions__REGION_OFFSET)) - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
     (*k) = (int64_t)(u + (double)(layout__NODE_MIDDLE)) - layout__NODE_MIDDLE;
     if ((*k) > (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1))
     {
@@ -316,14 +319,14 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     gap = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_GAP) + (*k), (*x));
     (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
     (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_A, (*k), (*x));
-    (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = 1.0;
+    (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = (*cspan_at(&work, block + regions__REGION_TURN));
     if (contact_plane__is_yawed(work) == INT64_C(1))
     {
         /* the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients) */
         turn = (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE));
         (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + gap * (*cspan_at(&work, block + regions__REGION_UPRIGHT_B));
         (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) *= (*cspan_at(&work, block + regions__REGION_UPRIGHT_A));
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn;
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn * (*cspan_at(&work, block + regions__REGION_TURN));
     }
     return 0;
 }
@@ -371,6 +374,7 @@ static inline int64_t strips__describe_strips(array_double_1d work, int64_t stri
             square = level / length;
         }
         below = penetration - (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) / (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i));
+        below *= (*cspan_at(&work, regions__region_block(region) + regions__REGION_TURN));
         inside = strips__INSIDE * strips__INSIDE * below / length;
         if (inside > square)
         {
@@ -560,8 +564,8 @@ static inline double strips__near_share(double share)
     return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest));
 }
 
-/* F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4). */
-static inline int64_t strips__fill_influence(array_double_1d tables, array_double_1d work, int64_t strips)
+/* F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4).  ``count`` is the number of regions. */
+static inline int64_t strips__fill_influence(array_double_1d tables, array_double_1d work, int64_t strips, int64_t count)
 {
     int64_t base;
     int64_t stations;
@@ -596,6 +600,30 @@ static inline int64_t strips__fill_influence(array_double_1d tables, array_doubl
             }
         }
         (*cspan_at(&work, row + i)) = 2.0 * log(8.0 * (*cspan_at(&work, halves + i)) / (*cspan_at(&work, widths + i)));
+    }
+    if (count > INT64_C(1))
+    {
+        strips__turn_influence(work, strips);
+    }
+    return INT64_C(0);
+}
+
+/* Let strips of regions in different planes press on each other by the cosine of the angle between them. */
+static inline int64_t strips__turn_influence(array_double_1d work, int64_t strips)
+{
+    int64_t regions;
+    int64_t i;
+    int64_t j;
+    regions = strips__strip_field(strips__STRIP_REGION);
+    for (i = INT64_C(0); i < strips; i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < strips; j += INT64_C(1))
+        {
+            if ((*cspan_at(&work, regions + i)) != (*cspan_at(&work, regions + j)))
+            {
+                (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) *= analyn__planes_cosine(work, (int64_t)((*cspan_at(&work, regions + i))), (int64_t)((*cspan_at(&work, regions + j))));
+            }
+        }
     }
     return INT64_C(0);
 }
@@ -707,7 +735,10 @@ static inline double strips__solve_loaded(array_double_1d tables, array_double_1
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
         row = layout__WORK_SYSTEM + (size + INT64_C(2)) * rank;
-        half = (*cspan_at(&work, strips__strip_field(strips__STRIP_HALF) + (int64_t)((*cspan_at(&work, ranks + rank)))));
+        i = (int64_t)((*cspan_at(&work, ranks + rank)));
+        half = (*cspan_at(&work, strips__strip_field(strips__STRIP_HALF) + i));
+        /* what of it counts for the prescribed force */
+        half *= (*cspan_at(&work, regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)))) + regions__REGION_SHARE));
         unit_load += half * (*cspan_at(&work, row + size));
         rest_load += half * (*cspan_at(&work, row + size + INT64_C(1)));
     }
@@ -989,7 +1020,7 @@ static inline int64_t strips__correct_strips(double* result_0, int64_t* result_1
     sweeps = (int64_t)((*cspan_at(&tables, layout__SET_SWEEPS)));
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
-        strips__fill_influence(tables, work, strips);
+        strips__fill_influence(tables, work, strips, count);
         strips__solve_strips(&penetration, &met, tables, work, state, strips, force, predicted, by_penetration);
         if (met == INT64_C(0))
         {

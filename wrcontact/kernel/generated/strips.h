@@ -17,6 +17,7 @@
 #define WRCONTACT_KERNEL_STRIPS_H
 
 #include "../native/spans.h"
+#include "analyn.h"
 #include "contact_plane.h"
 #include "layout.h"
 #include "nodes.h"
@@ -77,7 +78,8 @@ static inline int64_t strips__fit_edge(array_double_1d work, int64_t strips, int
 static inline int64_t strips__fit_edges(array_double_1d work, int64_t strips);
 static inline double strips__influence_value(array_double_1d tables, int64_t base, double abscissa);
 static inline double strips__near_share(double share);
-static inline int64_t strips__fill_influence(array_double_1d tables, array_double_1d work, int64_t strips);
+static inline int64_t strips__turn_influence(array_double_1d work, int64_t strips);
+static inline int64_t strips__fill_influence(array_double_1d tables, array_double_1d work, int64_t strips, int64_t count);
 static inline int64_t strips__eliminate(array_double_1d work, int64_t size);
 static inline double strips__solve_loaded(array_double_1d tables, array_double_1d work, int64_t strips, double force, double prescribed, int64_t by_penetration);
 static inline int64_t strips__exchange_strips(array_double_1d work, int64_t strips, double penetration, int64_t single);

@@ -1,0 +1,211 @@
+/* Generated from planes.py by tools/transpile_kernel.py; change that one.
+ *
+ * Planes of their own for regions that lean away from the contact point's: a flange beside a tread.
+ *
+ * One contact plane serves all regions whose normals differ little.  A region that leans by more than SPLIT has its own frame,
+ * in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run in
+ * its own plane, and of the wheel's approach it gets the share that comes along its normal,
+ *
+ *     level_i = c_i penetration - gap_i,   c_i = cos(angle_i - angle_0) or, where the wheel comes straight down,
+ *                                                cos(angle_i) / cos(angle_0)
+ *
+ * In the outputs its stations follow those of the contact point, by the length of the rail between the two.
+ */
+
+#include "planes.h"
+
+/* Keep the open frame for region ``slot``; REGION_LIMIT is the contact point's. */
+static inline int64_t planes__keep_frame(array_double_1d work, int64_t slot)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < layout__CONTACT_BLOCK; i += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i)) = (*cspan_at(&work, layout__WORK_CONTACT + i));
+    }
+    return INT64_C(0);
+}
+
+/* Open the frame that was kept for ``slot``. */
+static inline int64_t planes__use_frame(array_double_1d work, int64_t slot)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < layout__CONTACT_BLOCK; i += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_CONTACT + i)) = (*cspan_at(&work, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i));
+    }
+    return INT64_C(0);
+}
+
+/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller. */
+static inline double planes__rail_length(array_double_1d tables, double start, double stop)
+{
+    double step;
+    double total;
+    int64_t i;
+    double height;
+    double slope;
+    double weight;
+    step = (stop - start) / (double)(planes__ARC_CELLS);
+    total = 0.0;
+    for (i = INT64_C(0); i < planes__ARC_CELLS + INT64_C(1); i += INT64_C(1))
+    {
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), start + step * (double)(i));
+        weight = 2.0;
+        if (pyc_modulo(i, INT64_C(2)) == INT64_C(1))
+        {
+            weight = 4.0;
+        }
+        if ((i == INT64_C(0)) || (i == planes__ARC_CELLS))
+        {
+            weight = 1.0;
+        }
+        total += weight * sqrt(1.0 + slope * slope);
+    }
+    return total * step / 3.0;
+}
+
+/* Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; FAR beyond any rail if it has none. */
+static inline double planes__bound_abscissa(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double bound)
+{
+    double gap;
+    double rate;
+    double bend;
+    double curvature;
+    double abscissa;
+    abscissa = bound;
+    if (fabs(bound) < regions__FAR)
+    {
+        contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, bound, regions__TRACE);
+        abscissa = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+    }
+    return abscissa;
+}
+
+/* Station [m] in the open frame of the rail's point at ``abscissa``; FAR stays FAR. */
+static inline double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa)
+{
+    double height;
+    double slope;
+    double station;
+    station = abscissa;
+    if (fabs(abscissa) < regions__FAR)
+    {
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+        station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+    }
+    return station;
+}
+
+/* 1 if the region's normal differs from the open frame's by more than SPLIT, else 0. */
+static inline int64_t planes__leans_away(array_double_1d work, int64_t region)
+{
+    int64_t block;
+    double away;
+    int64_t leans;
+    block = regions__region_block(region);
+    away = (*cspan_at(&work, block + regions__REGION_SIN)) * (*cspan_at(&work, contact_plane__FRAME_COS)) - (*cspan_at(&work, block + regions__REGION_COS)) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+    leans = INT64_C(0);
+    if (fabs(away) > planes__SPLIT)
+    {
+        leans = INT64_C(1);
+    }
+    return leans;
+}
+
+/* Give ``region`` its own frame, kept in its slot; the contact point's frame stays open. */
+static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region)
+{
+    int64_t block;
+    int64_t at;
+    double pose;
+    double y;
+    double abscissa;
+    double depth;
+    double aside;
+    double shift;
+    double low;
+    double high;
+    double cosine;
+    double sine;
+    double turn;
+    double z;
+    double slope;
+    double y_track;
+    double rail_slope;
+    double mismatch;
+    double gap;
+    double rate;
+    double bend;
+    double curvature;
+    int64_t found;
+    block = regions__region_block(region);
+    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
+    pose = (*cspan_at(&work, contact_plane__FRAME_POSE));
+    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, tables, work, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work, block + regions__REGION_RAIL)), pose);
+    if (found == INT64_C(1))
+    {
+        low = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + regions__REGION_LOW)));
+        high = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + regions__REGION_HIGH)));
+        planes__keep_frame(work, layout__REGION_LIMIT);
+        cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
+        sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
+        (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
+        (*cspan_at(&work, block + regions__REGION_RAIL)) = abscissa;
+        (*cspan_at(&work, block + regions__REGION_WHEEL)) = y;
+        regions__lean_region(tables, work, block);
+        (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
+        (*cspan_at(&work, block + regions__REGION_OFFSET)) = planes__rail_length(tables, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), abscissa);
+        turn = (*cspan_at(&work, block + regions__REGION_COS)) * cosine + (*cspan_at(&work, block + regions__REGION_SIN)) * sine;
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            turn = (*cspan_at(&work, block + regions__REGION_COS)) / cosine;
+        }
+        (*cspan_at(&work, block + regions__REGION_TURN)) = turn;
+        (*cspan_at(&work, block + regions__REGION_GAP)) = turn * (*cspan_at(&work, contact_plane__FRAME_DEPTH)) - depth;
+        contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
+        (*cspan_at(&work, contact_plane__FRAME_RAISE)) = (*cspan_at(&work, block + regions__REGION_GAP));
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0, regions__TRACE);
+        (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
+        (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+        (*cspan_at(&work, block + regions__REGION_LOW)) = planes__bound_station(tables, work, low);
+        (*cspan_at(&work, block + regions__REGION_HIGH)) = planes__bound_station(tables, work, high);
+        planes__keep_frame(work, region);
+        planes__use_frame(work, layout__REGION_LIMIT);
+    }
+    return found;
+}
+
+/* Give every region that leans away its own plane. */
+static inline int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count)
+{
+    int64_t region;
+    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    {
+        if (planes__leans_away(work, region) == INT64_C(1))
+        {
+            planes__own_plane(tables, work, state, region);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Open the frame of a region with its own plane. */
+static inline int64_t planes__enter_plane(array_double_1d work, int64_t region)
+{
+    if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
+    {
+        planes__use_frame(work, region);
+    }
+    return INT64_C(0);
+}
+
+/* Open the contact point's frame again. */
+static inline int64_t planes__leave_plane(array_double_1d work, int64_t region)
+{
+    if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
+    {
+        planes__use_frame(work, layout__REGION_LIMIT);
+    }
+    return INT64_C(0);
+}

@@ -1,0 +1,63 @@
+/* Generated from resultant.py by tools/transpile_kernel.py; change that one.
+ *
+ * The resultant of the contact forces on the wheelset, in the track's axes.
+ *
+ * The rail pushes the wheel along each region's normal, (0, -+ sin(angle), -cos(angle)) on the right and on the left, where the
+ * region's load acts; the moment is that about the wheelset's centre, which stands the nominal radius above the running circles.
+ */
+
+#include "resultant.h"
+
+/* No force and no moment. */
+static inline int64_t resultant__clear_resultant(array_double_1d work)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + i)) = 0.0;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + i)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Add the force of a region, ``mirror`` = 1 on the right, -1 on the left. */
+static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror)
+{
+    int64_t block;
+    double load;
+    double cosine;
+    double sine;
+    double away;
+    double height;
+    double slope;
+    double x;
+    double y;
+    double z;
+    double arm_y;
+    double arm_z;
+    double force_y;
+    double force_z;
+    block = regions__region_block(region);
+    load = (*cspan_at(&work, block + regions__REGION_CARRIED));
+    if (load > 0.0)
+    {
+        cosine = (*cspan_at(&work, block + regions__REGION_COS));
+        sine = (*cspan_at(&work, block + regions__REGION_SIN));
+        /* from the region's smallest gap to its centre of load, along its plane */
+        away = (*cspan_at(&work, block + regions__REGION_MOMENT)) / load - (*cspan_at(&work, block + regions__REGION_OFFSET)) - (*cspan_at(&work, block + regions__REGION_STATION));
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
+        x = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL))) + (*cspan_at(&work, block + regions__REGION_SLANT)) * away;
+        y = mirror * ((*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, block + regions__REGION_RAIL)) + away * cosine);
+        z = height + away * sine;
+        arm_y = y - (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
+        arm_z = z - (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) + (*cspan_at(&tables, layout__SET_RADIUS));
+        force_y = mirror * sine * load;
+        force_z = (-cosine) * load;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(1))) += force_y;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(2))) += force_z;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT)) += arm_y * force_z - arm_z * force_y;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + INT64_C(1))) -= x * force_z;
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + INT64_C(2))) += x * force_y;
+    }
+    return INT64_C(0);
+}

@@ -1,0 +1,21 @@
+/* Generated from resultant.py by tools/transpile_kernel.py; change that one.
+ *
+ * The resultant of the contact forces on the wheelset, in the track's axes.
+ *
+ * The rail pushes the wheel along each region's normal, (0, -+ sin(angle), -cos(angle)) on the right and on the left, where the
+ * region's load acts; the moment is that about the wheelset's centre, which stands the nominal radius above the running circles.
+ */
+
+#ifndef WRCONTACT_KERNEL_RESULTANT_H
+#define WRCONTACT_KERNEL_RESULTANT_H
+
+#include "../native/spans.h"
+#include "contact_plane.h"
+#include "layout.h"
+#include "profile_table.h"
+#include "regions.h"
+
+static inline int64_t resultant__clear_resultant(array_double_1d work);
+static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror);
+
+#endif

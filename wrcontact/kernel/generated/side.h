@@ -1,0 +1,36 @@
+/* Generated from side.py by tools/transpile_kernel.py; change that one.
+ *
+ * One side of a wheelset, from where its wheel stands to its outputs: contact, patches, and its share of the resultant.
+ */
+
+#ifndef WRCONTACT_KERNEL_SIDE_H
+#define WRCONTACT_KERNEL_SIDE_H
+
+#include "../native/spans.h"
+#include "contact_plane.h"
+#include "contact_point.h"
+#include "gap.h"
+#include "layout.h"
+#include "locus.h"
+#include "normal_contact.h"
+#include "profile_table.h"
+#include "regions.h"
+#include "resultant.h"
+#include "touching.h"
+
+static const int64_t side__SUPPORT_SINK = INT64_C(0);
+static const int64_t side__SUPPORT_CARRIED = INT64_C(1);
+static const int64_t side__SUPPORT_HEIGHT = INT64_C(2);
+static const int64_t side__SUPPORT_LEVER = INT64_C(3);
+
+static inline int64_t side__side_outputs(int64_t index);
+static inline int64_t side__clear_side(array_double_1d work, int64_t out);
+static inline int64_t side__clear_from(array_double_1d tables, array_double_1d work, int64_t out, int64_t first);
+static inline int64_t side__first_unwanted(array_double_1d tables);
+static inline int64_t side__load_side(int64_t* count, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
+static inline int64_t side__rest_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
+static inline int64_t side__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double sink);
+static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count);
+
+#endif
