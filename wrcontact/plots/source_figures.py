@@ -134,16 +134,15 @@ def draw_place_and_errors(picture, figure):
     errors.axvspan(-8, -6.3, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
     errors.set(yscale="log", ylim=(1e-9, 30), xlabel="lateral shift of the wheelset, right + [mm]",
                ylabel="distance from the rigid contact [mm]")
-    errors.legend(loc="lower center", fontsize=7.5)
+    errors.legend(loc="lower center", fontsize=7.5, bbox_to_anchor=(0.5, 0.42))
     whole.set_title("Contact on the right wheel")
     errors.set_title("Distance from it; grey: beyond 6.3 mm")
 
 
 def draw_two_searches(picture, figure):
-    kinds = [("Rigid contact", lambda name: "elastic" not in name)]
-    if any("elastic" in name for name in curves_of(figure)):
-        kinds.append(("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
-    for panel, (title, wanted) in zip(picture.subplots(1, len(kinds), sharey=True, squeeze=False)[0], kinds):
+    kinds = (("Rigid contact", lambda name: "elastic" not in name),
+             ("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
+    for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
         over_shift(panel, figure, wanted, span=(0, 8), legend=False)
         inset = panel.inset_axes((0.14, 0.14, 0.5, 0.5))
         over_shift(inset, figure, wanted, span=(4.4, 5.6), legend=False)

@@ -1,5 +1,9 @@
 """The content of the source's figures, computed anew: what the source says, what we find, and the numbers.
 
+    python -m wrcontact.study.figures       prints the table of docs/source_study.md, chapter 2
+
+::
+
     curves and patches  ->  columns (the CSV)  ->  numbers, one sentence        figures_search.py, figures_patch.py
     columns             ->  picture                                             wrcontact/plots/source_figures.py
 
@@ -19,7 +23,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..system import CHOICES, ContactSystem
+from ..system import ContactSystem
 from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]
@@ -80,8 +84,8 @@ class Study:
 
     @property
     def elastic(self):
-        """The same with the wheelset in elastic equilibrium; None where the package does not have it."""
-        return self.system(contact_mode="elastic") if "elastic" in CHOICES["contact_mode"] else None
+        """The same with the wheelset in elastic equilibrium."""
+        return self.system(contact_mode="elastic")
 
     @lru_cache(maxsize=None)
     def section(self, shift):
@@ -153,3 +157,14 @@ def chosen(words):
 def compute(number, study):
     """The :class:`SourceFigure` with this number."""
     return makers()[number](study)
+
+
+def table(figures):
+    """Chapter 2 of docs/source_study.md: a row in Markdown for each figure."""
+    rows = [f"| {figure.number} | {figure.claim} | {figure.verdict} | {figure.finding} | {figure.key} |" for figure in figures]
+    return "\n".join(["| figure | the source says | | we find | the number |", "|---|---|---|---|---|", *rows])
+
+
+if __name__ == "__main__":
+    context = Study()
+    print(table(compute(number, context) for number in known()))

@@ -15,6 +15,8 @@ LEAP = 0.5      # [mm] a contact that moves further within a nanometre of latera
 CLOSE = 2e-3    # [mm] beside a jump the places are told; the printed S1002 takes the last one in two steps, 1 um apart
 BESIDE = 0.02   # [mm] from a jump at which slopes are taken
 ROOT, FLANGE = -26.0, -36.5   # [mm] y_wheel where the flange root begins and between its contacts and those on the flange
+FLANGE_ROLL = 0.1     # [deg] a roll that the wheelset has on the flange only
+NEAR_FLANGE = (6.2, 6.35)   # [mm] of lateral shift, where the pressure goes from the flange root to the flange
 ON_FLANGE = 6.3       # [mm] of lateral shift, from where the source sees a difference
 YAWS = (0, 1, 2, 3)   # [deg]
 SMALL_FORCE = 1e-4    # [N]
@@ -35,10 +37,9 @@ def exact(study, shift, yaw=0.0):
 
 
 def elastic(study, shift, yaw=0.0, force=FORCE):
-    """Elastic contact there; None where the package has none."""
-    system = study.elastic
-    return system and system.evaluate_many(lateral_shift=np.asarray(shift) / 1e3, yaw=math.radians(yaw), normal_force=force,
-                                           outputs="geometry")
+    """Elastic equilibrium there."""
+    return study.elastic.evaluate_many(lateral_shift=np.asarray(shift) / 1e3, yaw=math.radians(yaw), normal_force=force,
+                                       outputs="patches")
 
 
 def roll(state):
@@ -47,6 +48,15 @@ def roll(state):
 
 def place(state):
     return state.right.contact.y_wheel * 1e3
+
+
+def pressed_place(state):
+    """Where the centre of pressure is on the right wheel [mm]: the contact position of an elastic contact.
+
+    Its station in the contact plane, from the contact point, is laid along the wheel at the contact angle.
+    """
+    side = state.right
+    return (side.contact.y_wheel + side.patch_centroid * np.cos(side.contact_angle)) * 1e3
 
 
 def searched(search, shift, yaw=0.0):
@@ -87,15 +97,16 @@ def steepest(shift, values):
     return float(np.nanmax(np.abs(np.diff(values) / np.diff(shift))))
 
 
+def first_below(shift, values, level):
+    """Where ``values`` first fall below ``level``, on the straight line between two of them."""
+    k = int(np.argmax(values < level))
+    return float(np.interp(-level, -values[k - 1:k + 1], shift[k - 1:k + 1]))
+
+
 def joined(curves, grid, name):
-    """Long table of ``curves`` (values over ``grid`` [mm], or both, or None: left out) under the heading ``name``."""
+    """Long table of ``curves`` (values over ``grid`` [mm], or both) under the heading ``name``."""
     return stacked(*({"curve": curve, "lateral shift [mm]": at, name: values} for curve, (at, values) in
-                     ((curve, entry if isinstance(entry, tuple) else (grid, entry)) for curve, entry in curves.items()
-                      if entry is not None)))
-
-
-def or_none(function, state):
-    return None if state is None else function(state)
+                     ((curve, entry if isinstance(entry, tuple) else (grid, entry)) for curve, entry in curves.items())))
 
 
 @lru_cache(maxsize=1)
@@ -118,28 +129,24 @@ def yawed_sweep(study):
 def roll_without_yaw(study):
     grid, found, _ = plane_sweep(study)
     fine = shifts(-FAR, FINE)
-    rigid, soft = roll(exact(study, fine)), or_none(roll, elastic(study, fine))
+    rigid, soft = roll(exact(study, fine)), roll(elastic(study, fine))
     _, root, flange = (shift for shift, *_ in jumps(study))
     (root_low, root_high, root_step), (low, high, flange_step) = slopes(study, root), slopes(study, flange)
     root_bend, flange_bend = root_high / root_low, high / low
+    later = first_below(fine, soft, -FLANGE_ROLL) - first_below(fine, rigid, -FLANGE_ROLL)
     numbers = {"bend to the flange root at [mm]": root, "bend to the flange at [mm]": flange,
                "change of roll at the jump to the flange root [deg]": root_step,
                "change of roll at the jump to the flange [deg]": flange_step,
                "slope, flange root / tread": root_bend, "slope, flange / flange root": flange_bend,
                "2-D search less exact, largest [deg]": float(np.abs(found - roll(exact(study, grid))).max()),
-               "steepest rigid [deg/mm]": steepest(fine, rigid)}
-    tail = ""
-    if soft is not None:
-        numbers |= {"steepest elastic [deg/mm]": steepest(fine, soft),
-                    "elastic less rigid in magnitude, largest [deg]": float(np.max(np.abs(soft) - np.abs(rigid))),
-                    "rigid less elastic in magnitude, largest [deg]": float(np.max(np.abs(rigid) - np.abs(soft)))}
-        tail = (f" Elastic contact at 78.5 kN rounds the bends; its steepest part has "
-                f"{numbers['steepest elastic [deg/mm]']:.2f} instead of {numbers['steepest rigid [deg/mm]']:.2f} deg/mm.")
+               "steepest rigid [deg/mm]": steepest(fine, rigid), "steepest elastic [deg/mm]": steepest(fine, soft),
+               f"elastic roll of {FLANGE_ROLL} deg comes later by [mm]": later}
     return SourceFigure(
         "4.4", "Roll over lateral shift: rigid search against elastic contact", "roll, rigid and elastic",
         "Rigid roll jumps where the contact moves from tread to flange root and to the flange; elastic contact smooths it.",
         f"The roll does not jump, it bends: its slope grows {root_bend:.1f}-fold at {root:.3f} mm and "
-        f"{flange_bend:.0f}-fold at {flange:.3f} mm, while it is continuous. Only the place jumps (4.5).{tail}",
+        f"{flange_bend:.0f}-fold at {flange:.3f} mm, while it is continuous. Only the place jumps (4.5). Elastic contact "
+        f"at 78.5 kN rounds the first bend; on the flange it rolls {later:.2f} mm later, no less steeply.",
         PARTLY, f"slope x {flange_bend:.0f} at {flange:.3f} mm, no jump", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "rigid, exact": rigid, "elastic, 78.5 kN": soft},
                fine, "roll [deg]"))
@@ -148,20 +155,21 @@ def roll_without_yaw(study):
 def place_without_yaw(study):
     grid, _, found = plane_sweep(study)
     fine = shifts(-FAR, FINE)
-    rigid, soft = place(exact(study, fine)), or_none(place, elastic(study, fine))
+    rigid, soft = place(exact(study, fine)), pressed_place(elastic(study, fine))
     there = jumps(study)
     numbers = {f"jump {k + 1} at [mm]": shift for k, (shift, _, _) in enumerate(there)}
     numbers |= {f"jump {k + 1} by [mm]": after - before for k, (_, before, after) in enumerate(there)}
-    tail = ""
-    if soft is not None:
-        most, least = (float(np.abs(np.diff(places)).max()) for places in (rigid, soft))
-        numbers |= {"largest step, rigid [mm]": most, "largest step, elastic [mm]": least}
-        tail = f" Elastic at 78.5 kN the largest step in {FINE} mm of shift is {least:.2f} instead of {most:.1f} mm."
+    most, least = (float(np.abs(np.diff(places)).max()) for places in (rigid, soft))
+    before = float(np.abs(np.diff(soft))[fine[1:] < NEAR_FLANGE[0]].max())
+    numbers |= {"largest step, rigid [mm]": most, "largest step, elastic [mm]": least,
+                "largest step before the flange, elastic [mm]": before}
     words = ", ".join(f"{shift:.3f} mm ({before:.1f} to {after:.1f})" for shift, before, after in there)
     return SourceFigure(
         "4.5", "Lateral contact position on the right wheel: rigid search against elastic contact", "contact position",
         "The rigid contact jumps from tread to flange root and from flange root to flange; elastic contact is smooth.",
-        f"y_wheel jumps at {words}: three jumps, the first on the tread.{tail}", HOLDS,
+        f"y_wheel jumps at {words}: three jumps, the first on the tread. With 78.5 kN the centre of "
+        f"pressure moves by at most {before:.2f} mm in {FINE} mm of shift instead of {most:.1f} mm; to the flange it still "
+        f"goes in steps of {least:.0f} mm.", HOLDS,
         f"jumps at {listed((shift for shift, *_ in there), 3)} mm", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "rigid, exact": rigid, "elastic, 78.5 kN": soft},
                fine, "y_wheel [mm]"))
@@ -170,28 +178,26 @@ def place_without_yaw(study):
 def place_with_little_force(study):
     grid, _, found = plane_sweep(study)
     fine = shifts(-FAR, FINE)
-    rigid, soft = place(exact(study, fine)), or_none(place, elastic(study, fine, force=SMALL_FORCE))
+    rigid, soft = place(exact(study, fine)), pressed_place(elastic(study, fine, force=SMALL_FORCE))
     coarse = searched(Search2D(study.system(), spacing=1e-3, tolerance=1e-6), grid)[1]
     known, flange = place(exact(study, grid)), np.abs(grid) > ON_FLANGE
     near, far = (float(np.abs(places - known)[flange].max()) for places in (found, coarse))
     numbers = {"2-D search dy 0.1 mm less exact, flange, largest [mm]": near,
                "2-D search dy 1 mm less exact, flange, largest [mm]": far}
-    tail, key = "", f"2-D search {near:.2f} mm off"
-    if soft is not None:
-        apart = np.abs(soft - rigid)
-        away = np.min(np.abs(fine[:, None] - [shift for shift, *_ in jumps(study, low=-FAR)]), axis=1) > FINE
-        beyond = np.abs(fine) > ON_FLANGE
-        there, elsewhere = (float(apart[away & where].max()) for where in (beyond, ~beyond))
-        numbers |= {"elastic at 1e-4 N less rigid, flange, largest [mm]": there,
-                    "elastic at 1e-4 N less rigid, elsewhere, largest [mm]": elsewhere}
-        key = f"flange: {there:.0e} mm from rigid"
-        tail = (f"Away from the jumps elastic contact at 1e-4 N is rigid contact, to {there:.0e} mm on the flange and "
-                f"{elsewhere:.0e} mm elsewhere. ")
+    apart, beyond = np.abs(soft - rigid), np.abs(fine) > ON_FLANGE
+    away = np.min(np.abs(fine[:, None] - [shift for shift, *_ in jumps(study, low=-FAR)]), axis=1) > FINE
+    there, elsewhere = (float(apart[away & where].max()) for where in (beyond, ~beyond))
+    numbers |= {"elastic at 1e-4 N less rigid, flange, largest [mm]": there,
+                "elastic at 1e-4 N less rigid, elsewhere, largest [mm]": elsewhere}
     return SourceFigure(
         "4.6", "Lateral contact position on the right wheel: elastic contact with next to no force", "the same at 1e-4 N",
         "At 1e-4 N both agree on tread and flange root, but beyond 6.3 mm they differ noticeably.",
-        f"{tail}So the difference on the flange is one of the two programs, not of elasticity. Coarse nodes can make one: "
-        f"with dy = 1 mm the 2-D search is up to {far:.1f} mm off there, with 0.1 mm {near:.2f} mm.", FAILS, key, numbers,
+        f"Away from the jumps elastic contact at 1e-4 N is rigid contact, to {there:.0e} mm on the flange and "
+        f"{elsewhere:.0e} mm elsewhere. So the difference on the flange is one of the two programs, not of elasticity. "
+        f"Coarse nodes can make one: with dy = 1 mm the 2-D search is up to {far:.1f} mm off there, with 0.1 mm "
+        f"{near:.2f} mm.",
+        FAILS,
+        f"flange: {there:.0e} mm from rigid", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "source's 2-D search, dy 1 mm": (grid, coarse),
                 "rigid, exact": rigid, "elastic, 1e-4 N": soft}, fine, "y_wheel [mm]"))
 
@@ -204,27 +210,24 @@ def roll_with_yaw_elastic(study):
     fine = shifts(0.0, FINE)
     curves, numbers = {}, {}
     for yaw in (0, 1):
-        rigid, soft = roll(exact(study, fine, yaw)), or_none(roll, elastic(study, fine, yaw))
+        rigid, soft = roll(exact(study, fine, yaw)), roll(elastic(study, fine, yaw))
         curves |= {f"source's 3-D search, dx 0.1 mm, yaw {yaw} deg": (grid, found[yaw][0]),
                    f"rigid, exact, yaw {yaw} deg": rigid, f"elastic, 78.5 kN, yaw {yaw} deg": soft}
         root = next(shift for shift, before, after in jumps(study, yaw) if before > ROOT > after)
         low, high, step = slopes(study, root, yaw)
         numbers |= {f"yaw {yaw} deg: bend at [mm]": root, f"yaw {yaw} deg: slope behind / before": high / low,
                     f"yaw {yaw} deg: step of the roll [deg]": step}
-        if soft is not None:
-            numbers |= {f"yaw {yaw} deg: {name}": value for name, value in _softer(fine, rigid, soft, root).items()}
-    tail = ""
-    if study.elastic:
-        share, least, most = (numbers[f"yaw 0 deg: {name}"] for name in SOFTER)
-        tail = (f" The elastic slope changes gradually there. The elastic roll is the smaller one at {share:.0%} of the "
-                f"shifts, by up to {most:.4f} deg, and elsewhere larger by up to {least:.4f} deg.")
+        numbers |= {f"yaw {yaw} deg: {name}": value for name, value in _softer(fine, rigid, soft, root).items()}
+    share, least, most = (numbers[f"yaw 0 deg: {name}"] for name in SOFTER)
     at, at_one = (numbers[f"yaw {yaw} deg: bend at [mm]"] for yaw in (0, 1))
     bend, bend_one = (numbers[f"yaw {yaw} deg: slope behind / before"] for yaw in (0, 1))
     return SourceFigure(
         "5.6", "Roll over lateral shift, yaw 0 and 1 deg: rigid 3-D search, elastic contact", "roll, yaw 0 and 1 deg",
         "The rigid roll has a slight jump near 5 mm that elastic contact (Baeza) has not, and is higher at the same shift.",
         f"It is a bend: the roll's slope grows {bend:.1f}-fold at {at:.3f} mm without yaw and {bend_one:.1f}-fold at "
-        f"{at_one:.3f} mm with 1 deg; the roll itself does not step.{tail}",
+        f"{at_one:.3f} mm with 1 deg; the roll itself does not step. The elastic roll bends gradually there; it is the "
+        f"smaller one at {share:.0%} of the shifts, by up to {most:.3f} deg, and elsewhere the larger one by up to "
+        f"{least:.4f} deg.",
         PARTLY, f"slope x {bend:.1f} at {at:.3f}, {at_one:.3f} mm, no jump", numbers, joined(curves, fine, "roll [deg]"))
 
 
