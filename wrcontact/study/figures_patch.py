@@ -321,9 +321,11 @@ def lateral_patches(number, shift):
                         f"{kind}: B <= 0 over [mm]": float(negative.sum()) * DS * 1e3, **study_sizes(kind, patches[kind]),
                         **study_sizes(f"{kind}, corrected", study_patch(nodes, section, B, DEGREE))}
         numbers |= sizes("complete theory", complete) | sizes("wrcontact", study.right(shift))
+        for kind in ("rough", "smooth"):
+            numbers |= sizes(f"wrcontact, {kind}", study.right(shift, lateral_curvature=kind))
         if number == "7.14":
             numbers |= {f"first point out, coordinates to {step:g} mm{words}": torn(study, step / 1e3, correction)
-                        for step in (0.0, 1e-5, 1e-4, 1e-3) for words, correction in (("", None), (", corrected", DEGREE))}
+                        for step in (0.0, 1e-4, 1e-3, 1e-2) for words, correction in (("", None), (", corrected", DEGREE))}
         columns = stacked(*(patch_columns(kind, patch) for kind, patch in patches.items()),
                           outline_columns("complete theory", complete))
         return SourceFigure(number, f"Patch at {shift:g} mm: rough and smooth lateral curvature",
