@@ -3,6 +3,7 @@
 import csv
 import math
 import re
+import sys
 from functools import lru_cache
 from pathlib import Path
 
@@ -25,6 +26,9 @@ from wrcontact.study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
 from wrcontact.study.sections import Section, circle_curvature, rough_curvature
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "reference"))
+import brute_force  # noqa: E402
+
 NUMBERS = ("4.4", "4.5", "4.6", "5.6", "5.7", "5.8", "5.9", *(f"7.{k}" for k in range(1, 18)))
 MODULUS = 210e9 / (2 * (1 - 0.28**2))   # [Pa]
 STUDY = Study()
@@ -119,7 +123,7 @@ def test_curvatures_are_those_of_the_kernels_tables(shift):
         table, own = compile_profile(curve.profile), rough_curvature(curve.point(t))
         # 31 points along the chord, 61 along the tangent
         assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02, abs=0.05)
-        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0   # [1/m], not beside a step of the printed heights
+        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0   # [1/m], not beside a step of the heights
         assert np.median(np.abs(own - turned_curvature(table, t, 0.2e-3))[even]) < 0.01
 
 
@@ -245,6 +249,14 @@ def test_5_9_longitudinal_shift():
                 row["R_x_wheel_mm"], abs=2e-3)   # [mm]
     assert numbers["yaw 1 deg at 6.5 mm [mm]"] == pytest.approx(18.34, abs=0.01)
     assert numbers["yaw 3 deg at 1 mm [mm]"] < numbers["yaw 2 deg at 1 mm [mm]"]
+
+
+@pytest.mark.parametrize("shift, yaw", [(1.0, 3), (6.5, 1), (8.0, 2)])
+def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
+    """The search over both parameters of the wheel's surface, which shares no code with the package."""
+    found = brute_force.rigid_contact(brute_force.track(), shift / 1e3, math.radians(yaw))
+    assert at("5.8", f"exact, yaw {yaw} deg", shift) == pytest.approx(math.degrees(found.roll), abs=1e-6)      # [deg]
+    assert at("5.9", f"exact, yaw {yaw} deg", shift) == pytest.approx(found.right.x_wheel * 1e3, abs=2e-3)    # [mm]
 
 
 # --- chapter 7 -------------------------------------------------------------------------------------

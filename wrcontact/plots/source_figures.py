@@ -134,7 +134,7 @@ def draw_place_and_errors(picture, figure):
     errors.axvspan(-8, -6.3, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
     errors.set(yscale="log", ylim=(1e-9, 30), xlabel="lateral shift of the wheelset, right + [mm]",
                ylabel="distance from the rigid contact [mm]")
-    errors.legend(loc="lower center", fontsize=7.5, bbox_to_anchor=(0.5, 0.42))
+    errors.legend(loc="lower left", fontsize=7)
     whole.set_title("Contact on the right wheel")
     errors.set_title("Distance from it; grey: beyond 6.3 mm")
 

@@ -161,7 +161,8 @@ def compute(number, study):
 
 def table(figures):
     """Chapter 2 of docs/source_study.md: a row in Markdown for each figure."""
-    rows = [f"| {figure.number} | {figure.claim} | {figure.verdict} | {figure.finding} | {figure.key} |" for figure in figures]
+    rows = [f"| {figure.number} | {figure.claim} | {figure.verdict} | {figure.finding} | {figure.key} |"
+            for figure in figures]
     return "\n".join(["| figure | the source says | | we find | the number |", "|---|---|---|---|---|", *rows])
 
 

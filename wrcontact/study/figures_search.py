@@ -140,7 +140,8 @@ def roll_without_yaw(study):
                "slope, flange root / tread": root_bend, "slope, flange / flange root": flange_bend,
                "2-D search less exact, largest [deg]": float(np.abs(found - roll(exact(study, grid))).max()),
                "steepest rigid [deg/mm]": steepest(fine, rigid), "steepest elastic [deg/mm]": steepest(fine, soft),
-               f"elastic roll of {FLANGE_ROLL} deg comes later by [mm]": later}
+               f"elastic roll of {FLANGE_ROLL} deg comes later by [mm]": later,
+               "scatter of the elastic roll between flange root and flange [deg]": _scatter(study)}
     return SourceFigure(
         "4.4", "Roll over lateral shift: rigid search against elastic contact", "roll, rigid and elastic",
         "Rigid roll jumps where the contact moves from tread to flange root and to the flange; elastic contact smooths it.",
@@ -150,6 +151,12 @@ def roll_without_yaw(study):
         PARTLY, f"slope x {flange_bend:.0f} at {flange:.3f} mm, no jump", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "rigid, exact": rigid, "elastic, 78.5 kN": soft},
                fine, "roll [deg]"))
+
+
+def _scatter(study):
+    """Largest second difference of the elastic roll [deg] where the pressure goes from the flange root to the flange."""
+    grid = np.arange(NEAR_FLANGE[0], NEAR_FLANGE[1], FINE / 5)
+    return float(np.abs(np.diff(roll(elastic(study, grid)), 2)).max())
 
 
 def place_without_yaw(study):
