@@ -112,14 +112,14 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 
 
 @main.command()
-def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="[NUMBER ...]", help="Further numbers after --only")] = None,
+def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="NUMBER", help="More of them after --only")] = None,
             output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the pictures, tables and the index")]
             = Path("wrcontact-figures"),
-            only: Annotated[Optional[list[str]], typer.Option(metavar="NUMBER", help="Only these figures, such as 7.2")] = None):
+            only: Annotated[Optional[list[str]], typer.Option(metavar="NUMBER", help="These alone, such as 7.2")] = None):
     """Draw the figures of the study that wrcontact started from, computed anew.
 
-    Each becomes a picture and a CSV table, fig_7_2.png and fig_7_2.csv; figures.md shows them all with what the study says and
-    what is found here. It takes about half a minute.
+    Each becomes a picture and a CSV table, fig_7_2.png and fig_7_2.csv; figures.md shows them all with what the study says
+    and what is found here. It takes about a quarter of a minute.
 
     Example: wrcontact figures --only 7.2 7.4
     """

@@ -44,9 +44,12 @@ def summary(figures):
 
 
 def index(figures):
-    """A page in Markdown that shows all figures with what the source says and what is found."""
+    """A page in Markdown: a line for each figure, then all pictures with what the source says and what is found."""
     parts = ["# The source's figures, computed anew\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 mm, 78.5 kN "
-             "per wheel. Each picture is drawn from the table beside it.\n"]
+             "per wheel. Each picture is drawn from the table beside it.\n",
+             "| figure | what it shows | the number to remember | the source's claim |\n|---|---|---|---|"]
+    parts[-1] += "".join(f"\n| [{figure.number}]({figure.stem}.png) | {figure.title} | {figure.key} | {figure.verdict} |"
+                         for figure in figures) + "\n"
     parts += [f"## {figure.number} {figure.title}\n\n![{figure.title}]({figure.stem}.png)\n\n*The source:* {figure.claim} "
               f"**{VERDICTS[figure.verdict]}** {figure.finding} ([table]({figure.stem}.csv))\n" for figure in figures]
     return "\n".join(parts)

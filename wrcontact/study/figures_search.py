@@ -202,9 +202,7 @@ def place_with_little_force(study):
         f"Away from the jumps elastic contact at 1e-4 N is rigid contact, to {there:.0e} mm on the flange and "
         f"{elsewhere:.0e} mm elsewhere. So the difference on the flange is one of the two programs, not of elasticity. "
         f"Coarse nodes can make one: with dy = 1 mm the 2-D search is up to {far:.1f} mm off there, with 0.1 mm "
-        f"{near:.2f} mm.",
-        FAILS,
-        f"flange: {there:.0e} mm from rigid", numbers,
+        f"{near:.2f} mm.", FAILS, f"flange: {there:.0e} mm from rigid", numbers,
         joined({"source's 2-D search, dy 0.1 mm": (grid, found), "source's 2-D search, dy 1 mm": (grid, coarse),
                 "rigid, exact": rigid, "elastic, 1e-4 N": soft}, fine, "y_wheel [mm]"))
 
