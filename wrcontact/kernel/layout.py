@@ -156,6 +156,8 @@ SUPPORT_BLOCK: Final[int] = 8        # how one side carries its load, while the 
 ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
 STRIP_FIELDS: Final[int] = 16        # strip arrays
 STRIP_LIMIT: Final[int] = 104        # their length
+OVERLAP_LIMIT: Final[int] = 200      # samples of the overlap of a pressed wheel to either side
+OVERLAP_BLOCK: Final[int] = 64 + 4 * 2 * OVERLAP_LIMIT
 SEPARATION_BLOCK: Final[int] = 8     # origin of the region whose separation is measured
 
 WORK_INPUTS: Final[int] = 0          # inputs of the row at work
@@ -174,7 +176,8 @@ WORK_INFLUENCE: Final[int] = WORK_DISTANCE + STRIP_LIMIT * STRIP_LIMIT      # di
 WORK_SYSTEM: Final[int] = WORK_INFLUENCE + STRIP_LIMIT * STRIP_LIMIT        # the system that is solved
 WORK_SEPARATION: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
 WORK_FRAMES: Final[int] = WORK_SEPARATION + SEPARATION_BLOCK                # of the regions, and the contact point's
-WORK_SUPPORT: Final[int] = WORK_FRAMES + CONTACT_BLOCK * (REGION_LIMIT + 1)       # left and right
+WORK_OVERLAP: Final[int] = WORK_FRAMES + CONTACT_BLOCK * (REGION_LIMIT + 1)   # where a pressed wheel overlaps its rail
+WORK_SUPPORT: Final[int] = WORK_OVERLAP + OVERLAP_BLOCK                     # left and right
 WORK_SIZE: Final[int] = WORK_SUPPORT + 2 * SUPPORT_BLOCK
 
 # search data of one side, relative to its block

@@ -22,6 +22,7 @@ from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERT
                      SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION,
                      SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
 from .nodes import FLOOR, NODE_LENGTH, NODE_RISE, lay_nodes, node_field, weigh_nodes
+from .overlaps import gather_overlaps
 from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
 from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
@@ -217,10 +218,14 @@ def gather_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side
     for i in range(REGION_LIMIT):
         work[region_block(i) + REGION_WIDTH_LEVEL] = 0.0
         work[region_block(i) + REGION_SLANT] = 0.0
-    open_contact_region(tables, work, state)
-    count = find_regions(tables, work, state, side, penetration)
-    count = bound_regions(tables, work, state, count, penetration)
-    give_planes(tables, work, state, count)
+    count = 1
+    if work[FRAME_PRESSED] == 1.0:
+        count = gather_overlaps(tables, work, state)
+    else:
+        open_contact_region(tables, work, state)
+        count = find_regions(tables, work, state, side, penetration)
+        count = bound_regions(tables, work, state, count, penetration)
+        give_planes(tables, work, state, count)
     start_levels(work, count, penetration)
     return count
 
@@ -238,7 +243,7 @@ def solve_estimated(tables: 'float[:]', work: 'float[:]', state: 'float[:]', sid
     met, else 0."""
     count = gather_regions(tables, work, state, side, estimate)
     penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
-    if met == 0 and count > 1:
+    if met == 0 and count > 1 and work[FRAME_PRESSED] == 0.0:
         # regions so close that pressing on each other has no fixed point are one region
         count = 1
         open_contact_region(tables, work, state)

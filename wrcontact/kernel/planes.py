@@ -1,21 +1,21 @@
-"""Planes of their own for regions that lean away from the contact point's: a flange beside a tread.
+"""Planes of their own for regions of a rigid contact that lean away from the contact point's: a flange beside a tread.
 
 One contact plane serves all regions whose normals differ little.  A region that leans by more than SPLIT has its own frame,
 in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run in
 its own plane, and of the wheel's approach it gets the share that comes along its normal,
 
-    level_i = c_i penetration - gap_i,   c_i = cos(angle_i - angle_0) or, where the wheel comes straight down,
-                                               cos(angle_i) / cos(angle_0)
+    level_i = cos(angle_i - angle_0) penetration - gap_i
 
 In the outputs its stations follow those of the contact point, by the length of the rail between the two.
 """
 
-from math import fabs, sqrt
+from math import fabs
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_DEPTH, FRAME_HEIGHT, FRAME_PLACE, FRAME_POSE, FRAME_PRESSED,
-                            FRAME_RAISE, FRAME_SIN, TRACER_RAIL, normal_gap, open_frame, start_tracer)
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_RAISE, FRAME_SHIFT,
+                            FRAME_SIN, TRACER_RAIL, normal_gap, open_frame, start_tracer)
 from .layout import CONTACT_BLOCK, REGION_LIMIT, SET_RAIL, WORK_CONTACT, WORK_FRAMES
+from .pressed import rail_length
 from .profile_table import height_slope
 from .regions import (FAR, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW, REGION_OFFSET,
                       REGION_OWN, REGION_RAIL, REGION_SIN, REGION_STATION, REGION_TURN, REGION_WHEEL, TRACE, lean_region,
@@ -25,8 +25,6 @@ from .touching import touching_pair
 #: Sine of the angle between the normals from which on a region has its own plane: 15 deg.  S1002 on UIC60 has 9 deg between
 #: tread and flange root, which one plane serves within a few per mille, and 30 ... 65 deg to the flange.
 SPLIT: Final[float] = 0.2588190451025207
-#: Intervals of Simpson's rule for the length of the rail between two contacts.
-ARC_CELLS: Final[int] = 16
 
 
 def keep_frame(work: 'float[:]', slot: int):
@@ -41,21 +39,6 @@ def use_frame(work: 'float[:]', slot: int):
     for i in range(CONTACT_BLOCK):
         work[WORK_CONTACT + i] = work[WORK_FRAMES + CONTACT_BLOCK * slot + i]
     return 0
-
-
-def rail_length(tables: 'float[:]', start: float, stop: float):
-    """Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller."""
-    step = (stop - start) / float(ARC_CELLS)
-    total = 0.0
-    for i in range(ARC_CELLS + 1):
-        height, slope = height_slope(tables, int(tables[SET_RAIL]), start + step * float(i))
-        weight = 2.0
-        if i % 2 == 1:
-            weight = 4.0
-        if i == 0 or i == ARC_CELLS:
-            weight = 1.0
-        total += weight * sqrt(1.0 + slope * slope)
-    return total * step / 3.0
 
 
 def bound_abscissa(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, bound: float):
@@ -91,9 +74,8 @@ def own_plane(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     """Give ``region`` its own frame, kept in its slot; the contact point's frame stays open."""
     block = region_block(region)
     at = int(work[FRAME_PLACE])
-    pose = work[FRAME_POSE]
     y, abscissa, depth, aside, shift, found = touching_pair(tables, work, at, work[block + REGION_WHEEL],
-                                                            work[block + REGION_RAIL], pose)
+                                                            work[block + REGION_RAIL], work[FRAME_SHIFT])
     if found == 1:
         low = bound_abscissa(tables, work, state, block, work[block + REGION_LOW])
         high = bound_abscissa(tables, work, state, block, work[block + REGION_HIGH])
@@ -107,10 +89,8 @@ def own_plane(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         work[block + REGION_OWN] = 1.0
         work[block + REGION_OFFSET] = rail_length(tables, work[FRAME_ABSCISSA], abscissa)
         turn = work[block + REGION_COS] * cosine + work[block + REGION_SIN] * sine
-        if work[FRAME_PRESSED] == 1.0:
-            turn = work[block + REGION_COS] / cosine
         work[block + REGION_TURN] = turn
-        work[block + REGION_GAP] = turn * work[FRAME_DEPTH] - depth
+        work[block + REGION_GAP] = -depth
         z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
         work[FRAME_RAISE] = work[block + REGION_GAP]
         gap, rate, bend, curvature = normal_gap(tables, work, state, 0.0, TRACE)

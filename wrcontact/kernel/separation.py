@@ -13,11 +13,12 @@ The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_COS, FRAME_PLACE, NO_GAP, TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, longitudinal_curvature,
+from .contact_plane import (FRAME_COS, FRAME_PLACE, FRAME_PRESSED, NO_GAP, TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, longitudinal_curvature,
                             normal_gap)
 from .layout import (SEPARATION_CHORD, SEPARATION_NORMAL, SEPARATION_VERTICAL, SET_RAIL, SET_SEPARATION, SET_WHEEL,
                      STATE_NODE_COUNT, WORK_SEPARATION)
 from .locus import PLACE_YAWED, outline_jet
+from .pressed import pressed_gap
 from .profile_table import PIECE_SIZE, START, STOP, find_piece, height_slope, height_slope_bend
 
 # the origin of the region at work, at WORK_SEPARATION
@@ -277,6 +278,9 @@ def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station:
     ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
     """
     kind = int(tables[SET_SEPARATION])
+    if kind == SEPARATION_NORMAL and work[FRAME_PRESSED] == 1.0:
+        gap, rate, bend, curvature = pressed_gap(tables, work, state, station)
+        return gap, rate, bend, curvature
     if kind == SEPARATION_NORMAL:
         gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
         return gap, rate, bend, curvature

@@ -3,19 +3,17 @@
 from math import isfinite
 from typing import Final
 
-from .contact_plane import FRAME_COS, FRAME_DEPTH, FRAME_POSE, FRAME_PRESSED
 from .contact_point import describe_contact
 from .gap import gap_per_roll
 from .layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, NOT_CONVERGED, OFF_PROFILE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK,
-                     SET_ABSENT, SET_DEPTH, SET_PENETRATION_LEFT, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_Y,
+                     SET_ABSENT, SET_DEPTH, SET_PENETRATION_LEFT, SIDE_BEST, SIDE_BEST_Y,
                      SIDE_BLOCK, SIDE_PATCH_COUNT, SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, UNLOADED, VALID,
                      WORK_OUTPUTS, WORK_PLACE, WORK_SIDE)
-from .locus import outline_point
 from .normal_contact import solve_normal
-from .profile_table import height_slope
+from .overlaps import (DEEP_DEPTH, DEEP_FIRST, DEEP_SIZE, DEEP_WHEEL, deepest_entry, find_overlaps, press_frame,
+                       touching_shift)
 from .regions import REGION_COS, REGION_SHARE, REGION_STIFFNESS, REGION_WHEEL, region_block
 from .resultant import add_region
-from .touching import touching_pair
 
 # how a side carries its load, at WORK_SUPPORT + SUPPORT_BLOCK * index
 SUPPORT_SINK: Final[int] = 0         # how far below its smallest gap the wheel is laid down [m]
@@ -94,31 +92,20 @@ def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
 
 
 def press_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, sink: float):
-    """Describe the side whose wheel stands ``sink`` [m] below its smallest gap; its outcome.
-
-    Where there is no pair of touching points, between nearly conformal profiles, the point of the smallest gap serves.
-    """
+    """Describe the side whose wheel stands ``sink`` [m] below its smallest gap, where it overlaps its rail most; its outcome."""
     side = WORK_SIDE + SIDE_BLOCK * index
     at = WORK_PLACE + PLACE_BLOCK * index
-    y = work[side + SIDE_BEST_Y]
     height = work[side + SIDE_BEST] + sink
     clear_side(work, side_outputs(index))
-    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-    y, abscissa, depth, aside, shift, found = touching_pair(tables, work, at, y, y_track - tables[SET_RAIL_Y], height)
-    if not (found == 1 and depth > 0.0):
-        found = 0
-        y = work[side + SIDE_BEST_Y]
-        aside = 0.0
-        shift = work[side + SIDE_BEST]
+    if find_overlaps(tables, work, state, side, at, height) == 0:
+        return NOT_CONVERGED
+    deepest = deepest_entry(work)
+    deep = DEEP_FIRST + DEEP_SIZE * deepest
+    aside, shift = touching_shift(tables, work, at, deepest, height)
     status = VALID
-    if describe_contact(tables, work, state, index, y, aside, shift) == 0:
+    if describe_contact(tables, work, state, index, work[deep + DEEP_WHEEL], aside, shift) == 0:
         status = OFF_PROFILE
-    if found == 0:
-        depth = sink * work[FRAME_COS]
-    work[FRAME_POSE] = height
-    work[FRAME_DEPTH] = depth
-    work[FRAME_PRESSED] = 1.0
+    press_frame(work, height, work[deep + DEEP_DEPTH], 0.0)
     return status
 
 

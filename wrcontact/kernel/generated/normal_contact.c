@@ -275,10 +275,18 @@ static inline int64_t normal_contact__gather_regions(array_double_1d tables, arr
         (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
         (*cspan_at(&work, regions__region_block(i) + regions__REGION_SLANT)) = 0.0;
     }
-    regions__open_contact_region(tables, work, state);
-    count = regions__find_regions(tables, work, state, side, penetration);
-    count = regions__bound_regions(tables, work, state, count, penetration);
-    planes__give_planes(tables, work, state, count);
+    count = INT64_C(1);
+    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+    {
+        count = overlaps__gather_overlaps(tables, work, state);
+    }
+    else
+    {
+        regions__open_contact_region(tables, work, state);
+        count = regions__find_regions(tables, work, state, side, penetration);
+        count = regions__bound_regions(tables, work, state, count, penetration);
+        planes__give_planes(tables, work, state, count);
+    }
     normal_contact__start_levels(work, count, penetration);
     return count;
 }
@@ -300,7 +308,7 @@ static inline int64_t normal_contact__solve_estimated(double* penetration, int64
 {
     (*count) = normal_contact__gather_regions(tables, work, state, side, estimate);
     normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
-    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
+    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         (*count) = INT64_C(1);

@@ -19,6 +19,7 @@
 #include "hertz.h"
 #include "layout.h"
 #include "nodes.h"
+#include "overlaps.h"
 #include "patches.h"
 #include "planes.h"
 #include "regions.h"

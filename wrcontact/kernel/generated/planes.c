@@ -1,13 +1,12 @@
 /* Generated from planes.py by tools/transpile_kernel.py; change that one.
  *
- * Planes of their own for regions that lean away from the contact point's: a flange beside a tread.
+ * Planes of their own for regions of a rigid contact that lean away from the contact point's: a flange beside a tread.
  *
  * One contact plane serves all regions whose normals differ little.  A region that leans by more than SPLIT has its own frame,
  * in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run in
  * its own plane, and of the wheel's approach it gets the share that comes along its normal,
  *
- *     level_i = c_i penetration - gap_i,   c_i = cos(angle_i - angle_0) or, where the wheel comes straight down,
- *                                                cos(angle_i) / cos(angle_0)
+ *     level_i = cos(angle_i - angle_0) penetration - gap_i
  *
  * In the outputs its stations follow those of the contact point, by the length of the rail between the two.
  */
@@ -34,34 +33,6 @@ static inline int64_t planes__use_frame(array_double_1d work, int64_t slot)
         (*cspan_at(&work, layout__WORK_CONTACT + i)) = (*cspan_at(&work, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i));
     }
     return INT64_C(0);
-}
-
-/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller. */
-static inline double planes__rail_length(array_double_1d tables, double start, double stop)
-{
-    double step;
-    double total;
-    int64_t i;
-    double height;
-    double slope;
-    double weight;
-    step = (stop - start) / (double)(planes__ARC_CELLS);
-    total = 0.0;
-    for (i = INT64_C(0); i < planes__ARC_CELLS + INT64_C(1); i += INT64_C(1))
-    {
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), start + step * (double)(i));
-        weight = 2.0;
-        if (pyc_modulo(i, INT64_C(2)) == INT64_C(1))
-        {
-            weight = 4.0;
-        }
-        if ((i == INT64_C(0)) || (i == planes__ARC_CELLS))
-        {
-            weight = 1.0;
-        }
-        total += weight * sqrt(1.0 + slope * slope);
-    }
-    return total * step / 3.0;
 }
 
 /* Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; FAR beyond any rail if it has none. */
@@ -118,7 +89,6 @@ static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d 
 {
     int64_t block;
     int64_t at;
-    double pose;
     double y;
     double abscissa;
     double depth;
@@ -141,8 +111,7 @@ static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d 
     int64_t found;
     block = regions__region_block(region);
     at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    pose = (*cspan_at(&work, contact_plane__FRAME_POSE));
-    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, tables, work, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work, block + regions__REGION_RAIL)), pose);
+    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, tables, work, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, contact_plane__FRAME_SHIFT)));
     if (found == INT64_C(1))
     {
         low = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + regions__REGION_LOW)));
@@ -155,14 +124,10 @@ static inline int64_t planes__own_plane(array_double_1d tables, array_double_1d 
         (*cspan_at(&work, block + regions__REGION_WHEEL)) = y;
         regions__lean_region(tables, work, block);
         (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
-        (*cspan_at(&work, block + regions__REGION_OFFSET)) = planes__rail_length(tables, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), abscissa);
+        (*cspan_at(&work, block + regions__REGION_OFFSET)) = pressed__rail_length(tables, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), abscissa);
         turn = (*cspan_at(&work, block + regions__REGION_COS)) * cosine + (*cspan_at(&work, block + regions__REGION_SIN)) * sine;
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
-        {
-            turn = (*cspan_at(&work, block + regions__REGION_COS)) / cosine;
-        }
         (*cspan_at(&work, block + regions__REGION_TURN)) = turn;
-        (*cspan_at(&work, block + regions__REGION_GAP)) = turn * (*cspan_at(&work, contact_plane__FRAME_DEPTH)) - depth;
+        (*cspan_at(&work, block + regions__REGION_GAP)) = -depth;
         contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
         (*cspan_at(&work, contact_plane__FRAME_RAISE)) = (*cspan_at(&work, block + regions__REGION_GAP));
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0, regions__TRACE);

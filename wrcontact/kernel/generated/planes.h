@@ -1,13 +1,12 @@
 /* Generated from planes.py by tools/transpile_kernel.py; change that one.
  *
- * Planes of their own for regions that lean away from the contact point's: a flange beside a tread.
+ * Planes of their own for regions of a rigid contact that lean away from the contact point's: a flange beside a tread.
  *
  * One contact plane serves all regions whose normals differ little.  A region that leans by more than SPLIT has its own frame,
  * in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run in
  * its own plane, and of the wheel's approach it gets the share that comes along its normal,
  *
- *     level_i = c_i penetration - gap_i,   c_i = cos(angle_i - angle_0) or, where the wheel comes straight down,
- *                                                cos(angle_i) / cos(angle_0)
+ *     level_i = cos(angle_i - angle_0) penetration - gap_i
  *
  * In the outputs its stations follow those of the contact point, by the length of the rail between the two.
  */
@@ -18,16 +17,15 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
+#include "pressed.h"
 #include "profile_table.h"
 #include "regions.h"
 #include "touching.h"
 
 static const double planes__SPLIT = 0.2588190451025207;
-static const int64_t planes__ARC_CELLS = INT64_C(16);
 
 static inline int64_t planes__keep_frame(array_double_1d work, int64_t slot);
 static inline int64_t planes__use_frame(array_double_1d work, int64_t slot);
-static inline double planes__rail_length(array_double_1d tables, double start, double stop);
 static inline double planes__bound_abscissa(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double bound);
 static inline double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa);
 static inline int64_t planes__leans_away(array_double_1d work, int64_t region);

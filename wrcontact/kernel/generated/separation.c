@@ -429,6 +429,11 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
     double slope;
     double wheel_bend;
     kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
+    if ((kind == layout__SEPARATION_NORMAL) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0))
+    {
+        pressed__pressed_gap(gap, rate, bend, curvature, tables, work, state, station);
+        return 0;
+    }
     if (kind == layout__SEPARATION_NORMAL)
     {
         contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);

@@ -19,6 +19,7 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "locus.h"
+#include "pressed.h"
 #include "profile_table.h"
 
 static const int64_t separation__ORIGIN_STATION = INT64_C(42613);

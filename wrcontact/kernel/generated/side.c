@@ -119,54 +119,34 @@ static inline int64_t side__step_side(array_double_1d tables, array_double_1d wo
     return status;
 }
 
-/* Describe the side whose wheel stands ``sink`` [m] below its smallest gap; its outcome.
- *
- * Where there is no pair of touching points, between nearly conformal profiles, the point of the smallest gap serves.
- */
+/* Describe the side whose wheel stands ``sink`` [m] below its smallest gap, where it overlaps its rail most; its outcome. */
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double sink)
 {
     int64_t side;
     int64_t at;
-    double y;
     double height;
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double abscissa;
-    double depth;
+    int64_t deepest;
+    int64_t deep;
     double aside;
     double shift;
-    int64_t found;
     int64_t status;
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
-    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
     height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
     side__clear_side(work, side__side_outputs(index));
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, tables, work, at, y, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)), height);
-    if (!((found == INT64_C(1)) && (depth > 0.0)))
+    if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
     {
-        found = INT64_C(0);
-        y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
-        aside = 0.0;
-        shift = (*cspan_at(&work, side + layout__SIDE_BEST));
+        return layout__NOT_CONVERGED;
     }
+    deepest = overlaps__deepest_entry(work);
+    deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;
+    overlaps__touching_shift(&aside, &shift, tables, work, at, deepest, height);
     status = layout__VALID;
-    if (contact_point__describe_contact(tables, work, state, index, y, aside, shift) == INT64_C(0))
+    if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), aside, shift) == INT64_C(0))
     {
         status = layout__OFF_PROFILE;
     }
-    if (found == INT64_C(0))
-    {
-        depth = sink * (*cspan_at(&work, contact_plane__FRAME_COS));
-    }
-    (*cspan_at(&work, contact_plane__FRAME_POSE)) = height;
-    (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 1.0;
+    overlaps__press_frame(work, height, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), 0.0);
     return status;
 }
 

@@ -7,16 +7,13 @@
 #define WRCONTACT_KERNEL_SIDE_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "contact_point.h"
 #include "gap.h"
 #include "layout.h"
-#include "locus.h"
 #include "normal_contact.h"
-#include "profile_table.h"
+#include "overlaps.h"
 #include "regions.h"
 #include "resultant.h"
-#include "touching.h"
 
 static const int64_t side__SUPPORT_SINK = INT64_C(0);
 static const int64_t side__SUPPORT_CARRIED = INT64_C(1);

@@ -1,0 +1,39 @@
+/* Generated from pressed.py by tools/transpile_kernel.py; change that one.
+ *
+ * The overlap of a wheel that is pressed into its rail, along the rail's own normals.
+ *
+ * A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a corner one plane
+ * cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each rail point x, to where that line
+ * meets the wheel's outline (Y, Z) as it stands,
+ *
+ *     Y - x + (Z - z_rail(x)) m = 0,   o = (Z - z_rail - m (Y - x)) / sqrt(1 + m^2),   m = z_rail'(x)
+ *
+ * and stations run along the rail, by its arc length.  With slope m_w of the outline there and kappa of the rail
+ *
+ *     do/ds = (m_w - m) / (1 + m m_w) (1 - kappa o)
+ *
+ * so the deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
+ */
+
+#ifndef WRCONTACT_KERNEL_PRESSED_H
+#define WRCONTACT_KERNEL_PRESSED_H
+
+#include "../native/spans.h"
+#include "contact_plane.h"
+#include "layout.h"
+#include "locus.h"
+#include "profile_table.h"
+
+static const double pressed__LINE_SHARP = 1e-12;
+static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
+static const double pressed__ARC_STEP = 0.001;
+static const double pressed__FARTHEST = 0.005;
+static const double pressed__LINE_STEP = 0.004;
+
+static inline int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height);
+static inline double pressed__rail_speed(array_double_1d tables, double abscissa);
+static inline double pressed__rail_length(array_double_1d tables, double start, double stop);
+static inline double pressed__rail_abscissa(array_double_1d tables, double start, double length);
+static inline int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station);
+
+#endif

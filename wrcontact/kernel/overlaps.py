@@ -1,0 +1,309 @@
+"""Where a pressed wheel overlaps its rail: the deepest point of every region, and the humps between them.
+
+The overlap is sampled at the scan nodes where the wheel is below the rail, taken straight down and turned into the normal;
+between two samples where it turns from rising to falling lies a deepest point, which is refined along the rail's normals
+(:mod:`pressed`).  Two that are parted by a low hump are one region (regions.MERGE).
+"""
+
+from math import fabs
+from typing import Final
+
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_PRESSED, FRAME_RAISE,
+                            open_frame, start_tracer)
+from .gap import above_rail
+from .layout import (OVERLAP_LIMIT, REGION_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST_Y, STATE_GAP_COUNT,
+                     WORK_OVERLAP)
+from .locus import outline_point
+from .planes import keep_frame, use_frame
+from .pressed import normal_line, pressed_gap, rail_length, rail_speed
+from .profile_table import height_slope, height_slope_bend
+from .regions import (FAR, MERGE, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
+                      REGION_OFFSET, REGION_OWN, REGION_RAIL, REGION_STATION, REGION_TURN, REGION_WHEEL, lean_region,
+                      region_block)
+from .search import LEVELS, ROW_HEIGHT, ROW_SLOPE, ROW_Y, SCAN_COUNT, SCAN_NODES, SCAN_ROW, clear_level, node_below
+
+# deepest points, in the order of the rail
+DEEP_COUNT: Final[int] = WORK_OVERLAP
+DEEP_FIRST: Final[int] = WORK_OVERLAP + 1        # blocks of DEEP_SIZE:
+DEEP_SIZE: Final[int] = 6
+DEEP_LIMIT: Final[int] = 9
+DEEP_RAIL: Final[int] = 0            # rail and wheel abscissa [m]
+DEEP_WHEEL: Final[int] = 1
+DEEP_DEPTH: Final[int] = 2           # [m]
+DEEP_HUMP: Final[int] = 3            # abscissa of the hump to the next one [m]
+DEEP_BETWEEN: Final[int] = 4         # and the overlap there [m], negative where they are apart
+# samples, the fields one after the other
+SAMPLE_RAIL: Final[int] = WORK_OVERLAP + 64      # rail and wheel abscissa [m]
+SAMPLE_WHEEL: Final[int] = SAMPLE_RAIL + 2 * OVERLAP_LIMIT
+SAMPLE_RISE: Final[int] = SAMPLE_WHEEL + 2 * OVERLAP_LIMIT       # slope of the overlap [-]
+SAMPLE_NEXT: Final[int] = SAMPLE_RISE + 2 * OVERLAP_LIMIT        # 1 if the sample before it is its neighbour
+
+#: A deepest point is located to this on the rail [m]; its depth is then exact to rounding, being second order.
+DEEP_SHARP: Final[float] = 1e-11
+DEEP_ITERATIONS: Final[int] = 60
+#: Slope of the overlap below which it has turned there [-]; curvatures of 1 / m and more move it by less than 1e-6 m.
+LEVEL_RISE: Final[float] = 1e-6
+#: Deepest points closer than this on the rail are one [m].
+SAME: Final[float] = 1e-6
+#: How far beyond its two samples a deepest point is looked for [m]: the overlap of the samples is of first order only.
+BESIDE: Final[float] = 1e-3
+
+
+def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, height: float, entry: int):
+    """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]."""
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node
+    y = tables[row + ROW_Y]
+    y_track, z_track, outline_slope = outline_point(work, at, y, tables[row + ROW_HEIGHT], tables[row + ROW_SLOPE])
+    abscissa = y_track - tables[SET_RAIL_Y]
+    z_rail, m, bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
+    gap = z_rail - z_track
+    square = 1.0 / (1.0 + m * m)
+    work[SAMPLE_RAIL + entry] = abscissa
+    work[SAMPLE_WHEEL + entry] = y
+    # of (height - gap) cos, but for a factor cos
+    work[SAMPLE_RISE + entry] = outline_slope - m - (height - gap) * m * bend * square
+    return gap, m - outline_slope, abscissa
+
+
+def walk_overlap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int, node: int, direction: int, height: float,
+                 first: int):
+    """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
+    the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
+    count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
+    entry = first
+    level = LEVELS - 1
+    neighbour = 1.0
+    while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
+        gap, mismatch, abscissa = sample_overlap(tables, work, at, node, height, entry)
+        state[STATE_GAP_COUNT] += 1.0
+        if above_rail(tables, abscissa) == 0:
+            return entry
+        if direction > 0:
+            work[SAMPLE_NEXT + entry] = neighbour
+        else:
+            work[SAMPLE_NEXT + entry + 1] = neighbour
+        entry += direction
+        neighbour = 1.0
+        step = 1
+        if gap > height:
+            level = clear_level(tables, work, at, node, direction, abscissa, gap - height, float(direction) * mismatch,
+                                level, 0)
+            if level < 0:
+                level = 0
+            elif level > 0:
+                step = 1 << level
+                neighbour = 0.0
+            if level < LEVELS - 1:
+                level += 1
+        node += direction * step
+    return entry
+
+
+def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, high: float, y: float, height: float,
+                  sign: float):
+    """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail abscissae, and
+    the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
+    else 0."""
+    x = 0.5 * (low + high)
+    overlap = 0.0
+    rise = 1.0
+    for i in range(DEEP_ITERATIONS):
+        y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, y, height)
+        if found == 0:
+            return x, y, overlap, 0
+        if sign * rise > 0.0:
+            low = x
+        else:
+            high = x
+        following = 0.5 * (low + high)
+        if sign * bend < 0.0:
+            newton = x - rise / (bend * rail_speed(tables, x))
+            if newton > low and newton < high:
+                following = newton
+        if fabs(following - x) < DEEP_SHARP:
+            break
+        x = following
+    turned = 0
+    if fabs(rise) < LEVEL_RISE:
+        turned = 1
+    return x, y, overlap, turned
+
+
+def keep_deep(work: 'float[:]', x: float, y: float, depth: float):
+    """List a deepest point."""
+    entry = int(work[DEEP_COUNT])
+    if entry < DEEP_LIMIT:
+        block = DEEP_FIRST + DEEP_SIZE * entry
+        work[block + DEEP_RAIL] = x
+        work[block + DEEP_WHEEL] = y
+        work[block + DEEP_DEPTH] = depth
+        work[DEEP_COUNT] = float(entry + 1)
+    return 0
+
+
+def drop_deep(work: 'float[:]', entry: int):
+    """Take a deepest point off the list; the hump behind it stays if it is the lower one of the two beside it."""
+    count = int(work[DEEP_COUNT])
+    block = DEEP_FIRST + DEEP_SIZE * entry
+    if entry > 0 and entry < count - 1:
+        before = block - DEEP_SIZE
+        if work[block + DEEP_BETWEEN] < work[before + DEEP_BETWEEN]:
+            work[before + DEEP_BETWEEN] = work[block + DEEP_BETWEEN]
+            work[before + DEEP_HUMP] = work[block + DEEP_HUMP]
+    for i in range(block, DEEP_FIRST + DEEP_SIZE * (count - 1)):
+        work[i] = work[i + DEEP_SIZE]
+    work[DEEP_COUNT] = float(count - 1)
+    return 0
+
+
+def find_humps(tables: 'float[:]', work: 'float[:]', at: int, height: float):
+    """The smallest overlap between neighbouring deepest points."""
+    for entry in range(int(work[DEEP_COUNT]) - 1):
+        block = DEEP_FIRST + DEEP_SIZE * entry
+        x, y, overlap, turned = turning_point(tables, work, at, work[block + DEEP_RAIL], work[block + DEEP_SIZE + DEEP_RAIL],
+                                              0.5 * (work[block + DEEP_WHEEL] + work[block + DEEP_SIZE + DEEP_WHEEL]),
+                                              height, -1.0)
+        work[block + DEEP_HUMP] = x
+        work[block + DEEP_BETWEEN] = overlap
+    return 0
+
+
+def deepest_entry(work: 'float[:]'):
+    """The deepest of the list."""
+    best = 0
+    for entry in range(int(work[DEEP_COUNT])):
+        if work[DEEP_FIRST + DEEP_SIZE * entry + DEEP_DEPTH] > work[DEEP_FIRST + DEEP_SIZE * best + DEEP_DEPTH]:
+            best = entry
+    return best
+
+
+def shallowest_entry(work: 'float[:]'):
+    """The least deep of the list."""
+    least = 0
+    for entry in range(int(work[DEEP_COUNT])):
+        if work[DEEP_FIRST + DEEP_SIZE * entry + DEEP_DEPTH] < work[DEEP_FIRST + DEEP_SIZE * least + DEEP_DEPTH]:
+            least = entry
+    return least
+
+
+def merge_deep(work: 'float[:]'):
+    """Join what a low hump parts, and keep the deepest REGION_LIMIT."""
+    depth = work[DEEP_FIRST + DEEP_SIZE * deepest_entry(work) + DEEP_DEPTH]
+    entry = 0
+    while entry < int(work[DEEP_COUNT]) - 1:
+        block = DEEP_FIRST + DEEP_SIZE * entry
+        if depth - work[block + DEEP_BETWEEN] < MERGE * depth:
+            less = entry
+            if work[block + DEEP_DEPTH] > work[block + DEEP_SIZE + DEEP_DEPTH]:
+                less = entry + 1
+            # the hump between the two goes, the one on the far side stays
+            if less == entry + 1:
+                work[block + DEEP_HUMP] = work[block + DEEP_SIZE + DEEP_HUMP]
+                work[block + DEEP_BETWEEN] = work[block + DEEP_SIZE + DEEP_BETWEEN]
+            remove_deep(work, less)
+        else:
+            entry += 1
+    while int(work[DEEP_COUNT]) > REGION_LIMIT:
+        drop_deep(work, shallowest_entry(work))
+    return 0
+
+
+def remove_deep(work: 'float[:]', entry: int):
+    """Take entry ``entry`` off the list with its own hump."""
+    block = DEEP_FIRST + DEEP_SIZE * entry
+    count = int(work[DEEP_COUNT])
+    for i in range(block, DEEP_FIRST + DEEP_SIZE * (count - 1)):
+        work[i] = work[i + DEEP_SIZE]
+    work[DEEP_COUNT] = float(count - 1)
+    return 0
+
+
+def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, at: int, height: float):
+    """List the regions in which the wheel placed at ``at`` and moved down by ``height`` [m] overlaps its rail; their number."""
+    node = node_below(tables, work[side + SIDE_BEST_Y])
+    work[DEEP_COUNT] = 0.0
+    start = walk_overlap(tables, work, state, at, node, -1, height, OVERLAP_LIMIT - 1) + 1
+    stop = walk_overlap(tables, work, state, at, node + 1, 1, height, OVERLAP_LIMIT)
+    for entry in range(start, stop - 1):
+        if work[SAMPLE_RISE + entry] > 0.0 and work[SAMPLE_RISE + entry + 1] <= 0.0 and work[SAMPLE_NEXT + entry + 1] == 1.0:
+            x, y, depth, turned = turning_point(tables, work, at, work[SAMPLE_RAIL + entry] - BESIDE,
+                                                work[SAMPLE_RAIL + entry + 1] + BESIDE, work[SAMPLE_WHEEL + entry],
+                                                height, 1.0)
+            if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
+                keep_deep(work, x, y, depth)
+    if int(work[DEEP_COUNT]) > 0:
+        find_humps(tables, work, at, height)
+        merge_deep(work)
+    return int(work[DEEP_COUNT])
+
+
+def is_listed(work: 'float[:]', x: float):
+    """1 if the last deepest point listed is at ``x`` [m] or beyond, else 0."""
+    listed = 0
+    entry = int(work[DEEP_COUNT]) - 1
+    if entry >= 0:
+        if x < work[DEEP_FIRST + DEEP_SIZE * entry + DEEP_RAIL] + SAME:
+            listed = 1
+    return listed
+
+
+def touching_shift(tables: 'float[:]', work: 'float[:]', at: int, entry: int, height: float):
+    """Lateral and vertical shift [m] that let the wheel just touch at a deepest point."""
+    block = DEEP_FIRST + DEEP_SIZE * entry
+    x = work[block + DEEP_RAIL]
+    y = work[block + DEEP_WHEEL]
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
+    z_rail, m = height_slope(tables, int(tables[SET_RAIL]), x)
+    return x + tables[SET_RAIL_Y] - y_track, z_rail - z_track
+
+
+def press_frame(work: 'float[:]', height: float, depth: float, gap: float):
+    """Let the open frame be that of a wheel pressed ``depth`` deep, whose own gap is ``gap`` [m]."""
+    work[FRAME_POSE] = height
+    work[FRAME_DEPTH] = depth
+    work[FRAME_PRESSED] = 1.0
+    work[FRAME_RAISE] = gap
+    return 0
+
+
+def gather_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+    """Open a region for every deepest point on the list, each with its own frame; their number.  The open frame is that of the
+    deepest, whose share of the approach counts as one."""
+    count = int(work[DEEP_COUNT])
+    contact = deepest_entry(work)
+    cosine = work[FRAME_COS]
+    abscissa = work[FRAME_ABSCISSA]
+    height = work[FRAME_POSE]
+    depth = work[FRAME_DEPTH]
+    at = int(work[FRAME_PLACE])
+    keep_frame(work, REGION_LIMIT)
+    for region in range(count):
+        block = region_block(region)
+        deep = DEEP_FIRST + DEEP_SIZE * region
+        work[block + REGION_STATION] = 0.0
+        work[block + REGION_GAP] = 0.0
+        work[block + REGION_RAIL] = work[deep + DEEP_RAIL]
+        work[block + REGION_WHEEL] = work[deep + DEEP_WHEEL]
+        lean_region(tables, work, block)
+        if region != contact:
+            aside, shift = touching_shift(tables, work, at, region, height)
+            open_frame(tables, work, at, work[deep + DEEP_WHEEL], aside, shift)
+            work[block + REGION_OWN] = 1.0
+            work[block + REGION_TURN] = work[block + REGION_COS] / cosine
+            work[block + REGION_GAP] = work[block + REGION_TURN] * depth - work[deep + DEEP_DEPTH]
+            work[block + REGION_OFFSET] = rail_length(tables, abscissa, work[deep + DEEP_RAIL])
+            press_frame(work, height, work[deep + DEEP_DEPTH], work[block + REGION_GAP])
+        start_tracer(work, 0.0, work[deep + DEEP_RAIL], work[deep + DEEP_WHEEL])
+        gap, rate, bend, curvature = pressed_gap(tables, work, state, 0.0)
+        work[block + REGION_BEND] = bend
+        work[block + REGION_CURVATURE] = curvature
+        work[block + REGION_LOW] = -FAR
+        work[block + REGION_HIGH] = FAR
+        if region > 0:
+            work[block + REGION_LOW] = rail_length(tables, work[deep + DEEP_RAIL], work[deep - DEEP_SIZE + DEEP_HUMP])
+        if region < count - 1:
+            work[block + REGION_HIGH] = rail_length(tables, work[deep + DEEP_RAIL], work[deep + DEEP_HUMP])
+        keep_frame(work, region)
+        use_frame(work, REGION_LIMIT)
+    return count
