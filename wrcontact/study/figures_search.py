@@ -92,9 +92,14 @@ def slopes(study, shift, yaw=0.0):
     return (values[1] - values[0]) / BESIDE, (values[5] - values[4]) / BESIDE, abs(values[3] - values[2])
 
 
+def largest(values):
+    """Largest magnitude; a pose without an answer (NaN) is left out."""
+    return float(np.nanmax(np.abs(values)))
+
+
 def steepest(shift, values):
     """Largest change between neighbours over their distance."""
-    return float(np.nanmax(np.abs(np.diff(values) / np.diff(shift))))
+    return largest(np.diff(values) / np.diff(shift))
 
 
 def first_below(shift, values, level):
@@ -138,7 +143,7 @@ def roll_without_yaw(study):
                "change of roll at the jump to the flange root [deg]": root_step,
                "change of roll at the jump to the flange [deg]": flange_step,
                "slope, flange root / tread": root_bend, "slope, flange / flange root": flange_bend,
-               "2-D search less exact, largest [deg]": float(np.abs(found - roll(exact(study, grid))).max()),
+               "2-D search less exact, largest [deg]": largest(found - roll(exact(study, grid))),
                "steepest rigid [deg/mm]": steepest(fine, rigid), "steepest elastic [deg/mm]": steepest(fine, soft),
                f"elastic roll of {FLANGE_ROLL} deg comes later by [mm]": later,
                "scatter of the elastic roll between flange root and flange [deg]": _scatter(study)}
@@ -156,7 +161,7 @@ def roll_without_yaw(study):
 def _scatter(study):
     """Largest second difference of the elastic roll [deg] where the pressure goes from the flange root to the flange."""
     grid = np.arange(NEAR_FLANGE[0], NEAR_FLANGE[1], FINE / 5)
-    return float(np.abs(np.diff(roll(elastic(study, grid)), 2)).max())
+    return largest(np.diff(roll(elastic(study, grid)), 2))
 
 
 def place_without_yaw(study):
@@ -166,8 +171,8 @@ def place_without_yaw(study):
     there = jumps(study)
     numbers = {f"jump {k + 1} at [mm]": shift for k, (shift, _, _) in enumerate(there)}
     numbers |= {f"jump {k + 1} by [mm]": after - before for k, (_, before, after) in enumerate(there)}
-    most, least = (float(np.abs(np.diff(places)).max()) for places in (rigid, soft))
-    before = float(np.abs(np.diff(soft))[fine[1:] < NEAR_FLANGE[0]].max())
+    most, least = (largest(np.diff(places)) for places in (rigid, soft))
+    before = largest(np.diff(soft)[fine[1:] < NEAR_FLANGE[0]])
     numbers |= {"largest step, rigid [mm]": most, "largest step, elastic [mm]": least,
                 "largest step before the flange, elastic [mm]": before}
     words = ", ".join(f"{shift:.3f} mm ({before:.1f} to {after:.1f})" for shift, before, after in there)
@@ -188,12 +193,12 @@ def place_with_little_force(study):
     rigid, soft = place(exact(study, fine)), pressed_place(elastic(study, fine, force=SMALL_FORCE))
     coarse = searched(Search2D(study.system(), spacing=1e-3, tolerance=1e-6), grid)[1]
     known, flange = place(exact(study, grid)), np.abs(grid) > ON_FLANGE
-    near, far = (float(np.abs(places - known)[flange].max()) for places in (found, coarse))
+    near, far = (largest((places - known)[flange]) for places in (found, coarse))
     numbers = {"2-D search dy 0.1 mm less exact, flange, largest [mm]": near,
                "2-D search dy 1 mm less exact, flange, largest [mm]": far}
-    apart, beyond = np.abs(soft - rigid), np.abs(fine) > ON_FLANGE
+    beyond = np.abs(fine) > ON_FLANGE
     away = np.min(np.abs(fine[:, None] - [shift for shift, *_ in jumps(study, low=-FAR)]), axis=1) > FINE
-    there, elsewhere = (float(apart[away & where].max()) for where in (beyond, ~beyond))
+    there, elsewhere = (largest((soft - rigid)[away & where]) for where in (beyond, ~beyond))
     numbers |= {"elastic at 1e-4 N less rigid, flange, largest [mm]": there,
                 "elastic at 1e-4 N less rigid, elsewhere, largest [mm]": elsewhere}
     return SourceFigure(
@@ -243,7 +248,7 @@ SOFTER = ("share of shifts with less elastic roll", "elastic less rigid, largest
 def _softer(shift, rigid, soft, bend):
     """What elastic contact makes of the roll, by the names of SOFTER; and its slopes on both sides of ``bend`` [mm]."""
     more = np.abs(soft) - np.abs(rigid)
-    values = float(np.mean(more[1:] < 0)), float(more.max()), float(-more.min())
+    values = float(np.mean(more[1:] < 0)), float(np.nanmax(more)), float(-np.nanmin(more))
     at = np.interp([bend - 0.4, bend, bend + 0.4], shift, soft)
     return dict(zip(SOFTER, values)) | {"elastic slope, 0.4 mm behind / before": float((at[2] - at[1]) / (at[1] - at[0]))}
 
