@@ -8,8 +8,9 @@ are equal the wheelset stands.  Their difference D(roll) = height_right - height
 
 is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope.
 
-Regions and nodes are laid for the depth that a side has sunk to, which is found along with the roll: every trial of the
-roll presses each wheel as deep as the one before found, and solves its load.  The compliant form is given height and roll,
+Regions and nodes are laid where the wheels stand, which is found along with height and roll: a trial lays both wheels down at
+one pose, and solves their loads; what either lacks of the height that it would carry its load at vanishes in equilibrium.
+The compliant form is given height and roll,
 and each wheel's load follows from how deep it stands.
 """
 
@@ -19,7 +20,7 @@ from typing import Final
 from .contact_plane import FRAME_COS, FRAME_DEPTH
 from .gap import vertical_gap
 from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT_ROLL, OUT_VERTICAL_SHIFT, PLACE_BLOCK,
-                     SET_ABSENT, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK,
+                     SET_ABSENT, SET_ARM, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK,
                      SIDE_PENETRATION, STATE_GAP_COUNT, STATE_ROLL_COUNT, SUPPORT_BLOCK, UNLOADED, VALID, WORK_INPUTS,
                      WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT)
 from .locus import outline_point
@@ -28,25 +29,19 @@ from .profile_table import START, STOP, height_slope
 from .resultant import clear_resultant
 from .roll import ROLL_LIMIT, place_both, search_both, turn_both
 from .search import SHARP
-from .side import (SUPPORT_CARRIED, SUPPORT_HEIGHT, SUPPORT_LEVER, SUPPORT_SINK, load_side, press_side, rest_side,
-                   side_lever, side_outputs)
+from .side import (SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever,
+                   side_outputs)
+from .touching import limited
 
-TRIALS: Final[int] = 90
-#: The roll is found when it moves by less [rad]: 1e-12 m at the wheels, and the gap is traced to about that.
+TRIALS: Final[int] = 60
+#: Height and roll are found when either wheel moves by less [m]; the gap is traced to about that.
 ELASTIC_SHARP: Final[float] = 1e-12
-#: and the depths that wheels were laid down to by less, relative, or [m].
-SETTLED: Final[float] = 1e-7
-SMALLEST: Final[float] = 1e-15
-#: After so many trials the depths for which regions and nodes are laid stay as they are: where a region comes and goes with
-#: the depth, the two would chase each other.
-FROZEN: Final[int] = 20
-#: Longest move of the roll in one trial [rad].
-ELASTIC_TURN: Final[float] = 5e-3
-#: The slope of two trials replaces Newton's while it is within this factor of it, and they are this far apart [rad].
-SLOPE_FACTOR: Final[float] = 2.0
-SLOPE_APART: Final[float] = 1e-10
-#: At a jump of D the roll is bracketed to this [rad].
-JUMP_SHARP: Final[float] = 1e-13
+#: Longest move of a wheel in one trial [m].
+LONGEST: Final[float] = 2e-4
+#: Smallest determinant of the lacks' derivatives; -(lever_left + lever_right) / arm to begin with, 0.3 ... 2.
+SINGULAR: Final[float] = 0.02
+#: A loaded wheel is laid down by this share of its first estimate at least.
+SHALLOWEST: Final[float] = 0.1
 #: A wheel that stands deeper in its rail than this [m] is off the profile.
 DEEPEST: Final[float] = 2e-3
 FOLLOW_STEPS: Final[int] = 8
@@ -54,52 +49,38 @@ FOLLOW_REACH: Final[float] = 2e-3    # [m]
 
 
 def first_sink(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
-    """How far [m] a wheel under ``force`` [N] is estimated to sink below its smallest gap, and the outcome."""
+    """Estimate how far a wheel under ``force`` [N] sinks below its smallest gap; the outcome."""
+    support = WORK_SUPPORT + SUPPORT_BLOCK * index
     status = rest_side(tables, work, state, index)
-    sink = 0.0
+    work[support + SUPPORT_FIRST] = 0.0
     if status == UNLOADED:
-        sink = first_penetration(tables, work, state, force) / work[FRAME_COS]
         status = VALID
-    return sink, status
+        if force > 0.0:
+            work[support + SUPPORT_FIRST] = first_penetration(tables, work, state, force) / work[FRAME_COS]
+    return status
 
 
-def carry_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
-    """Find the height at which a side carries ``force`` [N], from where it was laid down; its outcome.  Outputs are those of
-    the side under this force."""
+def carry_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float, height: float):
+    """Find at which height a side carries ``force`` [N], with regions and nodes laid where it stands at ``height`` [m]; its
+    outcome.  Outputs are those of the side under this force."""
     support = WORK_SUPPORT + SUPPORT_BLOCK * index
     best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
     if not force > 0.0:
-        work[support + SUPPORT_SINK] = 0.0
-        work[support + SUPPORT_CARRIED] = 0.0
         work[support + SUPPORT_HEIGHT] = best
         work[support + SUPPORT_LEVER] = side_lever(tables, work, index, 0)
         return rest_side(tables, work, state, index)
-    sink = work[support + SUPPORT_SINK]
-    if not sink > 0.0:
-        sink, status = first_sink(tables, work, state, index, force)
-        if status != VALID:
-            return status
-        work[support + SUPPORT_SINK] = sink
+    sink = height - best
+    if sink < SHALLOWEST * work[support + SUPPORT_FIRST]:
+        sink = SHALLOWEST * work[support + SUPPORT_FIRST]
+    if sink > DEEPEST:
+        sink = DEEPEST
     status = press_side(tables, work, state, index, sink)
     if status == VALID:
         count, status = load_side(tables, work, state, index, force, tables[SET_ABSENT])
         carried = sink + (work[side_outputs(index) + SIDE_PENETRATION] - work[FRAME_DEPTH]) / work[FRAME_COS]
-        if not carried > 0.0:
-            carried = 0.5 * sink
-        work[support + SUPPORT_CARRIED] = carried
         work[support + SUPPORT_HEIGHT] = best + carried
         work[support + SUPPORT_LEVER] = side_lever(tables, work, index, count)
     return status
-
-
-def settled_side(work: 'float[:]', index: int):
-    """1 if a side stands as deep as it was laid down, else 0."""
-    support = WORK_SUPPORT + SUPPORT_BLOCK * index
-    off = fabs(work[support + SUPPORT_CARRIED] - work[support + SUPPORT_SINK])
-    settled = 0
-    if off <= SETTLED * work[support + SUPPORT_CARRIED] or off <= SMALLEST:
-        settled = 1
-    return settled
 
 
 def follow_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
@@ -136,12 +117,13 @@ def turn_to(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
     return search_both(tables, work, state, known)
 
 
-def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: float, right: float):
+def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: float, right: float, height: float):
     """``carry_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
+    state[STATE_ROLL_COUNT] += 1.0
     clear_resultant(work)
-    status = carry_side(tables, work, state, 0, left)
+    status = carry_side(tables, work, state, 0, left, height)
     if status <= UNLOADED:
-        outcome = carry_side(tables, work, state, 1, right)
+        outcome = carry_side(tables, work, state, 1, right, height)
         if outcome > status:
             status = outcome
     return status
@@ -150,55 +132,60 @@ def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: fl
 def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
     """Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
     sides.  Starts at the rigid ``roll``, whose smallest gaps are known."""
+    status = first_sink(tables, work, state, 0, left)
+    if status == VALID:
+        status = first_sink(tables, work, state, 1, right)
+    if status != VALID:
+        return roll, status
     first = WORK_SUPPORT
     second = WORK_SUPPORT + SUPPORT_BLOCK
-    work[first + SUPPORT_SINK] = 0.0
-    work[second + SUPPORT_SINK] = 0.0
-    low = -ROLL_LIMIT
-    high = ROLL_LIMIT
-    before = 0.0
-    difference_before = 0.0
+    height = work[WORK_SIDE + SIDE_BEST] + 0.5 * (work[first + SUPPORT_FIRST] + work[second + SUPPORT_FIRST])
+    # Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels
+    arm = tables[SET_ARM]
+    lack_left = 0.0
+    lack_right = 0.0
+    left_height = -1.0
+    left_roll = 0.0
+    right_height = -1.0
+    right_roll = 0.0
+    move_height = 0.0
+    move_roll = 0.0
     for trial in range(TRIALS):
-        state[STATE_ROLL_COUNT] += 1.0
-        status = carry_both(tables, work, state, left, right)
+        status = carry_both(tables, work, state, left, right, height)
         if status > UNLOADED:
             return roll, status
-        difference = work[second + SUPPORT_HEIGHT] - work[first + SUPPORT_HEIGHT]
-        slope = work[second + SUPPORT_LEVER] + work[first + SUPPORT_LEVER]
-        settled = 1
-        if trial < FROZEN:
-            settled = settled_side(work, 0) * settled_side(work, 1)
-            work[first + SUPPORT_SINK] = work[first + SUPPORT_CARRIED]
-            work[second + SUPPORT_SINK] = work[second + SUPPORT_CARRIED]
-        if trial > 0 and fabs(roll - before) > SLOPE_APART:
-            found = (difference - difference_before) / (roll - before)
-            if found < slope / SLOPE_FACTOR and found > slope * SLOPE_FACTOR:
-                slope = found
-        move = 0.0
-        if slope < 0.0:
-            move = -difference / slope
-        elif difference > 0.0:
-            move = ELASTIC_TURN
-        else:
-            move = -ELASTIC_TURN
-        if settled == 1 and fabs(move) < ELASTIC_SHARP:
+        before_left = lack_left
+        before_right = lack_right
+        lack_left = work[first + SUPPORT_HEIGHT] - height
+        lack_right = work[second + SUPPORT_HEIGHT] - height
+        size = move_height * move_height + move_roll * move_roll
+        if trial == 0:
+            left_roll = -work[first + SUPPORT_LEVER] / arm
+            right_roll = work[second + SUPPORT_LEVER] / arm
+        elif size > 0.0:
+            off_left = (lack_left - before_left - left_height * move_height - left_roll * move_roll) / size
+            off_right = (lack_right - before_right - right_height * move_height - right_roll * move_roll) / size
+            left_height += off_left * move_height
+            left_roll += off_left * move_roll
+            right_height += off_right * move_height
+            right_roll += off_right * move_roll
+        determinant = left_height * right_roll - right_height * left_roll
+        if not fabs(determinant) > SINGULAR:
+            left_height = -1.0
+            right_height = -1.0
+            left_roll = -work[first + SUPPORT_LEVER] / arm
+            right_roll = work[second + SUPPORT_LEVER] / arm
+            determinant = left_height * right_roll - right_height * left_roll
+        move_height = (lack_right * left_roll - lack_left * right_roll) / determinant
+        move_roll = (lack_left * right_height - lack_right * left_height) / determinant
+        if fabs(move_height) < ELASTIC_SHARP and fabs(move_roll) < ELASTIC_SHARP:
             return roll, status
-        if settled == 1 and trial >= FROZEN:
-            if difference > 0.0:
-                low = roll
-            else:
-                high = roll
-            if high - low < JUMP_SHARP:
-                return roll, status
-        before = roll
-        difference_before = difference
-        if move > ELASTIC_TURN:
-            move = ELASTIC_TURN
-        if move < -ELASTIC_TURN:
-            move = -ELASTIC_TURN
-        roll += move
-        if not (roll > low and roll < high):
-            roll = 0.5 * (low + high)
+        move_height = limited(move_height, LONGEST)
+        move_roll = limited(move_roll, LONGEST)
+        height += move_height
+        roll += move_roll / arm
+        if not fabs(roll) < ROLL_LIMIT:
+            return roll, NOT_CONVERGED
         if turn_to(tables, work, state, roll) == 0:
             return roll, OFF_PROFILE
     return roll, NOT_CONVERGED

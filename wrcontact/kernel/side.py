@@ -16,10 +16,9 @@ from .regions import REGION_COS, REGION_SHARE, REGION_STIFFNESS, REGION_WHEEL, r
 from .resultant import add_region
 
 # how a side carries its load, at WORK_SUPPORT + SUPPORT_BLOCK * index
-SUPPORT_SINK: Final[int] = 0         # how far below its smallest gap the wheel is laid down [m]
-SUPPORT_CARRIED: Final[int] = 1      # how far it would have to be to carry its load [m]
-SUPPORT_HEIGHT: Final[int] = 2       # the vertical shift that this is [m]
-SUPPORT_LEVER: Final[int] = 3        # how that follows the roll [m]
+SUPPORT_FIRST: Final[int] = 0        # how far below its smallest gap the wheel is estimated to sink [m]
+SUPPORT_HEIGHT: Final[int] = 1       # the vertical shift at which it carries its load [m]
+SUPPORT_LEVER: Final[int] = 2        # how that follows the roll [m]
 
 
 def side_outputs(index: int):

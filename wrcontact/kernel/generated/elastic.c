@@ -10,30 +10,37 @@
  *
  * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope.
  *
- * Regions and nodes are laid for the depth that a side has sunk to, which is found along with the roll: every trial of the
- * roll presses each wheel as deep as the one before found, and solves its load.  The compliant form is given height and roll,
+ * Regions and nodes are laid where the wheels stand, which is found along with height and roll: a trial lays both wheels down at
+ * one pose, and solves their loads; what either lacks of the height that it would carry its load at vanishes in equilibrium.
+ * The compliant form is given height and roll,
  * and each wheel's load follows from how deep it stands.
  */
 
 #include "elastic.h"
 
-/* How far [m] a wheel under ``force`` [N] is estimated to sink below its smallest gap, and the outcome. */
-static inline int64_t elastic__first_sink(double* sink, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+/* Estimate how far a wheel under ``force`` [N] sinks below its smallest gap; the outcome. */
+static inline int64_t elastic__first_sink(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
-    (*status) = side__rest_side(tables, work, state, index);
-    (*sink) = 0.0;
-    if ((*status) == layout__UNLOADED)
+    int64_t support;
+    int64_t status;
+    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
+    status = side__rest_side(tables, work, state, index);
+    (*cspan_at(&work, support + side__SUPPORT_FIRST)) = 0.0;
+    if (status == layout__UNLOADED)
     {
-        (*sink) = normal_contact__first_penetration(tables, work, state, force) / (*cspan_at(&work, contact_plane__FRAME_COS));
-        (*status) = layout__VALID;
+        status = layout__VALID;
+        if (force > 0.0)
+        {
+            (*cspan_at(&work, support + side__SUPPORT_FIRST)) = normal_contact__first_penetration(tables, work, state, force) / (*cspan_at(&work, contact_plane__FRAME_COS));
+        }
     }
-    return 0;
+    return status;
 }
 
-/* Find the height at which a side carries ``force`` [N], from where it was laid down; its outcome.  Outputs are those of
- * the side under this force.
+/* Find at which height a side carries ``force`` [N], with regions and nodes laid where it stands at ``height`` [m]; its
+ * outcome.  Outputs are those of the side under this force.
  */
-static inline int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+static inline int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
 {
     int64_t support;
     double best;
@@ -45,53 +52,29 @@ static inline int64_t elastic__carry_side(array_double_1d tables, array_double_1
     best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
     if (!(force > 0.0))
     {
-        (*cspan_at(&work, support + side__SUPPORT_SINK)) = 0.0;
-        (*cspan_at(&work, support + side__SUPPORT_CARRIED)) = 0.0;
         (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = best;
         (*cspan_at(&work, support + side__SUPPORT_LEVER)) = side__side_lever(tables, work, index, INT64_C(0));
         status = side__rest_side(tables, work, state, index);
         return status;
     }
-    sink = (*cspan_at(&work, support + side__SUPPORT_SINK));
-    if (!(sink > 0.0))
+    sink = height - best;
+    if (sink < elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST)))
     {
-        elastic__first_sink(&sink, &status, tables, work, state, index, force);
-        if (status != layout__VALID)
-        {
-            return status;
-        }
-        (*cspan_at(&work, support + side__SUPPORT_SINK)) = sink;
+        sink = elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
+    }
+    if (sink > elastic__DEEPEST)
+    {
+        sink = elastic__DEEPEST;
     }
     status = side__press_side(tables, work, state, index, sink);
     if (status == layout__VALID)
     {
         side__load_side(&count, &status, tables, work, state, index, force, (*cspan_at(&tables, layout__SET_ABSENT)));
         carried = sink + ((*cspan_at(&work, side__side_outputs(index) + layout__SIDE_PENETRATION)) - (*cspan_at(&work, contact_plane__FRAME_DEPTH))) / (*cspan_at(&work, contact_plane__FRAME_COS));
-        if (!(carried > 0.0))
-        {
-            carried = 0.5 * sink;
-        }
-        (*cspan_at(&work, support + side__SUPPORT_CARRIED)) = carried;
         (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = best + carried;
         (*cspan_at(&work, support + side__SUPPORT_LEVER)) = side__side_lever(tables, work, index, count);
     }
     return status;
-}
-
-/* 1 if a side stands as deep as it was laid down, else 0. */
-static inline int64_t elastic__settled_side(array_double_1d work, int64_t index)
-{
-    int64_t support;
-    double off;
-    int64_t settled;
-    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
-    off = fabs((*cspan_at(&work, support + side__SUPPORT_CARRIED)) - (*cspan_at(&work, support + side__SUPPORT_SINK)));
-    settled = INT64_C(0);
-    if ((off <= elastic__SETTLED * (*cspan_at(&work, support + side__SUPPORT_CARRIED))) || (off <= elastic__SMALLEST))
-    {
-        settled = INT64_C(1);
-    }
-    return settled;
 }
 
 /* Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0. */
@@ -158,15 +141,16 @@ static inline int64_t elastic__turn_to(array_double_1d tables, array_double_1d w
 }
 
 /* ``carry_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
-static inline int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right)
+static inline int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height)
 {
     int64_t outcome;
     int64_t status;
+    (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
     resultant__clear_resultant(work);
-    status = elastic__carry_side(tables, work, state, INT64_C(0), left);
+    status = elastic__carry_side(tables, work, state, INT64_C(0), left, height);
     if (status <= layout__UNLOADED)
     {
-        outcome = elastic__carry_side(tables, work, state, INT64_C(1), right);
+        outcome = elastic__carry_side(tables, work, state, INT64_C(1), right, height);
         if (outcome > status)
         {
             status = outcome;
@@ -178,116 +162,116 @@ static inline int64_t elastic__carry_both(array_double_1d tables, array_double_1
 /* Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
  * sides.  Starts at the rigid ``roll``, whose smallest gaps are known.
  */
-static inline int64_t elastic__solve_elastic(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static inline int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
+    int64_t status;
     int64_t first;
     int64_t second;
-    double low;
-    double high;
-    double before;
-    double difference_before;
+    double height;
+    double arm;
+    double lack_left;
+    double lack_right;
+    double left_height;
+    double left_roll;
+    double right_height;
+    double right_roll;
+    double move_height;
+    double move_roll;
     int64_t trial;
-    int64_t status;
-    double difference;
-    double slope;
-    int64_t settled;
-    double found;
-    double move;
+    double before_left;
+    double before_right;
+    double size;
+    double off_left;
+    double off_right;
+    double determinant;
+    status = elastic__first_sink(tables, work, state, INT64_C(0), left);
+    if (status == layout__VALID)
+    {
+        status = elastic__first_sink(tables, work, state, INT64_C(1), right);
+    }
+    if (status != layout__VALID)
+    {
+        (*result_0) = roll;
+        (*result_1) = status;
+        return 0;
+    }
     first = layout__WORK_SUPPORT;
     second = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK;
-    (*cspan_at(&work, first + side__SUPPORT_SINK)) = 0.0;
-    (*cspan_at(&work, second + side__SUPPORT_SINK)) = 0.0;
-    low = -roll__ROLL_LIMIT;
-    high = roll__ROLL_LIMIT;
-    before = 0.0;
-    difference_before = 0.0;
+    height = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST)) + 0.5 * ((*cspan_at(&work, first + side__SUPPORT_FIRST)) + (*cspan_at(&work, second + side__SUPPORT_FIRST)));
+    /* Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels */
+    arm = (*cspan_at(&tables, layout__SET_ARM));
+    lack_left = 0.0;
+    lack_right = 0.0;
+    left_height = -1.0;
+    left_roll = 0.0;
+    right_height = -1.0;
+    right_roll = 0.0;
+    move_height = 0.0;
+    move_roll = 0.0;
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
-        (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-        status = elastic__carry_both(tables, work, state, left, right);
+        status = elastic__carry_both(tables, work, state, left, right, height);
         if (status > layout__UNLOADED)
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = status;
+            (*result_0) = roll;
+            (*result_1) = status;
             return 0;
         }
-        difference = (*cspan_at(&work, second + side__SUPPORT_HEIGHT)) - (*cspan_at(&work, first + side__SUPPORT_HEIGHT));
-        slope = (*cspan_at(&work, second + side__SUPPORT_LEVER)) + (*cspan_at(&work, first + side__SUPPORT_LEVER));
-        settled = INT64_C(1);
-        if (trial < elastic__FROZEN)
+        before_left = lack_left;
+        before_right = lack_right;
+        lack_left = (*cspan_at(&work, first + side__SUPPORT_HEIGHT)) - height;
+        lack_right = (*cspan_at(&work, second + side__SUPPORT_HEIGHT)) - height;
+        size = move_height * move_height + move_roll * move_roll;
+        if (trial == INT64_C(0))
         {
-            settled = elastic__settled_side(work, INT64_C(0)) * elastic__settled_side(work, INT64_C(1));
-            (*cspan_at(&work, first + side__SUPPORT_SINK)) = (*cspan_at(&work, first + side__SUPPORT_CARRIED));
-            (*cspan_at(&work, second + side__SUPPORT_SINK)) = (*cspan_at(&work, second + side__SUPPORT_CARRIED));
+            left_roll = (-(*cspan_at(&work, first + side__SUPPORT_LEVER))) / arm;
+            right_roll = (*cspan_at(&work, second + side__SUPPORT_LEVER)) / arm;
         }
-        if ((trial > INT64_C(0)) && (fabs(roll - before) > elastic__SLOPE_APART))
+        else if (size > 0.0)
         {
-            found = (difference - difference_before) / (roll - before);
-            if ((found < slope / elastic__SLOPE_FACTOR) && (found > slope * elastic__SLOPE_FACTOR))
-            {
-                slope = found;
-            }
+            off_left = (lack_left - before_left - left_height * move_height - left_roll * move_roll) / size;
+            off_right = (lack_right - before_right - right_height * move_height - right_roll * move_roll) / size;
+            left_height += off_left * move_height;
+            left_roll += off_left * move_roll;
+            right_height += off_right * move_height;
+            right_roll += off_right * move_roll;
         }
-        move = 0.0;
-        if (slope < 0.0)
+        determinant = left_height * right_roll - right_height * left_roll;
+        if (!(fabs(determinant) > elastic__SINGULAR))
         {
-            move = (-difference) / slope;
+            left_height = -1.0;
+            right_height = -1.0;
+            left_roll = (-(*cspan_at(&work, first + side__SUPPORT_LEVER))) / arm;
+            right_roll = (*cspan_at(&work, second + side__SUPPORT_LEVER)) / arm;
+            determinant = left_height * right_roll - right_height * left_roll;
         }
-        else if (difference > 0.0)
+        move_height = (lack_right * left_roll - lack_left * right_roll) / determinant;
+        move_roll = (lack_left * right_height - lack_right * left_height) / determinant;
+        if ((fabs(move_height) < elastic__ELASTIC_SHARP) && (fabs(move_roll) < elastic__ELASTIC_SHARP))
         {
-            move = elastic__ELASTIC_TURN;
-        }
-        else
-        {
-            move = -elastic__ELASTIC_TURN;
-        }
-        if ((settled == INT64_C(1)) && (fabs(move) < elastic__ELASTIC_SHARP))
-        {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = status;
+            (*result_0) = roll;
+            (*result_1) = status;
             return 0;
         }
-        if ((settled == INT64_C(1)) && (trial >= elastic__FROZEN))
+        move_height = touching__limited(move_height, elastic__LONGEST);
+        move_roll = touching__limited(move_roll, elastic__LONGEST);
+        height += move_height;
+        roll += move_roll / arm;
+        if (!(fabs(roll) < roll__ROLL_LIMIT))
         {
-            if (difference > 0.0)
-            {
-                low = roll;
-            }
-            else
-            {
-                high = roll;
-            }
-            if (high - low < elastic__JUMP_SHARP)
-            {
-                (*result_0_0001) = roll;
-                (*result_1_0001) = status;
-                return 0;
-            }
-        }
-        before = roll;
-        difference_before = difference;
-        if (move > elastic__ELASTIC_TURN)
-        {
-            move = elastic__ELASTIC_TURN;
-        }
-        if (move < -elastic__ELASTIC_TURN)
-        {
-            move = -elastic__ELASTIC_TURN;
-        }
-        roll += move;
-        if (!((roll > low) && (roll < high)))
-        {
-            roll = 0.5 * (low + high);
+            (*result_0) = roll;
+            (*result_1) = layout__NOT_CONVERGED;
+            return 0;
         }
         if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__OFF_PROFILE;
+            (*result_0) = roll;
+            (*result_1) = layout__OFF_PROFILE;
             return 0;
         }
     }
-    (*result_0_0001) = roll;
-    (*result_1_0001) = layout__NOT_CONVERGED;
+    (*result_0) = roll;
+    (*result_1) = layout__NOT_CONVERGED;
     return 0;
 }
 

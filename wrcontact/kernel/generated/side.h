@@ -15,10 +15,9 @@
 #include "regions.h"
 #include "resultant.h"
 
-static const int64_t side__SUPPORT_SINK = INT64_C(0);
-static const int64_t side__SUPPORT_CARRIED = INT64_C(1);
-static const int64_t side__SUPPORT_HEIGHT = INT64_C(2);
-static const int64_t side__SUPPORT_LEVER = INT64_C(3);
+static const int64_t side__SUPPORT_FIRST = INT64_C(0);
+static const int64_t side__SUPPORT_HEIGHT = INT64_C(1);
+static const int64_t side__SUPPORT_LEVER = INT64_C(2);
 
 static inline int64_t side__side_outputs(int64_t index);
 static inline int64_t side__clear_side(array_double_1d work, int64_t out);
