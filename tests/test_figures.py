@@ -187,7 +187,9 @@ def test_elastic_contact_is_smoother_and_tends_to_the_rigid_one():
     assert numbers["largest step before the flange, elastic [mm]"] < 0.05 * numbers["largest step, rigid [mm]"]
     assert figure("5.6").numbers["yaw 0 deg: elastic slope, 0.4 mm behind / before"] < 1.5
     assert figure("5.6").numbers["yaw 0 deg: share of shifts with less elastic roll"] > 0.8
-    assert figure("4.4").numbers["elastic roll of 0.1 deg comes later by [mm]"] == pytest.approx(0.071, abs=0.01)
+    numbers = figure("4.4").numbers
+    assert numbers["elastic roll of 0.1 deg comes later by [mm]"] == pytest.approx(0.071, abs=0.01)
+    assert numbers["roughness of the elastic roll between flange root and flange [deg]"] < 3e-3
     assert figure("4.6").numbers["elastic at 1e-4 N less rigid, flange, largest [mm]"] < 1e-3
     assert figure("4.6").numbers["elastic at 1e-4 N less rigid, elsewhere, largest [mm]"] < 1e-3
 

@@ -146,7 +146,7 @@ def roll_without_yaw(study):
                "2-D search less exact, largest [deg]": largest(found - roll(exact(study, grid))),
                "steepest rigid [deg/mm]": steepest(fine, rigid), "steepest elastic [deg/mm]": steepest(fine, soft),
                f"elastic roll of {FLANGE_ROLL} deg comes later by [mm]": later,
-               "scatter of the elastic roll between flange root and flange [deg]": _scatter(study)}
+               "roughness of the elastic roll between flange root and flange [deg]": _roughness(study)}
     return SourceFigure(
         "4.4", "Roll over lateral shift: rigid search against elastic contact", "roll, rigid and elastic",
         "Rigid roll jumps where the contact moves from tread to flange root and to the flange; elastic contact smooths it.",
@@ -158,7 +158,7 @@ def roll_without_yaw(study):
                fine, "roll [deg]"))
 
 
-def _scatter(study):
+def _roughness(study):
     """Largest second difference of the elastic roll [deg] where the pressure goes from the flange root to the flange."""
     grid = np.arange(NEAR_FLANGE[0], NEAR_FLANGE[1], FINE / 5)
     return largest(np.diff(roll(elastic(study, grid)), 2))
