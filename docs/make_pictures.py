@@ -1,8 +1,9 @@
-"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] [models]`` writes docs/img/*.png.
+"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] ...`` writes docs/img/*.png.
 
     frames      frames and signs (docs/conventions.md)
     demo        the picture of ``wrcontact demo`` (README)
     models      the pressures of examples/compare_models.py (README)
+    source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
 
 Wheel and rail are the real S1002 and UIC60 at their real places; roll and yaw of the sketches are exaggerated.
 """
@@ -10,6 +11,7 @@ Wheel and rail are the real S1002 and UIC60 at their real places; roll and yaw o
 import os
 import runpy
 import sys
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -77,7 +79,16 @@ def frames():
     return figure
 
 
-PICTURES = {"frames": frames, "demo": demo, "models": models}
+def source(number):
+    """A figure of the study that wrcontact started from."""
+    from wrcontact.plots.source_figures import source_figure
+    from wrcontact.study.figures import Study, compute
+
+    return source_figure(compute(number, Study()))
+
+
+PICTURES = {"frames": frames, "demo": demo, "models": models, "source_5_8": partial(source, "5.8"),
+            "source_7_14": partial(source, "7.14")}
 
 
 # --- sketches --------------------------------------------------------------------------------------

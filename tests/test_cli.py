@@ -24,7 +24,7 @@ from wrcontact.plots.geometry import wheel_zone
 from wrcontact.status import explain
 
 ROOT = Path(__file__).resolve().parent.parent
-COMMANDS = ("demo", "solve", "sweep", "plot")
+COMMANDS = ("demo", "solve", "sweep", "plot", "figures")
 INPUT_NAMES = [v.name for v in VARIABLES if v.causality == INPUT]
 #: A process sees the package that this one sees, and no display.
 OUTSIDE = {**{k: v for k, v in os.environ.items() if k not in ("DISPLAY", "MPLBACKEND")},

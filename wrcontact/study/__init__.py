@@ -1,4 +1,4 @@
-"""The source's own contact searches, as baselines to be measured against.
+"""What the source does, in numpy: contact searches, inputs to ANALYN and ANALYN itself, as baselines; and its figures.
 
 "The source" is the degree project that wrcontact started from: KTH, written at TUEV SUED Sweden, on how undeformed distance,
 longitudinal and lateral curvature change the contact patch of ANALYN, with Matlab searches in two and three dimensions.

@@ -1,0 +1,55 @@
+"""``wrcontact figures``: the source's figures, each as picture and table, with an index of all."""
+
+from pathlib import Path
+
+from rich import box
+from rich.table import Table
+
+from ..study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
+from .report import console
+
+INDEX = "figures.md"
+VERDICTS = {HOLDS: "It holds.", PARTLY: "It holds in part.", FAILS: "It does not hold."}
+
+
+def run_figures(output, words):
+    """Write the figures that ``words`` name into the folder ``output``, print a line for each, and the index."""
+    from ..plots import save
+    from ..plots.source_figures import source_figure
+
+    numbers = chosen(words)
+    folder = Path(output)
+    folder.mkdir(parents=True, exist_ok=True)
+    study, figures, out = Study(), [], console()
+    for number in numbers:
+        figure = compute(number, study)
+        figure.write(folder / f"{figure.stem}.csv")
+        save(source_figure(figure), folder / f"{figure.stem}.png")
+        figures.append(figure)
+    (folder / INDEX).write_text(index(figures), encoding="utf-8")
+    out.print(summary(figures))
+    out.print(f"{len(figures)} figures, their tables and {INDEX} written to {folder}", soft_wrap=True)
+
+
+def summary(figures):
+    """A line for each: number, what the figure shows, the number to remember, whether what the source says of it holds."""
+    table = Table("fig.", "what", "the number to remember", "claim", box=box.SIMPLE_HEAD, show_edge=False,
+                  padding=(0, 1, 0, 0))
+    for column in table.columns:
+        column.no_wrap = True
+    for figure in figures:
+        table.add_row(figure.number, figure.short, figure.key, figure.verdict,
+                      style={PARTLY: "yellow", FAILS: "red"}.get(figure.verdict))
+    return table
+
+
+def index(figures):
+    """A page in Markdown: a line for each figure, then all pictures with what the source says and what is found."""
+    parts = ["# The source's figures, computed anew\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 mm, 78.5 kN "
+             "per wheel. Each picture is drawn from the table beside it.\n",
+             "| figure | what it shows | the number to remember | the source's claim |\n|---|---|---|---|"]
+    parts[-1] += "".join(f"\n| [{figure.number}]({figure.stem}.png) | {figure.title} | {figure.key} | {figure.verdict} |"
+                         for figure in figures) + "\n"
+    parts += [f"## {figure.number} {figure.title}\n\n![{figure.title}]({figure.stem}.png)\n\n*The source:* {figure.claim} "
+              f"**{VERDICTS[figure.verdict]}** {figure.finding} ([table]({figure.stem}.csv))\n" for figure in figures]
+    return "\n".join(parts)

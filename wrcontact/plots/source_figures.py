@@ -1,0 +1,392 @@
+"""The source's figures as pictures, each drawn from nothing but its table: what is seen stands in the CSV.
+
+Lines are exact, dots are the source's searches, broken lines are elastic contact or the complete theory.
+"""
+
+import numpy as np
+
+from ..study.figures import rows_of
+from .patch import FINER
+from .pose import HIGH
+from .style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR, ZONE_COLOUR, new_figure, styled
+from .sweep import WHEEL_ZONES
+
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito
+THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
+LEAP = 3.0  # [mm] a line breaks where its value leaps by more from point to point
+UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
+WIDE = 10.5  # [in]
+
+
+@styled
+def source_figure(figure):
+    """The picture of a :class:`~wrcontact.study.figures.SourceFigure`."""
+    picture = new_figure(*SIZES.get(figure.number, (WIDE, 4.2)))
+    picture.suptitle(f"{figure.number}  {figure.title}", x=0.01, ha="left")
+    DRAWN[figure.number](picture, figure)
+    return picture
+
+
+def curves_of(figure):
+    """Names of the curves in the table's order."""
+    return list(dict.fromkeys(figure.columns["curve"]))
+
+
+def look_of(name):
+    """How a curve over the lateral shift is drawn."""
+    yaw = int(name.rpartition("yaw ")[2].split()[0]) if "yaw" in name else None
+    colour = COLOURS[yaw] if yaw is not None else WHEEL_COLOUR
+    if "search" in name:
+        return {"linestyle": "", "marker": "o" if "dy 1 mm" not in name else "x", "markersize": 3.2, "zorder": 1.5,
+                "color": colour if yaw is not None else QUIET, "alpha": 0.7}
+    if "elastic" in name:
+        return {"color": colour if yaw is not None else CONTACT_COLOUR, "linestyle": (0, (4, 1.5)), "linewidth": 1.4}
+    return {"color": colour, "linewidth": 1.5}
+
+
+def over_shift(panel, figure, wanted, *, span=None, legend=True):
+    """The curves whose names ``wanted`` accepts over the lateral shift."""
+    value = list(figure.columns)[2]
+    for name in filter(wanted, curves_of(figure)):
+        rows = rows_of(figure.columns, curve=name)
+        shift, values = rows["lateral shift [mm]"].astype(float), rows[value].astype(float)
+        leap = np.flatnonzero(np.abs(np.diff(values)) > LEAP) + 1
+        panel.plot(np.insert(shift, leap, np.nan), np.insert(values, leap, np.nan), label=name, **look_of(name))
+    panel.set(xlabel="lateral shift of the wheelset, right + [mm]", ylabel=AXES[value])
+    if span:
+        seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])] for line in panel.lines]
+        low, high = (of(np.concatenate(seen)) for of in (np.nanmin, np.nanmax))
+        panel.set(xlim=span, ylim=(low - 0.04 * (high - low), high + 0.04 * (high - low)))
+    if legend:
+        panel.legend()
+
+
+AXES = {"roll [deg]": "roll, right wheel down + [deg]", "y_wheel [mm]": "contact on the wheel, field side + [mm]",
+        "x_wheel [mm]": "contact ahead of the axle [mm]"}
+
+
+def every(name):
+    return True
+
+
+def mark_jumps(panel, shifts):
+    """Dotted lines at lateral shifts [mm] with their numbers."""
+    low, high = panel.get_xlim()
+    for shift in shifts:
+        if low < shift < high:
+            panel.axvline(shift, color=QUIET, linewidth=0.8, linestyle=":")
+            panel.annotate(f"{shift:.3f}", (shift, 0.02), (-3, 0), xycoords=("data", "axes fraction"),
+                           textcoords="offset points", rotation=90, ha="right", va="bottom", fontsize=8, color=QUIET)
+
+
+def jumps_of(figure):
+    """Lateral shifts [mm] of the jumps among the numbers."""
+    return [value for name, value in figure.numbers.items() if name.startswith("jump") and name.endswith("at [mm]")]
+
+
+# --- chapters 4 and 5 ------------------------------------------------------------------------------
+
+
+def draw_roll(picture, figure):
+    whole, near = picture.subplots(1, 2)
+    over_shift(whole, figure, every)
+    over_shift(near, figure, every, span=(4.3, 6.6), legend=False)
+    mark_jumps(near, (figure.numbers["bend to the flange root at [mm]"], figure.numbers["bend to the flange at [mm]"]))
+    whole.set_title("Whole range")
+    near.set_title("Around the two jumps of the contact: the roll bends there")
+
+
+def draw_place(picture, figure):
+    whole, near = picture.subplots(1, 2, width_ratios=(1.5, 1))
+    for panel, span in ((whole, None), (near, (4.3, 8.0))):
+        over_shift(panel, figure, every, span=span, legend=span is None)
+        draw_zones(panel)
+    mark_jumps(near, jumps_of(figure))
+    whole.set_title("Whole range")
+    near.set_title("Flange root and flange")
+
+
+def draw_zones(panel):
+    """Bands of tread, flange root and flange of the S1002, within what the panel shows."""
+    low, high = panel.get_ylim()
+    for name, (start, stop) in WHEEL_ZONES.items():
+        start, stop = max(start / MM, low), min(stop / MM, high)
+        if stop > start:
+            panel.axhspan(start, stop, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
+            panel.text(0.99, stop - 0.01 * (high - low), name, color=QUIET, style="italic", ha="right", va="top",
+                       transform=panel.get_yaxis_transform())
+    panel.set_ylim(low, high)
+
+
+def draw_place_and_errors(picture, figure):
+    whole, errors = picture.subplots(1, 2, width_ratios=(1.3, 1))
+    over_shift(whole, figure, lambda name: "dy 1 mm" not in name)
+    draw_zones(whole)
+    known = rows_of(figure.columns, curve="rigid, exact")
+    known = dict(zip(known["lateral shift [mm]"].astype(float), known["y_wheel [mm]"].astype(float)))
+    for name in curves_of(figure):
+        if name != "rigid, exact":
+            rows = rows_of(figure.columns, curve=name)
+            shift, place = rows["lateral shift [mm]"].astype(float), rows["y_wheel [mm]"].astype(float)
+            error = np.abs(place - [known[at] for at in shift])
+            errors.plot(shift, np.maximum(error, 1e-9), label=name, **look_of(name))
+    errors.axvspan(6.3, 8, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
+    errors.axvspan(-8, -6.3, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
+    errors.set(yscale="log", ylim=(1e-9, 30), xlabel="lateral shift of the wheelset, right + [mm]",
+               ylabel="distance from the rigid contact [mm]")
+    errors.legend(loc="lower left", fontsize=7)
+    whole.set_title("Contact on the right wheel")
+    errors.set_title("Distance from it; grey: beyond 6.3 mm")
+
+
+def draw_two_searches(picture, figure):
+    kinds = (("Rigid contact", lambda name: "elastic" not in name),
+             ("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
+    for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
+        over_shift(panel, figure, wanted, span=(0, 8), legend=False)
+        inset = panel.inset_axes((0.14, 0.14, 0.5, 0.5))
+        over_shift(inset, figure, wanted, span=(4.4, 5.6), legend=False)
+        inset.set(xlabel="", ylabel="")
+        inset.tick_params(labelsize=7)
+        panel.indicate_inset_zoom(inset, edgecolor=QUIET)
+        panel.set_title(title)
+    handles = {line.get_label(): line for panel in picture.axes for line in panel.lines}
+    picture.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3)
+
+
+def draw_by_yaw(picture, figure):
+    panel = picture.subplots()
+    over_shift(panel, figure, lambda name: "exact" in name, legend=False)
+    over_shift(panel, figure, lambda name: "search" in name, legend=False)
+    lines = [line for line in panel.lines if "exact" in line.get_label()]
+    dots = next(line for line in panel.lines if "search" in line.get_label())
+    panel.legend([*lines, dots], [*(line.get_label() for line in lines), "source's 3-D search, dx 0.1 mm"],
+                 loc="lower left" if "roll" in figure.title.lower() else "upper left")
+    return panel
+
+
+def draw_roll_by_yaw(picture, figure):
+    panel = draw_by_yaw(picture, figure)
+    inset = panel.inset_axes((0.14, 0.32, 0.38, 0.5))
+    over_shift(inset, figure, lambda name: "exact" in name, span=(0, 5.3), legend=False)
+    inset.set(xlabel="", ylabel="")
+    inset.set_title("tread and flange root", fontsize=8, fontweight="normal")
+    inset.tick_params(labelsize=7)
+    panel.set_xlim(0, 8)
+
+
+def draw_shift_by_yaw(picture, figure):
+    panel = draw_by_yaw(picture, figure)
+    panel.set_xlim(0, 8)
+    inset = panel.inset_axes((0.27, 0.3, 0.36, 0.62))
+    over_shift(inset, figure, every, span=(0, 6.3), legend=False)
+    inset.set(xlabel="", ylabel="", ylim=(-0.5, 11))
+    inset.set_title("before flange contact", fontsize=8, fontweight="normal")
+    inset.tick_params(labelsize=7)
+
+
+# --- where the contact is --------------------------------------------------------------------------
+
+
+def draw_picture(picture, figure):
+    draw_outlines(picture.subplots(), figure)
+
+
+def draw_outlines(panel, figure):
+    """Wheel, rail and contact point on the track, to one scale."""
+    ends = {"wheel": HIGH / MM, "rail": -60.0}
+    for name, colour in (("wheel", WHEEL_COLOUR), ("rail", RAIL_COLOUR)):
+        rows = rows_of(figure.columns, curve=name)
+        y, height = (rows[column].astype(float) for column in ("y_track [mm]", "height [mm]"))
+        panel.fill_between(y, height, ends[name], color=colour, alpha=0.18, linewidth=0)
+        panel.plot(y, height, color=colour)
+    point = rows_of(figure.columns, curve="contact point")
+    y, height = float(point["y_track [mm]"][0]), float(point["height [mm]"][0])
+    panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white", markeredgewidth=0.6)
+    panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left", color=CONTACT_COLOUR,
+                   arrowprops={"arrowstyle": "-", "color": CONTACT_COLOUR, "linewidth": 0.8})
+    panel.text(768, -12, "rail", color=RAIL_LABEL, ha="center")
+    panel.text(768, 11, "wheel", color=WHEEL_COLOUR, ha="center")
+    panel.set(xlim=(685, 805), ylim=(-32, 16), aspect="equal", xlabel="across the track, right + [mm]",
+              ylabel="above top of rail [mm]")
+
+
+# --- separations -----------------------------------------------------------------------------------
+
+
+def draw_separation(picture, figure):
+    whole, near, patch = picture.subplots(1, 3, width_ratios=(1.2, 1, 1.1))
+    for name, colour, look in (("equidistant", COLOURS[0], "-"), ("vertical", COLOURS[1], (0, (3, 1.5)))):
+        rows = {key: values.astype(float) for key, values in rows_of(figure.columns, curve=name).items() if key != "curve"}
+        whole.plot(rows["y [mm]"], rows["separation [mm]"], color=colour, linestyle=look, label=name)
+        closed_outline(patch, rows["y [mm]"], rows["half length [mm]"], color=colour, linestyle=look, label=name)
+    cosine = np.cos(np.radians(figure.numbers.get("contact angle [deg]", 0.0)))
+    theory = rows_of(figure.columns, curve="complete theory")
+    closed_outline(patch, theory["station [mm]"].astype(float) * cosine, theory["half length [mm]"].astype(float), fine=True,
+                   label="complete theory", **THEORY)
+    apart = rows_of(figure.columns, curve="vertical less equidistant")
+    near.plot(apart["y [mm]"].astype(float), np.abs(apart["separation [mm]"].astype(float)), color=INK)
+    near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
+    near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET, fontsize=7.5,
+              ha="center", va="bottom")
+    near.set(yscale="log", ylim=(1e-7, 1e-1), xlabel="y from the contact, field side + [mm]",
+             ylabel="vertical less equidistant [mm]")
+    whole.set(ylim=(-0.3, 8), xlabel="y from the contact, field side + [mm]", ylabel="separation [mm]")
+    patch.set(xlabel="y from the contact, field side + [mm]", ylabel="rolling direction [mm]")
+    to_scale(patch)
+    patch.plot([0], [0], "*", color=CONTACT_COLOUR, markersize=7)
+    for panel, title in ((whole, "Separation"), (near, "Their difference inside the patch"), (patch, "Patch")):
+        panel.set_title(title)
+    whole.legend(loc="upper center")
+    patch.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, handlelength=1.6, columnspacing=1)
+
+
+def closed_outline(panel, station, half_length, *, fine=False, label=None, **look):
+    """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they stand for."""
+    if fine:
+        station, half_length = rounded_edge(station, half_length)
+    loaded = half_length > 0
+    beside = loaded | np.roll(loaded, 1) | np.roll(loaded, -1)
+    edge = np.where(beside, half_length, np.nan)
+    panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]), label=label, **look)
+
+
+def rounded_edge(station, half_length):
+    """Many stations between the stored ones; the squares are interpolated, so that an ellipse stays round."""
+    from scipy.interpolate import Akima1DInterpolator
+
+    stored = np.arange(len(station))
+    place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
+    squares = Akima1DInterpolator(stored, half_length**2, method="makima")(place)
+    return np.interp(place, stored, station), np.sqrt(np.maximum(squares, 0.0))
+
+
+def to_scale(panel):
+    """One scale for both directions unless the patch is long and thin; then the label says so."""
+    low, high = panel.get_xlim()
+    bottom, top = panel.get_ylim()
+    if top - bottom < UPRIGHT * (high - low):
+        panel.set_aspect("equal", adjustable="datalim")
+    else:
+        panel.set_xlabel(panel.get_xlabel() + ", stretched")
+
+
+# --- longitudinal curvature ------------------------------------------------------------------------
+
+
+def draw_longitudinal(picture, figure):
+    whole, near = picture.subplots(1, 2)
+    _curvature_panels(whole, near, figure)
+
+
+def draw_longitudinal_with_picture(picture, figure):
+    upper, lower = picture.subfigures(2, 1, height_ratios=(1, 1))
+    draw_outlines(upper.subplots(), figure)
+    _curvature_panels(*lower.subplots(1, 2), figure)
+
+
+def _curvature_panels(whole, near, figure):
+    y, effective, basic = (np.array(figure.columns[name], dtype=float) for name in
+                           ("y_wheel [mm]", "effective 2A [1/m]", "basic 2A [1/m]"))
+    patch = [figure.numbers[f"patch {end} y_wheel [mm]"] for end in ("from", "to")]
+    at, margin = figure.numbers["y_wheel [mm]"], max(0.5, 0.25 * (patch[1] - patch[0]))
+    for panel in (whole, near):
+        panel.axvspan(*patch, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
+        panel.plot(y, effective, color=COLOURS[0], label="effective, cos(contact angle) / R")
+        panel.plot(y, basic, color=COLOURS[1], linestyle=(0, (4, 1.5)), label="basic, 1 / R")
+        panel.axvline(at, color=QUIET, linewidth=0.8, linestyle=":")
+        panel.set(xlabel="on the wheel's profile, field side + [mm]", ylabel="longitudinal curvature [1/m]")
+    near.set_xlim(patch[0] - margin, patch[1] + margin)
+    inside = (y > patch[0] - margin) & (y < patch[1] + margin)
+    values = np.concatenate([effective[inside], basic[inside]])
+    room = 0.15 * np.ptp(values) + 0.002
+    near.set_ylim(values.min() - room, values.max() + room)
+    whole.legend(loc="lower right")
+    whole.set_title("Along the wheel; grey: the patch, dotted: the contact point")
+    near.set_title("Across the patch")
+
+
+# --- patches ---------------------------------------------------------------------------------------
+
+
+def draw_patches(picture, figure):
+    """Edges of several patches over each other, and their pressures."""
+    edges, pressures = picture.subplots(1, 2)
+    names = curves_of(figure)
+    own = [name for name in names if "complete theory" not in name]
+    for name in names:
+        rows = rows_of(figure.columns, curve=name)
+        station, half, pressure = (rows[column].astype(float) for column in
+                                   ("station [mm]", "half length [mm]", "pressure [MPa]"))
+        theory = "complete theory" in name
+        case = next((k for k, other in enumerate(own) if name.startswith(other)), None)
+        look = {**(THEORY if theory else {}), "color": INK if case is None else COLOURS[case]}
+        if name == "basic":
+            look["linestyle"] = (0, (3, 1.5))
+        closed_outline(edges, station, half, fine=True, label=name, **look)
+        pressures.plot(*rounded_edge(station, pressure), **look)
+    for panel in (edges, pressures):
+        panel.set_xlabel("s in the contact plane, field side + [mm]")
+    edges.set_ylabel("rolling direction [mm]")
+    pressures.set_ylabel("pressure on x = 0 [MPa]")
+    pressures.set_ylim(bottom=0)
+    edges.plot([0], [0], "*", color=CONTACT_COLOUR, markersize=7)
+    to_scale(edges)
+    edges.set_title("Edges of the patches, from the rigid contact point")
+    pressures.set_title("Pressure across")
+    picture.legend(*edges.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+
+
+def draw_torn(picture, figure):
+    """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete theory's patch."""
+    names = [name for name in curves_of(figure) if name != "complete theory"]
+    theory = rows_of(figure.columns, curve="complete theory")
+    true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)
+    panels = picture.subplots(1, 3, sharex=True, sharey=True)
+    for panel, name, colour in zip(panels, names, COLOURS):
+        rows = rows_of(figure.columns, curve=name)
+        station, half = (rows[column].astype(float) for column in ("station [mm]", "half length [mm]"))
+        loaded = half > 0
+        panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour, alpha=0.55, linewidth=0,
+                  label=f"{int(loaded.sum())} loaded nodes")
+        closed_outline(panel, *true, fine=True, label="complete theory", **THEORY)
+        inside = loaded[np.argmin(np.abs(station))]
+        panel.plot([0], [0], "*", color=INK if inside else CONTACT_COLOUR, markersize=9, markeredgecolor="white",
+                   markeredgewidth=0.5, label=f"first contact point, {'in' if inside else 'not in'} the patch", linestyle="")
+        panel.set(xlabel="s from the contact, field side + [mm]", ylim=(-10.5, 10.5))
+        panel.set_title(name[0].upper() + name[1:])
+        panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1)
+    panels[0].set_ylabel("rolling direction [mm]")
+
+
+def draw_lateral(picture, figure):
+    """Lateral curvature of wheel and rail; rounding noise would fill the picture, so its points are small."""
+    for panel, name, span in zip(picture.subplots(2, 1), ("wheel", "rail"), ((-45, 110), (-45, 110))):
+        at = np.array(figure.columns[f"y_{name} [mm]"])
+        noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
+        panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
+                   label="three nodes, coordinates to 1 um")
+        panel.plot(at, figure.columns[f"{name}, rough [1/m]"], color=COLOURS[0],
+                   label="three nodes 0.2 mm apart, exact profile")
+        panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)), linewidth=1.2,
+                   label="circle through 6 mm")
+        panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
+                  ylabel="curvature [1/m]")
+        panel.set_title({"wheel": "Wheel, + where it is hollow as in the flange root",
+                         "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}[name])
+    picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+
+
+DRAWN = {
+    "4.4": draw_roll, "4.5": draw_place, "4.6": draw_place_and_errors, "5.6": draw_two_searches, "5.7": draw_picture,
+    "5.8": draw_roll_by_yaw, "5.9": draw_shift_by_yaw, "7.1": draw_picture, "7.2": draw_separation, "7.3": draw_picture,
+    "7.4": draw_separation, "7.5": draw_longitudinal, "7.6": draw_patches, "7.7": draw_longitudinal, "7.8": draw_patches,
+    "7.9": draw_longitudinal_with_picture, "7.10": draw_patches, "7.11": draw_lateral, "7.12": draw_torn, "7.13": draw_torn,
+    "7.14": draw_torn, "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
+}  # fmt: skip
+SIZES = {
+    "5.6": (WIDE, 5.2), "5.7": (7.5, 3.9), "5.8": (WIDE, 5.4), "7.1": (7.5, 3.9), "7.2": (WIDE, 4.8), "7.3": (7.5, 3.9),
+    "7.4": (WIDE, 4.8), "7.6": (WIDE, 4.8), "7.8": (WIDE, 4.8), "7.9": (WIDE, 7.4), "7.10": (WIDE, 4.8), "7.11": (WIDE, 6.6),
+    "7.12": (WIDE, 4.8), "7.13": (WIDE, 4.8), "7.14": (WIDE, 4.8), "7.15": (WIDE, 4.8), "7.16": (WIDE, 4.8),
+    "7.17": (WIDE, 4.8),
+}  # fmt: skip  [in]
