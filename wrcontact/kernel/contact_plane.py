@@ -33,6 +33,7 @@ FRAME_RAISE: Final[int] = WORK_CONTACT + 19      # what is added to the gap of a
 FRAME_POSE: Final[int] = WORK_CONTACT + 20       # vertical shift of the wheelset where it stands [m]
 FRAME_DEPTH: Final[int] = WORK_CONTACT + 21      # how deep wheel and rail overlap there, along the normal [m]
 FRAME_PRESSED: Final[int] = WORK_CONTACT + 22    # 1 if the wheel comes down, 0 if it comes along the normal
+FRAME_BLUR: Final[int] = WORK_CONTACT + 23       # half the stretch of a pressed wheel that its bend is averaged over [m]
 # the tracer: the last station and the profile abscissae that belong to it
 TRACER_STATION: Final[int] = WORK_CONTACT + 10
 TRACER_RAIL: Final[int] = WORK_CONTACT + 11
@@ -82,6 +83,7 @@ def open_frame(tables: 'float[:]', work: 'float[:]', at: int, y: float, aside: f
     work[FRAME_POSE] = shift
     work[FRAME_DEPTH] = 0.0
     work[FRAME_PRESSED] = 0.0
+    work[FRAME_BLUR] = 0.0
     start_tracer(work, 0.0, abscissa, y)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:

@@ -33,7 +33,10 @@ from .side import (SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, pres
                    side_outputs)
 from .touching import limited
 
-TRIALS: Final[int] = 60
+#: After so many trials neither height nor roll will be found better,
+STALLED: Final[int] = 30
+#: and the heights at which both sides carry their loads may differ by this share of how far the left one sinks.
+JUMP: Final[float] = 0.1
 #: Height and roll are found when either wheel moves by less [m]; the gap is traced to about that.
 ELASTIC_SHARP: Final[float] = 1e-12
 #: Longest move of a wheel in one trial [m].
@@ -150,7 +153,10 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
     right_roll = 0.0
     move_height = 0.0
     move_roll = 0.0
-    for trial in range(TRIALS):
+    best_lack = 0.0
+    best_height = height
+    best_roll = roll
+    for trial in range(STALLED + 1):
         status = carry_both(tables, work, state, left, right, height)
         if status > UNLOADED:
             return roll, status
@@ -180,6 +186,19 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant
         if fabs(move_height) < ELASTIC_SHARP and fabs(move_roll) < ELASTIC_SHARP:
             return roll, status
+        lack = fabs(lack_left) + fabs(lack_right)
+        if trial == 0 or lack < best_lack:
+            best_lack = lack
+            best_height = height
+            best_roll = roll
+        if trial == STALLED:
+            # a side's height jumps here: stand where the two are closest
+            if turn_to(tables, work, state, best_roll) == 0:
+                return best_roll, OFF_PROFILE
+            status = carry_both(tables, work, state, left, right, best_height)
+            if best_lack > JUMP * (best_height - work[WORK_SIDE + SIDE_BEST]):
+                status = NOT_CONVERGED
+            return best_roll, status
         move_height = limited(move_height, LONGEST)
         move_roll = limited(move_roll, LONGEST)
         height += move_height

@@ -12,7 +12,7 @@ from math import isfinite, log, pi, sqrt
 from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
-from .contact_plane import FRAME_DEPTH, FRAME_PRESSED, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
+from .contact_plane import FRAME_BLUR, FRAME_DEPTH, FRAME_PRESSED, FRAME_WHEEL_COS, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
 from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID,
                      PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
@@ -167,6 +167,8 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
         A = 0.5 * work[block + REGION_CURVATURE]
         low_reach = level * enlarge * zone_share(tables, A, work[block + REGION_SIDE_LOW])
         high_reach = level * enlarge * zone_share(tables, A, work[block + REGION_SIDE_HIGH])
+        if work[FRAME_PRESSED] == 1.0 and is_yawed(work) == 1:
+            work[FRAME_BLUR] = spacing * float(stride) * work[FRAME_WHEEL_COS]
         lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
         leave_plane(work, i)

@@ -8,15 +8,16 @@ meets the wheel's outline (Y, Z) as it stands,
 
 and stations run along the rail, by its arc length.  With slope m_w of the outline there and kappa of the rail
 
-    do/ds = (m_w - m) / (1 + m m_w) (1 - kappa o)
+    do/ds = (m_w - m) / (1 + m m_w)
 
-so the deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
+but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
+deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
 """
 
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_RAISE, NO_GAP, TRACER_RAIL,
+from .contact_plane import (FRAME_BLUR, FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_RAISE, NO_GAP, TRACER_RAIL,
                             TRACER_STATION, TRACER_WHEEL, longitudinal_curvature)
 from .layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT
 from .locus import outline_jet
@@ -57,14 +58,13 @@ def normal_line(tables: 'float[:]', work: 'float[:]', at: int, abscissa: float, 
             if not fabs(overlap) < FARTHEST:
                 return y, 0.0, 0.0, 0.0, 0.0, 0
             tangent = (outline_slope - m) / (1.0 + m * outline_slope)
-            spread = 1.0 - kappa * overlap
             # the angle between both curves turns by the wheel's curvature over its own arc less the rail's
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope)
             wheel_kappa = rate / stretch * wheel_cos * wheel_cos * wheel_cos
             steep = 1.0 + tangent * tangent
-            turn = wheel_kappa * spread * sqrt(steep) - kappa
-            curvature = longitudinal_curvature(tables, work, at, z, slope, bend)
-            return y, overlap, tangent * spread, steep * turn * spread, curvature, 1
+            turn = wheel_kappa * sqrt(steep) - kappa
+            curvature = longitudinal_curvature(tables, work, at, z, slope, mean_bend(tables, work, y, bend))
+            return y, overlap, tangent, steep * turn, curvature, 1
         if move > LINE_STEP:
             move = LINE_STEP
         if move < -LINE_STEP:
@@ -73,6 +73,26 @@ def normal_line(tables: 'float[:]', work: 'float[:]', at: int, abscissa: float, 
         if not (y >= tables[wheel + START] and y <= tables[wheel + STOP]):
             return y, 0.0, 0.0, 0.0, 0.0, 0
     return y, 0.0, 0.0, 0.0, 0.0, 0
+
+
+def mean_bend(tables: 'float[:]', work: 'float[:]', y: float, bend: float):
+    """Second derivative of the wheel profile [1/m] at ``y``, averaged over FRAME_BLUR to either side where that is set.
+
+    With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint passes a node.
+    """
+    blur = work[FRAME_BLUR]
+    if blur > 0.0:
+        wheel = int(tables[SET_WHEEL])
+        low = y - blur
+        high = y + blur
+        if low < tables[wheel + START]:
+            low = tables[wheel + START]
+        if high > tables[wheel + STOP]:
+            high = tables[wheel + STOP]
+        z, low_slope = height_slope(tables, wheel, low)
+        z, high_slope = height_slope(tables, wheel, high)
+        bend = (high_slope - low_slope) / (high - low)
+    return bend
 
 
 def rail_speed(tables: 'float[:]', abscissa: float):

@@ -7,7 +7,7 @@ between them stays below MERGE of the penetration; otherwise the hump bounds bot
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_SIN, FRAME_Y, NO_GAP, TRACER_RAIL,
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, FRAME_Y, NO_GAP, TRACER_RAIL,
                             TRACER_WHEEL, normal_gap, start_tracer)
 from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
                      SIDE_NODE, WORK_REGION)
@@ -71,6 +71,7 @@ WIDTH_TRACE: Final[float] = 5e-8     # and while half-widths are measured [m]
 HALVED_SHARP: Final[float] = 1e-9    # last halving, relative
 WIDTH_ITERATIONS: Final[int] = 60
 WIDTH_SHARP: Final[float] = 5e-3     # last Newton step, relative; its error is a tenth of the square
+PRESSED_SHARP: Final[float] = 1e-5   # where height and roll are sought, which asks for a smooth answer
 HUMP_SAMPLES: Final[int] = 8
 MINIMUM_ITERATIONS: Final[int] = 12
 
@@ -280,6 +281,9 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
             high = width
         following = 2.0 * width
         sharp = HALVED_SHARP
+        near = WIDTH_SHARP
+        if work[FRAME_PRESSED] == 1.0:
+            near = PRESSED_SHARP
         if high > 0.0:
             following = 0.5 * (low + high)
         if rise > 0.0 and rate * direction > 0.0:
@@ -287,9 +291,9 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
             newton = width + (root - square) * 2.0 * square / (rate * direction)
             if newton > low and newton < 4.0 * width and (high < 0.0 or newton < high):
                 following = newton
-                sharp = WIDTH_SHARP
+                sharp = near
         if fabs(following - width) < sharp * width:
-            if sharp == WIDTH_SHARP:
+            if sharp == near:
                 work[block + REGION_REACHED] = level
             return following
         width = following

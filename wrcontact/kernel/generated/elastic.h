@@ -32,7 +32,8 @@
 #include "side.h"
 #include "touching.h"
 
-static const int64_t elastic__TRIALS = INT64_C(60);
+static const int64_t elastic__STALLED = INT64_C(30);
+static const double elastic__JUMP = 0.1;
 static const double elastic__ELASTIC_SHARP = 1e-12;
 static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;

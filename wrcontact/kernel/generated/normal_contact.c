@@ -188,6 +188,10 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
         low_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_LOW)));
         high_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)));
+        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) && (contact_plane__is_yawed(work) == INT64_C(1)))
+        {
+            (*cspan_at(&work, contact_plane__FRAME_BLUR)) = spacing * (double)(stride) * (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS));
+        }
         nodes__lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
         planes__leave_plane(work, i);

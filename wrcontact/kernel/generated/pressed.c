@@ -10,9 +10,10 @@
  *
  * and stations run along the rail, by its arc length.  With slope m_w of the outline there and kappa of the rail
  *
- *     do/ds = (m_w - m) / (1 + m m_w) (1 - kappa o)
+ *     do/ds = (m_w - m) / (1 + m m_w)
  *
- * so the deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
+ * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
+ * deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
  */
 
 #include "pressed.h"
@@ -21,7 +22,7 @@
  * ``height``, looked for from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
  * and 1 if there is such a point, else 0.
  */
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height)
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height)
 {
     int64_t rail;
     int64_t wheel;
@@ -46,7 +47,6 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     double move;
     double overlap;
     double tangent;
-    double spread;
     double wheel_cos;
     double wheel_kappa;
     double steep;
@@ -69,7 +69,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
         {
             (*result_0_0001) = y;
             (*result_1) = 0.0;
-            (*result_2_0001) = 0.0;
+            (*result_2) = 0.0;
             (*result_3_0001) = 0.0;
             (*result_4) = 0.0;
             (*result_5_0001) = INT64_C(0);
@@ -83,24 +83,23 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             {
                 (*result_0_0001) = y;
                 (*result_1) = 0.0;
-                (*result_2_0001) = 0.0;
+                (*result_2) = 0.0;
                 (*result_3_0001) = 0.0;
                 (*result_4) = 0.0;
                 (*result_5_0001) = INT64_C(0);
                 return 0;
             }
             tangent = (outline_slope - m) / (1.0 + m * outline_slope);
-            spread = 1.0 - kappa * overlap;
             /* the angle between both curves turns by the wheel's curvature over its own arc less the rail's */
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope);
             wheel_kappa = rate / stretch * wheel_cos * wheel_cos * wheel_cos;
             steep = 1.0 + tangent * tangent;
-            turn = wheel_kappa * spread * sqrt(steep) - kappa;
-            curvature = contact_plane__longitudinal_curvature(tables, work, at, z, slope, bend);
+            turn = wheel_kappa * sqrt(steep) - kappa;
+            curvature = contact_plane__longitudinal_curvature(tables, work, at, z, slope, pressed__mean_bend(tables, work, y, bend));
             (*result_0_0001) = y;
             (*result_1) = overlap;
-            (*result_2_0001) = tangent * spread;
-            (*result_3_0001) = steep * turn * spread;
+            (*result_2) = tangent;
+            (*result_3_0001) = steep * turn;
             (*result_4) = curvature;
             (*result_5_0001) = INT64_C(1);
             return 0;
@@ -118,7 +117,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
         {
             (*result_0_0001) = y;
             (*result_1) = 0.0;
-            (*result_2_0001) = 0.0;
+            (*result_2) = 0.0;
             (*result_3_0001) = 0.0;
             (*result_4) = 0.0;
             (*result_5_0001) = INT64_C(0);
@@ -127,11 +126,45 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     }
     (*result_0_0001) = y;
     (*result_1) = 0.0;
-    (*result_2_0001) = 0.0;
+    (*result_2) = 0.0;
     (*result_3_0001) = 0.0;
     (*result_4) = 0.0;
     (*result_5_0001) = INT64_C(0);
     return 0;
+}
+
+/* Second derivative of the wheel profile [1/m] at ``y``, averaged over FRAME_BLUR to either side where that is set.
+ *
+ * With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint passes a node.
+ */
+static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, double y, double bend)
+{
+    double blur;
+    int64_t wheel;
+    double low;
+    double high;
+    double z;
+    double low_slope;
+    double high_slope;
+    blur = (*cspan_at(&work, contact_plane__FRAME_BLUR));
+    if (blur > 0.0)
+    {
+        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+        low = y - blur;
+        high = y + blur;
+        if (low < (*cspan_at(&tables, wheel + profile_table__START)))
+        {
+            low = (*cspan_at(&tables, wheel + profile_table__START));
+        }
+        if (high > (*cspan_at(&tables, wheel + profile_table__STOP)))
+        {
+            high = (*cspan_at(&tables, wheel + profile_table__STOP));
+        }
+        profile_table__height_slope(&z, &low_slope, tables, wheel, low);
+        profile_table__height_slope(&z, &high_slope, tables, wheel, high);
+        bend = (high_slope - low_slope) / (high - low);
+    }
+    return bend;
 }
 
 /* Arc length per abscissa of the rail [-]. */

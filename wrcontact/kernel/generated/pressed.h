@@ -10,9 +10,10 @@
  *
  * and stations run along the rail, by its arc length.  With slope m_w of the outline there and kappa of the rail
  *
- *     do/ds = (m_w - m) / (1 + m m_w) (1 - kappa o)
+ *     do/ds = (m_w - m) / (1 + m m_w)
  *
- * so the deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
+ * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
+ * deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
  */
 
 #ifndef WRCONTACT_KERNEL_PRESSED_H
@@ -30,7 +31,8 @@ static const double pressed__ARC_STEP = 0.001;
 static const double pressed__FARTHEST = 0.005;
 static const double pressed__LINE_STEP = 0.004;
 
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2_0001, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height);
+static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, double y, double bend);
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height);
 static OUT_OF_LINE double pressed__rail_speed(array_double_1d tables, double abscissa);
 static OUT_OF_LINE double pressed__rail_length(array_double_1d tables, double start, double stop);
 static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double start, double length);

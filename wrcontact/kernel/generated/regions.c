@@ -315,6 +315,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
     double rise;
     double following;
     double sharp;
+    double near;
     double square;
     double newton;
     limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
@@ -362,6 +363,11 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         }
         following = 2.0 * width;
         sharp = regions__HALVED_SHARP;
+        near = regions__WIDTH_SHARP;
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            near = regions__PRESSED_SHARP;
+        }
         if (high > 0.0)
         {
             following = 0.5 * (low + high);
@@ -373,12 +379,12 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
             if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
             {
                 following = newton;
-                sharp = regions__WIDTH_SHARP;
+                sharp = near;
             }
         }
         if (fabs(following - width) < sharp * width)
         {
-            if (sharp == regions__WIDTH_SHARP)
+            if (sharp == near)
             {
                 (*cspan_at(&work, block + regions__REGION_REACHED)) = level;
             }

@@ -66,6 +66,7 @@ static const double regions__WIDTH_TRACE = 5e-08;
 static const double regions__HALVED_SHARP = 1e-09;
 static const int64_t regions__WIDTH_ITERATIONS = INT64_C(60);
 static const double regions__WIDTH_SHARP = 0.005;
+static const double regions__PRESSED_SHARP = 1e-05;
 static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(12);
 

@@ -491,6 +491,7 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
         (*gap) = contact_plane__NO_GAP;
     }
     profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
+    wheel_bend = pressed__mean_bend(tables, work, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), wheel_bend);
     (*curvature) = contact_plane__longitudinal_curvature(tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), z, slope, wheel_bend);
     return 0;
 }

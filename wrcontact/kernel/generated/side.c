@@ -129,7 +129,6 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     int64_t deep;
     double aside;
     double shift;
-    int64_t status;
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
@@ -141,13 +140,9 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     deepest = overlaps__deepest_entry(work);
     deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;
     overlaps__touching_shift(&aside, &shift, tables, work, at, deepest, height);
-    status = layout__VALID;
-    if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), aside, shift) == INT64_C(0))
-    {
-        status = layout__OFF_PROFILE;
-    }
+    contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), aside, shift);
     overlaps__press_frame(work, height, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), 0.0);
-    return status;
+    return layout__VALID;
 }
 
 /* How the height at which a side carries its load follows the roll [m], from its regions' levers and stiffnesses. */
