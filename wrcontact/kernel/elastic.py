@@ -26,17 +26,19 @@ from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT
 from .locus import outline_point
 from .normal_contact import first_penetration
 from .profile_table import START, STOP, height_slope
-from .resultant import clear_resultant
 from .roll import ROLL_LIMIT, place_both, search_both, turn_both
 from .search import SHARP
 from .side import (SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever,
                    side_outputs)
 from .touching import limited
 
-#: After so many trials neither height nor roll will be found better,
-STALLED: Final[int] = 30
-#: and the heights at which both sides carry their loads may differ by this share of how far the left one sinks.
-JUMP: Final[float] = 0.1
+#: Broyden's method needs eight trials; what it has not found after so many, it will not.
+TRIALS: Final[int] = 25
+#: Brackets end here, or when they or what they enclose are this small [m, rad].
+BRACKETINGS: Final[int] = 90
+BRACKET_SHARP: Final[float] = 1e-13
+#: First distance from the rigid roll at which the other end of a bracket is looked for [rad].
+FIRST_REACH: Final[float] = 2e-5
 #: Height and roll are found when either wheel moves by less [m]; the gap is traced to about that.
 ELASTIC_SHARP: Final[float] = 1e-12
 #: Longest move of a wheel in one trial [m].
@@ -123,7 +125,6 @@ def turn_to(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
 def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: float, right: float, height: float):
     """``carry_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
     state[STATE_ROLL_COUNT] += 1.0
-    clear_resultant(work)
     status = carry_side(tables, work, state, 0, left, height)
     if status <= UNLOADED:
         outcome = carry_side(tables, work, state, 1, right, height)
@@ -134,7 +135,7 @@ def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: fl
 
 def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
     """Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
-    sides.  Starts at the rigid ``roll``, whose smallest gaps are known."""
+    sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do."""
     status = first_sink(tables, work, state, 0, left)
     if status == VALID:
         status = first_sink(tables, work, state, 1, right)
@@ -142,6 +143,7 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         return roll, status
     first = WORK_SUPPORT
     second = WORK_SUPPORT + SUPPORT_BLOCK
+    rigid_roll = roll
     height = work[WORK_SIDE + SIDE_BEST] + 0.5 * (work[first + SUPPORT_FIRST] + work[second + SUPPORT_FIRST])
     # Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels
     arm = tables[SET_ARM]
@@ -153,13 +155,10 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
     right_roll = 0.0
     move_height = 0.0
     move_roll = 0.0
-    best_lack = 0.0
-    best_height = height
-    best_roll = roll
-    for trial in range(STALLED + 1):
+    for trial in range(TRIALS):
         status = carry_both(tables, work, state, left, right, height)
         if status > UNLOADED:
-            return roll, status
+            break
         before_left = lack_left
         before_right = lack_right
         lack_left = work[first + SUPPORT_HEIGHT] - height
@@ -186,28 +185,126 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant
         if fabs(move_height) < ELASTIC_SHARP and fabs(move_roll) < ELASTIC_SHARP:
             return roll, status
-        lack = fabs(lack_left) + fabs(lack_right)
-        if trial == 0 or lack < best_lack:
-            best_lack = lack
-            best_height = height
-            best_roll = roll
-        if trial == STALLED:
-            # a side's height jumps here: stand where the two are closest
-            if turn_to(tables, work, state, best_roll) == 0:
-                return best_roll, OFF_PROFILE
-            status = carry_both(tables, work, state, left, right, best_height)
-            if best_lack > JUMP * (best_height - work[WORK_SIDE + SIDE_BEST]):
-                status = NOT_CONVERGED
-            return best_roll, status
         move_height = limited(move_height, LONGEST)
         move_roll = limited(move_roll, LONGEST)
         height += move_height
         roll += move_roll / arm
         if not fabs(roll) < ROLL_LIMIT:
-            return roll, NOT_CONVERGED
+            break
         if turn_to(tables, work, state, roll) == 0:
-            return roll, OFF_PROFILE
-    return roll, NOT_CONVERGED
+            break
+    roll, status = bracket_roll(tables, work, state, rigid_roll, left, right)
+    return roll, status
+
+
+def within_bracket(low: float, high: float, at_low: float, at_high: float, i: int):
+    """Where to look next for a zero between two values of opposite sign: on their chord, and every other time half way."""
+    place = 0.5 * (low + high)
+    if i % 2 == 0:
+        chord = low - at_low * (high - low) / (at_high - at_low)
+        if chord > low and chord < high:
+            place = chord
+    return place
+
+
+def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
+    """Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
+
+    Laid down too high it lacks height, too low it has too much.
+    """
+    support = WORK_SUPPORT + SUPPORT_BLOCK * index
+    best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+    if not force > 0.0:
+        return carry_side(tables, work, state, index, force, best)
+    low = best + SHALLOWEST * work[support + SUPPORT_FIRST]
+    status = carry_side(tables, work, state, index, force, low)
+    lack_low = work[support + SUPPORT_HEIGHT] - low
+    if status > UNLOADED or lack_low <= 0.0:
+        return status
+    high = low
+    lack_high = lack_low
+    while lack_high > 0.0:
+        low = high
+        lack_low = lack_high
+        high = best + 1.5 * (high - best)
+        if high - best > DEEPEST:
+            return OFF_PROFILE
+        status = carry_side(tables, work, state, index, force, high)
+        if status > UNLOADED:
+            return status
+        lack_high = work[support + SUPPORT_HEIGHT] - high
+    for i in range(BRACKETINGS):
+        height = within_bracket(low, high, lack_low, lack_high, i)
+        status = carry_side(tables, work, state, index, force, height)
+        if status > UNLOADED:
+            return status
+        lack = work[support + SUPPORT_HEIGHT] - height
+        if fabs(lack) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+            return status
+        if lack > 0.0:
+            low = height
+            lack_low = lack
+        else:
+            high = height
+            lack_high = lack
+    return status
+
+
+def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
+    """Let both sides carry their loads at ``roll``; by how much the right one is lower [m], and the outcome."""
+    if turn_to(tables, work, state, roll) == 0:
+        return 0.0, OFF_PROFILE
+    state[STATE_ROLL_COUNT] += 1.0
+    status = bracket_height(tables, work, state, 0, left)
+    if status <= UNLOADED:
+        outcome = bracket_height(tables, work, state, 1, right)
+        if outcome > status:
+            status = outcome
+    difference = work[WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT] - work[WORK_SUPPORT + SUPPORT_HEIGHT]
+    return difference, status
+
+
+def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
+    """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while both heights exist.
+
+    Where the difference of the heights jumps across zero, since a region comes or goes, the roll of the jump is taken.
+    """
+    difference, status = stand_at(tables, work, state, roll, left, right)
+    if status > UNLOADED:
+        return roll, status
+    low = roll
+    high = roll
+    at_low = difference
+    at_high = difference
+    reach = FIRST_REACH
+    while at_low * at_high > 0.0:
+        if reach > ROLL_LIMIT:
+            return roll, NOT_CONVERGED
+        if difference > 0.0:
+            low = high
+            at_low = at_high
+            high = roll + reach
+            at_high, status = stand_at(tables, work, state, high, left, right)
+        else:
+            high = low
+            at_high = at_low
+            low = roll - reach
+            at_low, status = stand_at(tables, work, state, low, left, right)
+        if status > UNLOADED:
+            return roll, status
+        reach *= 2.0
+    for i in range(BRACKETINGS):
+        roll = within_bracket(low, high, at_low, at_high, i)
+        difference, status = stand_at(tables, work, state, roll, left, right)
+        if status > UNLOADED or fabs(difference) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+            return roll, status
+        if difference > 0.0:
+            low = roll
+            at_low = difference
+        else:
+            high = roll
+            at_high = difference
+    return roll, status
 
 
 def bear_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, height: float):
@@ -230,7 +327,6 @@ def stand_compliant(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     place_both(tables, work, roll)
     work[WORK_OUTPUTS + OUT_ROLL] = roll
     work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = height
-    clear_resultant(work)
     status = VALID
     if search_both(tables, work, state, 0) == 0:
         return OFF_PROFILE

@@ -45,8 +45,8 @@ DEEP_ITERATIONS: Final[int] = 60
 LEVEL_RISE: Final[float] = 1e-6
 #: Deepest points closer than this on the rail are one [m].
 SAME: Final[float] = 1e-6
-#: How far beyond its two samples a deepest point is looked for [m]: the overlap of the samples is of first order only.
-BESIDE: Final[float] = 1e-3
+#: Steps that a deepest point is looked for beyond its two samples.
+WIDENINGS: Final[int] = 6
 
 
 def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, height: float, entry: int):
@@ -70,6 +70,7 @@ def sample_end(tables: 'float[:]', work: 'float[:]', direction: int, entry: int)
     rail = int(tables[SET_RAIL])
     work[SAMPLE_RAIL + entry] = tables[rail + START]
     work[SAMPLE_RISE + entry] = 1.0
+    work[SAMPLE_WHEEL + entry] = work[SAMPLE_WHEEL + entry - direction]
     if direction > 0:
         work[SAMPLE_RAIL + entry] = tables[rail + STOP]
         work[SAMPLE_RISE + entry] = -1.0
@@ -141,6 +142,22 @@ def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, hig
     if fabs(rise) < LEVEL_RISE:
         turned = 1
     return x, y, overlap, turned
+
+
+def bracket_end(tables: 'float[:]', work: 'float[:]', at: int, x: float, step: float, y: float, height: float):
+    """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other side; the samples
+    are straight down and may have turned a little before it."""
+    rail = int(tables[SET_RAIL])
+    for i in range(WIDENINGS):
+        if x <= tables[rail + START]:
+            return tables[rail + START]
+        if x >= tables[rail + STOP]:
+            return tables[rail + STOP]
+        y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, y, height)
+        if found == 0 or rise * step < 0.0:
+            break
+        x += step
+    return x
 
 
 def keep_deep(work: 'float[:]', x: float, y: float, depth: float):
@@ -235,19 +252,16 @@ def remove_deep(work: 'float[:]', entry: int):
 def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, at: int, height: float):
     """List the regions in which the wheel placed at ``at`` and moved down by ``height`` [m] overlaps its rail; their number."""
     node = node_below(tables, work[side + SIDE_BEST_Y])
-    rail = int(tables[SET_RAIL])
     work[DEEP_COUNT] = 0.0
     start = walk_overlap(tables, work, state, at, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, work, state, at, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if work[SAMPLE_RISE + entry] > 0.0 and work[SAMPLE_RISE + entry + 1] <= 0.0 and work[SAMPLE_NEXT + entry + 1] == 1.0:
-            low = work[SAMPLE_RAIL + entry] - BESIDE
-            high = work[SAMPLE_RAIL + entry + 1] + BESIDE
-            if low < tables[rail + START]:
-                low = tables[rail + START]
-            if high > tables[rail + STOP]:
-                high = tables[rail + STOP]
-            x, y, depth, turned = turning_point(tables, work, at, low, high, work[SAMPLE_WHEEL + entry], height, 1.0)
+            step = work[SAMPLE_RAIL + entry + 1] - work[SAMPLE_RAIL + entry]
+            y = 0.5 * (work[SAMPLE_WHEEL + entry] + work[SAMPLE_WHEEL + entry + 1])
+            low = bracket_end(tables, work, at, work[SAMPLE_RAIL + entry], -step, y, height)
+            high = bracket_end(tables, work, at, work[SAMPLE_RAIL + entry + 1], step, y, height)
+            x, y, depth, turned = turning_point(tables, work, at, low, high, y, height, 1.0)
             if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
                 keep_deep(work, x, y, depth)
     if int(work[DEEP_COUNT]) > 0:

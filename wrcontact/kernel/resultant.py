@@ -4,6 +4,8 @@ The rail pushes the wheel along each region's normal, (0, -+ sin(angle), -cos(an
 region's load acts; the moment is that about the wheelset's centre, which stands the nominal radius above the running circles.
 """
 
+from typing import Final
+
 from .contact_plane import ridge_place
 from .layout import (IN_LATERAL_SHIFT, OUT_FORCE, OUT_MOMENT, OUT_VERTICAL_SHIFT, SET_RADIUS, SET_RAIL, SET_RAIL_Y,
                      WORK_INPUTS, WORK_OUTPUTS)
@@ -11,17 +13,19 @@ from .profile_table import height_slope
 from .regions import (REGION_CARRIED, REGION_COS, REGION_MOMENT, REGION_OFFSET, REGION_RAIL, REGION_SIN, REGION_SLANT,
                       REGION_STATION, REGION_WHEEL, region_block)
 
+RESULTANT_SIZE: Final[int] = 6       # force x, y, z [N], moment x, y, z [N m]
 
-def clear_resultant(work: 'float[:]'):
-    """No force and no moment."""
-    for i in range(3):
-        work[WORK_OUTPUTS + OUT_FORCE + i] = 0.0
-        work[WORK_OUTPUTS + OUT_MOMENT + i] = 0.0
+
+def clear_resultant(work: 'float[:]', at: int):
+    """No force and no moment at ``at``."""
+    for i in range(RESULTANT_SIZE):
+        work[at + i] = 0.0
     return 0
 
 
-def add_region(tables: 'float[:]', work: 'float[:]', region: int, mirror: float):
-    """Add the force of a region, ``mirror`` = 1 on the right, -1 on the left."""
+def add_region(tables: 'float[:]', work: 'float[:]', region: int, mirror: float, at: int):
+    """Add the force of a region and its moment about the track's origin at ``at``; ``mirror`` = 1 on the right, -1 on the
+    left."""
     block = region_block(region)
     load = work[block + REGION_CARRIED]
     if load > 0.0:
@@ -33,13 +37,22 @@ def add_region(tables: 'float[:]', work: 'float[:]', region: int, mirror: float)
         x = ridge_place(tables, work, work[block + REGION_WHEEL]) + work[block + REGION_SLANT] * away
         y = mirror * (tables[SET_RAIL_Y] + work[block + REGION_RAIL] + away * cosine)
         z = height + away * sine
-        arm_y = y - work[WORK_INPUTS + IN_LATERAL_SHIFT]
-        arm_z = z - work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] + tables[SET_RADIUS]
         force_y = mirror * sine * load
         force_z = -cosine * load
-        work[WORK_OUTPUTS + OUT_FORCE + 1] += force_y
-        work[WORK_OUTPUTS + OUT_FORCE + 2] += force_z
-        work[WORK_OUTPUTS + OUT_MOMENT] += arm_y * force_z - arm_z * force_y
-        work[WORK_OUTPUTS + OUT_MOMENT + 1] -= x * force_z
-        work[WORK_OUTPUTS + OUT_MOMENT + 2] += x * force_y
+        work[at + 1] += force_y
+        work[at + 2] += force_z
+        work[at + 3] += y * force_z - z * force_y
+        work[at + 4] -= x * force_z
+        work[at + 5] += x * force_y
+    return 0
+
+
+def write_resultant(tables: 'float[:]', work: 'float[:]', left: int, right: int):
+    """The resultant of both sides, from ``left`` and ``right``, its moment about the wheelset's centre."""
+    for i in range(3):
+        work[WORK_OUTPUTS + OUT_FORCE + i] = work[left + i] + work[right + i]
+        work[WORK_OUTPUTS + OUT_MOMENT + i] = work[left + 3 + i] + work[right + 3 + i]
+    y = work[WORK_INPUTS + IN_LATERAL_SHIFT]
+    z = work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] - tables[SET_RADIUS]
+    work[WORK_OUTPUTS + OUT_MOMENT] -= y * work[WORK_OUTPUTS + OUT_FORCE + 2] - z * work[WORK_OUTPUTS + OUT_FORCE + 1]
     return 0

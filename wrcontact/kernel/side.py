@@ -7,23 +7,29 @@ from .contact_point import describe_contact
 from .gap import gap_per_roll
 from .layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, NOT_CONVERGED, OFF_PROFILE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK,
                      SET_ABSENT, SET_DEPTH, SET_PENETRATION_LEFT, SIDE_BEST, SIDE_BEST_Y,
-                     SIDE_BLOCK, SIDE_PATCH_COUNT, SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, UNLOADED, VALID,
-                     WORK_OUTPUTS, WORK_PLACE, WORK_SIDE)
+                     SIDE_BLOCK, SIDE_PATCH_COUNT, SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, SUPPORT_BLOCK,
+                     UNLOADED, VALID, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT)
 from .normal_contact import solve_normal
 from .overlaps import (DEEP_DEPTH, DEEP_FIRST, DEEP_SIZE, DEEP_WHEEL, deepest_entry, find_overlaps, press_frame,
                        touching_shift)
 from .regions import REGION_COS, REGION_SHARE, REGION_STIFFNESS, REGION_WHEEL, region_block
-from .resultant import add_region
+from .resultant import add_region, clear_resultant
 
 # how a side carries its load, at WORK_SUPPORT + SUPPORT_BLOCK * index
 SUPPORT_FIRST: Final[int] = 0        # how far below its smallest gap the wheel is estimated to sink [m]
 SUPPORT_HEIGHT: Final[int] = 1       # the vertical shift at which it carries its load [m]
 SUPPORT_LEVER: Final[int] = 2        # how that follows the roll [m]
+SUPPORT_RESULTANT: Final[int] = 8    # force on the wheel and its moment about the track's origin
 
 
 def side_outputs(index: int):
     """Offset in the workspace of the outputs of side ``index`` (0 left, 1 right)."""
     return WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
+
+
+def side_resultant(index: int):
+    """Offset in the workspace of the force and moment of side ``index``."""
+    return WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_RESULTANT
 
 
 def clear_side(work: 'float[:]', out: int):
@@ -61,7 +67,7 @@ def load_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
         status = NOT_CONVERGED
     else:
         for region in range(count):
-            add_region(tables, work, region, float(2 * index - 1))
+            add_region(tables, work, region, float(2 * index - 1), side_resultant(index))
     return count, status
 
 
@@ -69,6 +75,7 @@ def rest_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
     """Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED."""
     side = WORK_SIDE + SIDE_BLOCK * index
     clear_side(work, side_outputs(index))
+    clear_resultant(work, side_resultant(index))
     status = UNLOADED
     if describe_contact(tables, work, state, index, work[side + SIDE_BEST_Y], 0.0, work[side + SIDE_BEST]) == 0:
         status = OFF_PROFILE
@@ -96,6 +103,7 @@ def press_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: i
     at = WORK_PLACE + PLACE_BLOCK * index
     height = work[side + SIDE_BEST] + sink
     clear_side(work, side_outputs(index))
+    clear_resultant(work, side_resultant(index))
     if find_overlaps(tables, work, state, side, at, height) == 0:
         return NOT_CONVERGED
     deepest = deepest_entry(work)

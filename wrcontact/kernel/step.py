@@ -13,9 +13,9 @@ from .layout import (DEPTH_GEOMETRY, INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIF
                      SET_MODE, SET_SIDES, SET_YAW_LIMIT, SIDES_BOTH, SIDES_LEFT, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK,
                      SIDE_SIZE, STATE_ROLL, STATE_SHIFT, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, SUPPORT_BLOCK, UNLOADED,
                      VALID, WORK_INPUTS, WORK_KNOWN, WORK_OUTPUTS, WORK_SIDE, WORK_STATUS, WORK_SUPPORT)
-from .resultant import clear_resultant
+from .resultant import clear_resultant, write_resultant
 from .roll import ROLL_LIMIT, solve_roll
-from .side import SUPPORT_HEIGHT, clear_from, first_unwanted, side_outputs, step_side
+from .side import SUPPORT_HEIGHT, clear_from, first_unwanted, side_outputs, side_resultant, step_side
 from .starts import START_LEFT, START_RIGHT, START_ROLL, nearest_start
 
 #: After a longer lateral move the search does not start at the last contacts [m].
@@ -86,7 +86,8 @@ def stand_rigid(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: f
     status = VALID
     work[WORK_OUTPUTS + OUT_ROLL] = roll
     work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST]
-    clear_resultant(work)
+    for index in range(2):
+        clear_resultant(work, side_resultant(index))
     for index in range(2):
         if is_wanted(tables, index) == 1:
             outcome = step_side(tables, work, state, index, side_force(work, index))
@@ -149,6 +150,7 @@ def evaluate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
             remember(work, state, roll)
         if mode == MODE_ELASTIC:
             status = stand_elastic(tables, work, state, roll)
+    write_resultant(tables, work, side_resultant(0), side_resultant(1))
     withhold(tables, work)
     return status
 

@@ -146,7 +146,6 @@ static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_dou
     int64_t outcome;
     int64_t status;
     (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-    resultant__clear_resultant(work);
     status = elastic__carry_side(tables, work, state, INT64_C(0), left, height);
     if (status <= layout__UNLOADED)
     {
@@ -160,13 +159,13 @@ static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_dou
 }
 
 /* Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
- * sides.  Starts at the rigid ``roll``, whose smallest gaps are known.
+ * sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do.
  */
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
-    int64_t status;
     int64_t first;
     int64_t second;
+    double rigid_roll;
     double height;
     double arm;
     double lack_left;
@@ -177,9 +176,6 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     double right_roll;
     double move_height;
     double move_roll;
-    double best_lack;
-    double best_height;
-    double best_roll;
     int64_t trial;
     double before_left;
     double before_right;
@@ -187,20 +183,19 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     double off_left;
     double off_right;
     double determinant;
-    double lack;
-    status = elastic__first_sink(tables, work, state, INT64_C(0), left);
-    if (status == layout__VALID)
+    (*status) = elastic__first_sink(tables, work, state, INT64_C(0), left);
+    if ((*status) == layout__VALID)
     {
-        status = elastic__first_sink(tables, work, state, INT64_C(1), right);
+        (*status) = elastic__first_sink(tables, work, state, INT64_C(1), right);
     }
-    if (status != layout__VALID)
+    if ((*status) != layout__VALID)
     {
         (*result_0) = roll;
-        (*result_1) = status;
         return 0;
     }
     first = layout__WORK_SUPPORT;
     second = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK;
+    rigid_roll = roll;
     height = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST)) + 0.5 * ((*cspan_at(&work, first + side__SUPPORT_FIRST)) + (*cspan_at(&work, second + side__SUPPORT_FIRST)));
     /* Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels */
     arm = (*cspan_at(&tables, layout__SET_ARM));
@@ -212,17 +207,12 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     right_roll = 0.0;
     move_height = 0.0;
     move_roll = 0.0;
-    best_lack = 0.0;
-    best_height = height;
-    best_roll = roll;
-    for (trial = INT64_C(0); trial < elastic__STALLED + INT64_C(1); trial += INT64_C(1))
+    for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
-        status = elastic__carry_both(tables, work, state, left, right, height);
-        if (status > layout__UNLOADED)
+        (*status) = elastic__carry_both(tables, work, state, left, right, height);
+        if ((*status) > layout__UNLOADED)
         {
-            (*result_0) = roll;
-            (*result_1) = status;
-            return 0;
+            break;
         }
         before_left = lack_left;
         before_right = lack_right;
@@ -257,32 +247,6 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         if ((fabs(move_height) < elastic__ELASTIC_SHARP) && (fabs(move_roll) < elastic__ELASTIC_SHARP))
         {
             (*result_0) = roll;
-            (*result_1) = status;
-            return 0;
-        }
-        lack = fabs(lack_left) + fabs(lack_right);
-        if ((trial == INT64_C(0)) || (lack < best_lack))
-        {
-            best_lack = lack;
-            best_height = height;
-            best_roll = roll;
-        }
-        if (trial == elastic__STALLED)
-        {
-            /* a side's height jumps here: stand where the two are closest */
-            if (elastic__turn_to(tables, work, state, best_roll) == INT64_C(0))
-            {
-                (*result_0) = best_roll;
-                (*result_1) = layout__OFF_PROFILE;
-                return 0;
-            }
-            status = elastic__carry_both(tables, work, state, left, right, best_height);
-            if (best_lack > elastic__JUMP * (best_height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST))))
-            {
-                status = layout__NOT_CONVERGED;
-            }
-            (*result_0) = best_roll;
-            (*result_1) = status;
             return 0;
         }
         move_height = touching__limited(move_height, elastic__LONGEST);
@@ -291,19 +255,216 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         roll += move_roll / arm;
         if (!(fabs(roll) < roll__ROLL_LIMIT))
         {
+            break;
+        }
+        if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
+        {
+            break;
+        }
+    }
+    elastic__bracket_roll(&roll, status, tables, work, state, rigid_roll, left, right);
+    (*result_0) = roll;
+    return 0;
+}
+
+/* Where to look next for a zero between two values of opposite sign: on their chord, and every other time half way. */
+static OUT_OF_LINE double elastic__within_bracket(double low, double high, double at_low, double at_high, int64_t i)
+{
+    double chord;
+    double place;
+    place = 0.5 * (low + high);
+    if (pyc_modulo(i, INT64_C(2)) == INT64_C(0))
+    {
+        chord = low - at_low * (high - low) / (at_high - at_low);
+        if ((chord > low) && (chord < high))
+        {
+            place = chord;
+        }
+    }
+    return place;
+}
+
+/* Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
+ *
+ * Laid down too high it lacks height, too low it has too much.
+ */
+static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+{
+    int64_t support;
+    double best;
+    double low;
+    int64_t status;
+    double lack_low;
+    double high;
+    double lack_high;
+    int64_t i;
+    double height;
+    double lack;
+    int64_t result;
+    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
+    best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+    if (!(force > 0.0))
+    {
+        result = elastic__carry_side(tables, work, state, index, force, best);
+        return result;
+    }
+    low = best + elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
+    status = elastic__carry_side(tables, work, state, index, force, low);
+    lack_low = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - low;
+    if ((status > layout__UNLOADED) || (lack_low <= 0.0))
+    {
+        return status;
+    }
+    high = low;
+    lack_high = lack_low;
+    while(lack_high > 0.0)
+    {
+        low = high;
+        lack_low = lack_high;
+        high = best + 1.5 * (high - best);
+        if (high - best > elastic__DEEPEST)
+        {
+            return layout__OFF_PROFILE;
+        }
+        status = elastic__carry_side(tables, work, state, index, force, high);
+        if (status > layout__UNLOADED)
+        {
+            return status;
+        }
+        lack_high = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - high;
+    }
+    for (i = INT64_C(0); i < elastic__BRACKETINGS; i += INT64_C(1))
+    {
+        height = elastic__within_bracket(low, high, lack_low, lack_high, i);
+        status = elastic__carry_side(tables, work, state, index, force, height);
+        if (status > layout__UNLOADED)
+        {
+            return status;
+        }
+        lack = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - height;
+        if ((fabs(lack) < elastic__BRACKET_SHARP) || (high - low < elastic__BRACKET_SHARP))
+        {
+            return status;
+        }
+        if (lack > 0.0)
+        {
+            low = height;
+            lack_low = lack;
+        }
+        else
+        {
+            high = height;
+            lack_high = lack;
+        }
+    }
+    return status;
+}
+
+/* Let both sides carry their loads at ``roll``; by how much the right one is lower [m], and the outcome. */
+static OUT_OF_LINE int64_t elastic__stand_at(double* difference, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+{
+    int64_t status;
+    int64_t outcome;
+    if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
+    {
+        (*difference) = 0.0;
+        (*result_1) = layout__OFF_PROFILE;
+        return 0;
+    }
+    (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
+    status = elastic__bracket_height(tables, work, state, INT64_C(0), left);
+    if (status <= layout__UNLOADED)
+    {
+        outcome = elastic__bracket_height(tables, work, state, INT64_C(1), right);
+        if (outcome > status)
+        {
+            status = outcome;
+        }
+    }
+    (*difference) = (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT)) - (*cspan_at(&work, layout__WORK_SUPPORT + side__SUPPORT_HEIGHT));
+    (*result_1) = status;
+    return 0;
+}
+
+/* ``solve_elastic`` by brackets around brackets: slow, and it cannot fail while both heights exist.
+ *
+ * Where the difference of the heights jumps across zero, since a region comes or goes, the roll of the jump is taken.
+ */
+static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+{
+    double difference;
+    int64_t status;
+    double low;
+    double high;
+    double at_low;
+    double at_high;
+    double reach;
+    int64_t i;
+    elastic__stand_at(&difference, &status, tables, work, state, roll, left, right);
+    if (status > layout__UNLOADED)
+    {
+        (*result_0) = roll;
+        (*result_1) = status;
+        return 0;
+    }
+    low = roll;
+    high = roll;
+    at_low = difference;
+    at_high = difference;
+    reach = elastic__FIRST_REACH;
+    while(at_low * at_high > 0.0)
+    {
+        if (reach > roll__ROLL_LIMIT)
+        {
             (*result_0) = roll;
             (*result_1) = layout__NOT_CONVERGED;
             return 0;
         }
-        if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
+        if (difference > 0.0)
+        {
+            low = high;
+            at_low = at_high;
+            high = roll + reach;
+            elastic__stand_at(&at_high, &status, tables, work, state, high, left, right);
+        }
+        else
+        {
+            high = low;
+            at_high = at_low;
+            low = roll - reach;
+            elastic__stand_at(&at_low, &status, tables, work, state, low, left, right);
+        }
+        if (status > layout__UNLOADED)
         {
             (*result_0) = roll;
-            (*result_1) = layout__OFF_PROFILE;
+            (*result_1) = status;
             return 0;
+        }
+        reach *= 2.0;
+    }
+    for (i = INT64_C(0); i < elastic__BRACKETINGS; i += INT64_C(1))
+    {
+        roll = elastic__within_bracket(low, high, at_low, at_high, i);
+        elastic__stand_at(&difference, &status, tables, work, state, roll, left, right);
+        if ((status > layout__UNLOADED) || (fabs(difference) < elastic__BRACKET_SHARP) || (high - low < elastic__BRACKET_SHARP))
+        {
+            (*result_0) = roll;
+            (*result_1) = status;
+            return 0;
+        }
+        if (difference > 0.0)
+        {
+            low = roll;
+            at_low = difference;
+        }
+        else
+        {
+            high = roll;
+            at_high = difference;
         }
     }
     (*result_0) = roll;
-    (*result_1) = layout__NOT_CONVERGED;
+    (*result_1) = status;
     return 0;
 }
 
@@ -345,7 +506,6 @@ static OUT_OF_LINE int64_t elastic__stand_compliant(array_double_1d tables, arra
     roll__place_both(tables, work, roll);
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height;
-    resultant__clear_resultant(work);
     status = layout__VALID;
     if (roll__search_both(tables, work, state, INT64_C(0)) == INT64_C(0))
     {

@@ -26,14 +26,15 @@
 #include "locus.h"
 #include "normal_contact.h"
 #include "profile_table.h"
-#include "resultant.h"
 #include "roll.h"
 #include "search.h"
 #include "side.h"
 #include "touching.h"
 
-static const int64_t elastic__STALLED = INT64_C(30);
-static const double elastic__JUMP = 0.1;
+static const int64_t elastic__TRIALS = INT64_C(25);
+static const int64_t elastic__BRACKETINGS = INT64_C(90);
+static const double elastic__BRACKET_SHARP = 1e-13;
+static const double elastic__FIRST_REACH = 2e-05;
 static const double elastic__ELASTIC_SHARP = 1e-12;
 static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
@@ -47,7 +48,11 @@ static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_dou
 static OUT_OF_LINE int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
 static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE double elastic__within_bracket(double low, double high, double at_low, double at_high, int64_t i);
+static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static OUT_OF_LINE int64_t elastic__stand_at(double* difference, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
 static OUT_OF_LINE int64_t elastic__stand_compliant(array_double_1d tables, array_double_1d work, array_double_1d state);
 

@@ -43,6 +43,7 @@ static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_do
     rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__START));
     (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = 1.0;
+    (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) = (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry - direction));
     if (direction > INT64_C(0))
     {
         (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__STOP));
@@ -178,6 +179,42 @@ static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* res
     (*result_2) = overlap;
     (*result_3) = turned;
     return 0;
+}
+
+/* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other side; the samples
+ * are straight down and may have turned a little before it.
+ */
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t at, double x, double step, double y, double height)
+{
+    int64_t rail;
+    int64_t i;
+    double overlap;
+    double rise;
+    double bend;
+    double curvature;
+    int64_t found;
+    double result;
+    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    for (i = INT64_C(0); i < overlaps__WIDENINGS; i += INT64_C(1))
+    {
+        if (x <= (*cspan_at(&tables, rail + profile_table__START)))
+        {
+            result = (*cspan_at(&tables, rail + profile_table__START));
+            return result;
+        }
+        if (x >= (*cspan_at(&tables, rail + profile_table__STOP)))
+        {
+            result = (*cspan_at(&tables, rail + profile_table__STOP));
+            return result;
+        }
+        pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, y, height);
+        if ((found == INT64_C(0)) || (rise * step < 0.0))
+        {
+            break;
+        }
+        x += step;
+    }
+    return x;
 }
 
 /* List a deepest point. */
@@ -339,19 +376,18 @@ static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t e
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height)
 {
     int64_t node;
-    int64_t rail;
     int64_t start;
     int64_t stop;
     int64_t entry;
+    double step;
+    double y;
     double low;
     double high;
     double x;
-    double y;
     double depth;
     int64_t turned;
     int64_t result;
     node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
     (*cspan_at(&work, overlaps__DEEP_COUNT)) = 0.0;
     start = overlaps__walk_overlap(tables, work, state, at, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlaps__walk_overlap(tables, work, state, at, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
@@ -359,17 +395,11 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     {
         if (((*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) > 0.0) && ((*cspan_at(&work, overlaps__SAMPLE_RISE + entry + INT64_C(1))) <= 0.0) && ((*cspan_at(&work, overlaps__SAMPLE_NEXT + entry + INT64_C(1))) == 1.0))
         {
-            low = (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) - overlaps__BESIDE;
-            high = (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))) + overlaps__BESIDE;
-            if (low < (*cspan_at(&tables, rail + profile_table__START)))
-            {
-                low = (*cspan_at(&tables, rail + profile_table__START));
-            }
-            if (high > (*cspan_at(&tables, rail + profile_table__STOP)))
-            {
-                high = (*cspan_at(&tables, rail + profile_table__STOP));
-            }
-            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)), height, 1.0);
+            step = (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))) - (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry));
+            y = 0.5 * ((*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) + (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry + INT64_C(1))));
+            low = overlaps__bracket_end(tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)), -step, y, height);
+            high = overlaps__bracket_end(tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))), step, y, height);
+            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, y, height, 1.0);
             if ((turned == INT64_C(1)) && (depth > 0.0) && (overlaps__is_listed(work, x) == INT64_C(0)))
             {
                 overlaps__keep_deep(work, x, y, depth);

@@ -38,12 +38,13 @@ static const double overlaps__DEEP_SHARP = 1e-11;
 static const int64_t overlaps__DEEP_ITERATIONS = INT64_C(60);
 static const double overlaps__LEVEL_RISE = 1e-06;
 static const double overlaps__SAME = 1e-06;
-static const double overlaps__BESIDE = 0.001;
+static const int64_t overlaps__WIDENINGS = INT64_C(6);
 
 static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t at, int64_t node, int64_t direction, double height, int64_t first);
 static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign);
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t at, double x, double step, double y, double height);
 static OUT_OF_LINE int64_t overlaps__keep_deep(array_double_1d work, double x, double y, double depth);
 static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height);

@@ -8,20 +8,21 @@
 
 #include "resultant.h"
 
-/* No force and no moment. */
-static inline int64_t resultant__clear_resultant(array_double_1d work)
+/* No force and no moment at ``at``. */
+static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t at)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    for (i = INT64_C(0); i < resultant__RESULTANT_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + i)) = 0.0;
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + i)) = 0.0;
+        (*cspan_at(&work, at + i)) = 0.0;
     }
     return INT64_C(0);
 }
 
-/* Add the force of a region, ``mirror`` = 1 on the right, -1 on the left. */
-static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror)
+/* Add the force of a region and its moment about the track's origin at ``at``; ``mirror`` = 1 on the right, -1 on the
+ * left.
+ */
+static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t at)
 {
     int64_t block;
     double load;
@@ -33,8 +34,6 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
     double x;
     double y;
     double z;
-    double arm_y;
-    double arm_z;
     double force_y;
     double force_z;
     block = regions__region_block(region);
@@ -49,15 +48,30 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
         x = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL))) + (*cspan_at(&work, block + regions__REGION_SLANT)) * away;
         y = mirror * ((*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, block + regions__REGION_RAIL)) + away * cosine);
         z = height + away * sine;
-        arm_y = y - (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
-        arm_z = z - (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) + (*cspan_at(&tables, layout__SET_RADIUS));
         force_y = mirror * sine * load;
         force_z = (-cosine) * load;
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(1))) += force_y;
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(2))) += force_z;
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT)) += arm_y * force_z - arm_z * force_y;
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + INT64_C(1))) -= x * force_z;
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + INT64_C(2))) += x * force_y;
+        (*cspan_at(&work, at + INT64_C(1))) += force_y;
+        (*cspan_at(&work, at + INT64_C(2))) += force_z;
+        (*cspan_at(&work, at + INT64_C(3))) += y * force_z - z * force_y;
+        (*cspan_at(&work, at + INT64_C(4))) -= x * force_z;
+        (*cspan_at(&work, at + INT64_C(5))) += x * force_y;
     }
+    return INT64_C(0);
+}
+
+/* The resultant of both sides, from ``left`` and ``right``, its moment about the wheelset's centre. */
+static inline int64_t resultant__write_resultant(array_double_1d tables, array_double_1d work, int64_t left, int64_t right)
+{
+    int64_t i;
+    double y;
+    double z;
+    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + i)) = (*cspan_at(&work, left + i)) + (*cspan_at(&work, right + i));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + i)) = (*cspan_at(&work, left + INT64_C(3) + i)) + (*cspan_at(&work, right + INT64_C(3) + i));
+    }
+    y = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
+    z = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__SET_RADIUS));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT)) -= y * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(2))) - z * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(1)));
     return INT64_C(0);
 }

@@ -11,6 +11,12 @@ static inline int64_t side__side_outputs(int64_t index)
     return layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
 }
 
+/* Offset in the workspace of the force and moment of side ``index``. */
+static inline int64_t side__side_resultant(int64_t index)
+{
+    return layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_RESULTANT;
+}
+
 /* Zeros in a side's outputs. */
 static inline int64_t side__clear_side(array_double_1d work, int64_t out)
 {
@@ -70,7 +76,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* status, array_dou
     {
         for (region = INT64_C(0); region < (*count); region += INT64_C(1))
         {
-            resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)));
+            resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)), side__side_resultant(index));
         }
     }
     return 0;
@@ -83,6 +89,7 @@ static inline int64_t side__rest_side(array_double_1d tables, array_double_1d wo
     int64_t status;
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     side__clear_side(work, side__side_outputs(index));
+    resultant__clear_resultant(work, side__side_resultant(index));
     status = layout__UNLOADED;
     if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_BEST))) == INT64_C(0))
     {
@@ -133,6 +140,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
     side__clear_side(work, side__side_outputs(index));
+    resultant__clear_resultant(work, side__side_resultant(index));
     if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
     {
         return layout__NOT_CONVERGED;

@@ -115,7 +115,10 @@ static inline int64_t step__stand_rigid(array_double_1d tables, array_double_1d 
     status = layout__VALID;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST));
-    resultant__clear_resultant(work);
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        resultant__clear_resultant(work, side__side_resultant(index));
+    }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         if (step__is_wanted(tables, index) == INT64_C(1))
@@ -223,6 +226,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
             status = step__stand_elastic(tables, work, state, roll);
         }
     }
+    resultant__write_resultant(tables, work, side__side_resultant(INT64_C(0)), side__side_resultant(INT64_C(1)));
     step__withhold(tables, work);
     return status;
 }
