@@ -41,8 +41,8 @@ SAMPLE_NEXT: Final[int] = SAMPLE_RISE + 2 * OVERLAP_LIMIT        # 1 if the samp
 #: A deepest point is located to this on the rail [m]; its depth is then exact to rounding, being second order.
 DEEP_SHARP: Final[float] = 1e-11
 DEEP_ITERATIONS: Final[int] = 60
-#: Slope of the overlap below which it has turned there [-]; curvatures of 1 / m and more move it by less than 1e-6 m.
-LEVEL_RISE: Final[float] = 1e-6
+#: Slope of the overlap below which it has turned there [-]: standard profiles are joined with slopes that differ by up to 1e-5.
+LEVEL_RISE: Final[float] = 1e-4
 #: Deepest points closer than this on the rail are one [m].
 SAME: Final[float] = 1e-6
 #: Steps that a deepest point is looked for beyond its two samples.

@@ -26,6 +26,7 @@ from .profile_table import START, STOP, height_slope, height_slope_bend
 #: The wheel's abscissa and the rail's arc length are met to this [m].
 LINE_SHARP: Final[float] = 1e-12
 LINE_ITERATIONS: Final[int] = 20
+LINE_JOINT: Final[float] = 1e-7
 #: Arc lengths are added up by Simpson's rule over stretches of no more than this [m].
 ARC_STEP: Final[float] = 1e-3
 #: Points of wheel and rail farther apart than this do not face each other [m].
@@ -53,7 +54,11 @@ def normal_line(tables: 'float[:]', work: 'float[:]', at: int, abscissa: float, 
         if not (along > 0.0 and stretch > 0.0):
             return y, 0.0, 0.0, 0.0, 0.0, 0
         move = -rest / along
-        if fabs(move) < LINE_SHARP:
+        sharp = LINE_SHARP
+        if i == LINE_ITERATIONS - 1:
+            # at a joint of the profile Newton's method can go to and fro between both sides
+            sharp = LINE_JOINT
+        if fabs(move) < sharp:
             overlap = (down - m * across) * cosine
             if not fabs(overlap) < FARTHEST:
                 return y, 0.0, 0.0, 0.0, 0.0, 0

@@ -36,7 +36,7 @@ static const int64_t overlaps__SAMPLE_RISE = INT64_C(43645);
 static const int64_t overlaps__SAMPLE_NEXT = INT64_C(44045);
 static const double overlaps__DEEP_SHARP = 1e-11;
 static const int64_t overlaps__DEEP_ITERATIONS = INT64_C(60);
-static const double overlaps__LEVEL_RISE = 1e-06;
+static const double overlaps__LEVEL_RISE = 0.0001;
 static const double overlaps__SAME = 1e-06;
 static const int64_t overlaps__WIDENINGS = INT64_C(6);
 

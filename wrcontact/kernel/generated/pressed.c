@@ -45,6 +45,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     double rest;
     double along;
     double move;
+    double sharp;
     double overlap;
     double tangent;
     double wheel_cos;
@@ -76,7 +77,13 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             return 0;
         }
         move = (-rest) / along;
-        if (fabs(move) < pressed__LINE_SHARP)
+        sharp = pressed__LINE_SHARP;
+        if (i == pressed__LINE_ITERATIONS - INT64_C(1))
+        {
+            /* at a joint of the profile Newton's method can go to and fro between both sides */
+            sharp = pressed__LINE_JOINT;
+        }
+        if (fabs(move) < sharp)
         {
             overlap = (down - m * across) * cosine;
             if (!(fabs(overlap) < pressed__FARTHEST))

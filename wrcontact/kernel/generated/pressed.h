@@ -27,6 +27,7 @@
 
 static const double pressed__LINE_SHARP = 1e-12;
 static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
+static const double pressed__LINE_JOINT = 1e-07;
 static const double pressed__ARC_STEP = 0.001;
 static const double pressed__FARTHEST = 0.005;
 static const double pressed__LINE_STEP = 0.004;
