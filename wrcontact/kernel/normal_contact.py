@@ -14,20 +14,22 @@ from typing import Final
 from .analyn import FORCE_SHARP, solve_levels
 from .contact_plane import FRAME_BLUR, FRAME_DEPTH, FRAME_PRESSED, FRAME_WHEEL_COS, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
-from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID,
+from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, LOAD_VERTICAL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID,
                      PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
-                     SEPARATION_CHORD, SEPARATION_VERTICAL, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_LATERAL, SET_NODES,
-                     SET_NORMAL_MODEL, SET_SEPARATION, SET_STRIDE, SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
+                     SEPARATION_CHORD, SEPARATION_VERTICAL, SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_LATERAL, SET_LOAD, SET_NODES,
+                     SET_NORMAL_MODEL, SET_RAIL, SET_SEPARATION, SET_STRIDE, SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X,
                      SIDE_CURVATURE_Y, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH,
                      SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION,
                      SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
-from .nodes import FLOOR, NODE_LENGTH, NODE_RISE, lay_nodes, node_field, weigh_nodes
+from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .overlaps import gather_overlaps
 from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
-from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
-                      REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_REACHED, REGION_SHARE,
-                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_SPACING, REGION_SQUARE, REGION_STATION,
+from .pressed import rail_speed
+from .profile_table import height_slope
+from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_COS, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
+                      REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_RAIL, REGION_REACHED, REGION_SHARE,
+                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SIN, REGION_SLANT, REGION_SPACING, REGION_SQUARE, REGION_STATION,
                       REGION_STIFFNESS, REGION_TURN, REGION_WIDTH_HIGH, REGION_WIDTH_LEVEL, REGION_WIDTH_LOW,
                       bound_regions, find_regions, open_contact_region, region_block, zone_width)
 from .strip_patches import gather_strips, write_strip_outline
@@ -171,8 +173,47 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
             work[FRAME_BLUR] = spacing * float(stride) * work[FRAME_WHEEL_COS]
         lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
+        if work[FRAME_PRESSED] == 1.0:
+            mean_normal(tables, work, i, level)
         leave_plane(work, i)
         work[block + REGION_SQUARE] = level / work[node_field(i, NODE_LENGTH)]
+    return 0
+
+
+def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float):
+    """Let the force of a pressed region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
+
+    The rail is followed from node to node by the midpoint rule.
+    """
+    block = region_block(region)
+    rises = node_field(region, NODE_RISE)
+    lines = node_field(region, NODE_LINE)
+    total = 0.0
+    cosines = 0.0
+    sines = 0.0
+    for direction in range(-1, 2, 2):
+        x = work[block + REGION_RAIL]
+        step = float(direction) * work[block + REGION_SPACING]
+        last = int(work[block + REGION_LAST])
+        if direction < 0:
+            last = -int(work[block + REGION_FIRST])
+        for k in range(last + 1):
+            cosine = 1.0 / rail_speed(tables, x)
+            height, slope = height_slope(tables, int(tables[SET_RAIL]), x)
+            weight = work[lines + direction * k] * (level - work[rises + direction * k])
+            if weight <= 0.0:
+                break
+            if k == 0:
+                weight *= 0.5
+            total += weight
+            cosines += weight * cosine
+            sines += weight * slope * cosine
+            x += step / rail_speed(tables, x + 0.5 * step * cosine)
+    if total > 0.0:
+        work[block + REGION_COS] = cosines / total
+        work[block + REGION_SIN] = sines / total
+        if int(tables[SET_LOAD]) == LOAD_VERTICAL:
+            work[block + REGION_SHARE] = work[block + REGION_COS]
     return 0
 
 

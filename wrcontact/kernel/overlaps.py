@@ -319,7 +319,8 @@ def gather_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
         work[block + REGION_GAP] = 0.0
         work[block + REGION_RAIL] = work[deep + DEEP_RAIL]
         work[block + REGION_WHEEL] = work[deep + DEEP_WHEEL]
-        lean_region(tables, work, block)
+        z_rail, m = height_slope(tables, rail, work[deep + DEEP_RAIL])
+        lean_region(tables, work, block, m)
         if region != contact:
             aside, shift = touching_shift(tables, work, at, region, height)
             open_frame(tables, work, at, work[deep + DEEP_WHEEL], aside, shift)

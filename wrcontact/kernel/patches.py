@@ -284,6 +284,11 @@ def write_outline(work: 'float[:]', side: int, count: int, islands: int):
                     own = station - work[block + REGION_OFFSET]
                     if own >= work[block + REGION_LOW] and own <= work[block + REGION_HIGH] and half == 0.0:
                         half, pressure = strip_at(work, region, own)
+            # between nodes a root can overshoot at a kink
+            if half > 0.5 * work[side + SIDE_PATCH_LENGTH]:
+                half = 0.5 * work[side + SIDE_PATCH_LENGTH]
+            if pressure > work[side + SIDE_MAX_PRESSURE]:
+                pressure = work[side + SIDE_MAX_PRESSURE]
             work[side + SIDE_STATION + j] = station
             work[side + SIDE_HALF_LENGTH + j] = half
             work[side + SIDE_PRESSURE + j] = pressure

@@ -85,7 +85,8 @@ def own_plane(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
         work[block + REGION_STATION] = 0.0
         work[block + REGION_RAIL] = abscissa
         work[block + REGION_WHEEL] = y
-        lean_region(tables, work, block)
+        height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+        lean_region(tables, work, block, slope)
         work[block + REGION_OWN] = 1.0
         work[block + REGION_OFFSET] = rail_length(tables, work[FRAME_ABSCISSA], abscissa)
         turn = work[block + REGION_COS] * cosine + work[block + REGION_SIN] * sine

@@ -109,13 +109,13 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
     work[block + REGION_WHEEL] = work[TRACER_WHEEL]
     work[block + REGION_BEND] = bend
     work[block + REGION_CURVATURE] = curvature
-    lean_region(tables, work, block)
+    height, slope = height_slope(tables, int(tables[SET_RAIL]), work[TRACER_RAIL])
+    lean_region(tables, work, block, slope)
     return found
 
 
-def lean_region(tables: 'float[:]', work: 'float[:]', block: int):
-    """Angle of a region in the contact point's plane, and what follows from it."""
-    height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
+def lean_region(tables: 'float[:]', work: 'float[:]', block: int, slope: float):
+    """Angle of a region in the contact point's plane from the rail's ``slope`` there, and what follows from it."""
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     work[block + REGION_OWN] = 0.0
     work[block + REGION_TURN] = 1.0
@@ -140,7 +140,7 @@ def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]')
     work[block + REGION_CURVATURE] = curvature
     work[block + REGION_LOW] = -FAR
     work[block + REGION_HIGH] = FAR
-    lean_region(tables, work, block)
+    lean_region(tables, work, block, work[FRAME_SIN] / work[FRAME_COS])
     return 0
 
 

@@ -194,8 +194,79 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         }
         nodes__lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            normal_contact__mean_normal(tables, work, i, level);
+        }
         planes__leave_plane(work, i);
         (*cspan_at(&work, block + regions__REGION_SQUARE)) = level / (*cspan_at(&work, nodes__node_field(i, nodes__NODE_LENGTH)));
+    }
+    return INT64_C(0);
+}
+
+/* Let the force of a pressed region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
+ *
+ * The rail is followed from node to node by the midpoint rule.
+ */
+static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_double_1d work, int64_t region, double level)
+{
+    int64_t block;
+    int64_t rises;
+    int64_t lines;
+    double total;
+    double cosines;
+    double sines;
+    int64_t direction;
+    double x;
+    double step;
+    int64_t last;
+    int64_t k;
+    double cosine;
+    double height;
+    double slope;
+    double weight;
+    block = regions__region_block(region);
+    rises = nodes__node_field(region, nodes__NODE_RISE);
+    lines = nodes__node_field(region, nodes__NODE_LINE);
+    total = 0.0;
+    cosines = 0.0;
+    sines = 0.0;
+    for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
+    {
+        x = (*cspan_at(&work, block + regions__REGION_RAIL));
+        step = (double)(direction) * (*cspan_at(&work, block + regions__REGION_SPACING));
+        last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+        if (direction < INT64_C(0))
+        {
+            last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+        }
+        for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
+        {
+            cosine = 1.0 / pressed__rail_speed(tables, x);
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x);
+            weight = (*cspan_at(&work, lines + direction * k)) * (level - (*cspan_at(&work, rises + direction * k)));
+            if (weight <= 0.0)
+            {
+                break;
+            }
+            if (k == INT64_C(0))
+            {
+                weight *= 0.5;
+            }
+            total += weight;
+            cosines += weight * cosine;
+            sines += weight * slope * cosine;
+            x += step / pressed__rail_speed(tables, x + 0.5 * step * cosine);
+        }
+    }
+    if (total > 0.0)
+    {
+        (*cspan_at(&work, block + regions__REGION_COS)) = cosines / total;
+        (*cspan_at(&work, block + regions__REGION_SIN)) = sines / total;
+        if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+        {
+            (*cspan_at(&work, block + regions__REGION_SHARE)) = (*cspan_at(&work, block + regions__REGION_COS));
+        }
     }
     return INT64_C(0);
 }

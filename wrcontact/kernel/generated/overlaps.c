@@ -481,6 +481,8 @@ static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, arr
     int64_t region;
     int64_t block;
     int64_t deep;
+    double z_rail;
+    double m;
     double aside;
     double shift;
     double Dummy_0002_0;
@@ -512,7 +514,8 @@ static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, arr
         (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
         (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, deep + overlaps__DEEP_RAIL));
         (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, deep + overlaps__DEEP_WHEEL));
-        regions__lean_region(tables, work, block);
+        profile_table__height_slope(&z_rail, &m, tables, rail, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)));
+        regions__lean_region(tables, work, block, m);
         if (region != contact)
         {
             overlaps__touching_shift(&aside, &shift, tables, work, at, region, height);

@@ -436,6 +436,15 @@ static inline int64_t patches__write_outline(array_double_1d work, int64_t side,
                     }
                 }
             }
+            /* between nodes a root can overshoot at a kink */
+            if (half > 0.5 * (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)))
+            {
+                half = 0.5 * (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH));
+            }
+            if (pressure > (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)))
+            {
+                pressure = (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE));
+            }
             (*cspan_at(&work, side + layout__SIDE_STATION + j)) = station;
             (*cspan_at(&work, side + layout__SIDE_HALF_LENGTH + j)) = half;
             (*cspan_at(&work, side + layout__SIDE_PRESSURE + j)) = pressure;

@@ -98,9 +98,10 @@ static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_doubl
     double high;
     double cosine;
     double sine;
+    double height;
+    double slope;
     double turn;
     double z;
-    double slope;
     double y_track;
     double rail_slope;
     double mismatch;
@@ -122,7 +123,8 @@ static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_doubl
         (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
         (*cspan_at(&work, block + regions__REGION_RAIL)) = abscissa;
         (*cspan_at(&work, block + regions__REGION_WHEEL)) = y;
-        regions__lean_region(tables, work, block);
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+        regions__lean_region(tables, work, block, slope);
         (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
         (*cspan_at(&work, block + regions__REGION_OFFSET)) = pressed__rail_length(tables, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), abscissa);
         turn = (*cspan_at(&work, block + regions__REGION_COS)) * cosine + (*cspan_at(&work, block + regions__REGION_SIN)) * sine;

@@ -25,6 +25,8 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     int64_t i;
     double rate;
     double move;
+    double height;
+    double slope;
     double found;
     block = regions__region_block(index);
     start = station;
@@ -64,17 +66,15 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
     (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
     (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-    regions__lean_region(tables, work, block);
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+    regions__lean_region(tables, work, block, slope);
     return found;
 }
 
-/* Angle of a region in the contact point's plane, and what follows from it. */
-static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block)
+/* Angle of a region in the contact point's plane from the rail's ``slope`` there, and what follows from it. */
+static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block, double slope)
 {
-    double height;
-    double slope;
     double cosine;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
     cosine = 1.0 / sqrt(1.0 + slope * slope);
     (*cspan_at(&work, block + regions__REGION_OWN)) = 0.0;
     (*cspan_at(&work, block + regions__REGION_TURN)) = 1.0;
@@ -107,7 +107,7 @@ static inline int64_t regions__open_contact_region(array_double_1d tables, array
     (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
     (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
     (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
-    regions__lean_region(tables, work, block);
+    regions__lean_region(tables, work, block, (*cspan_at(&work, contact_plane__FRAME_SIN)) / (*cspan_at(&work, contact_plane__FRAME_COS)));
     return INT64_C(0);
 }
 

@@ -71,7 +71,7 @@ static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(12);
 
 static inline int64_t regions__region_block(int64_t index);
-static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block);
+static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block, double slope);
 static inline double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station);
 static inline int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state);
 static inline int64_t regions__is_new(array_double_1d work, int64_t count);
