@@ -40,7 +40,7 @@ BRACKET_SHARP: Final[float] = 1e-13
 #: First distance from the rigid roll at which the other end of a bracket is looked for [rad].
 FIRST_REACH: Final[float] = 2e-5
 #: Height and roll are found when either wheel moves by less [m]; the gap is traced to about that.
-ELASTIC_SHARP: Final[float] = 1e-12
+ELASTIC_SHARP: Final[float] = 1e-11
 #: Longest move of a wheel in one trial [m].
 LONGEST: Final[float] = 2e-4
 #: Smallest determinant of the lacks' derivatives; -(lever_left + lever_right) / arm to begin with, 0.3 ... 2.
@@ -144,7 +144,17 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
     first = WORK_SUPPORT
     second = WORK_SUPPORT + SUPPORT_BLOCK
     rigid_roll = roll
-    height = work[WORK_SIDE + SIDE_BEST] + 0.5 * (work[first + SUPPORT_FIRST] + work[second + SUPPORT_FIRST])
+    # where both would stand if each had sunk as estimated
+    lever_left = side_lever(tables, work, 0, 0)
+    lever_right = side_lever(tables, work, 1, 0)
+    turn = (work[second + SUPPORT_FIRST] - work[first + SUPPORT_FIRST]) / -(lever_left + lever_right)
+    turn = limited(turn, LONGEST / tables[SET_ARM])
+    # in one order for a wheelset and its mirror image
+    height = work[WORK_SIDE + SIDE_BEST] + 0.5 * ((work[first + SUPPORT_FIRST] - lever_left * turn)
+                                                  + (work[second + SUPPORT_FIRST] + lever_right * turn))
+    roll += turn
+    if turn_to(tables, work, state, roll) == 0:
+        return roll, OFF_PROFILE
     # Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels
     arm = tables[SET_ARM]
     lack_left = 0.0

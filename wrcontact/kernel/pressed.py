@@ -18,13 +18,17 @@ from math import fabs, sqrt
 from typing import Final
 
 from .contact_plane import (FRAME_BLUR, FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_RAISE, NO_GAP, TRACER_RAIL,
-                            TRACER_STATION, TRACER_WHEEL, longitudinal_curvature)
+                            TRACER_STATION, TRACER_WHEEL, TRACER_WHEEL_RATE, longitudinal_curvature)
 from .layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT
 from .locus import outline_jet
 from .profile_table import START, STOP, height_slope, height_slope_bend
 
-#: The wheel's abscissa and the rail's arc length are met to this [m].
+#: The wheel's abscissa is met to this [m],
 LINE_SHARP: Final[float] = 1e-12
+#: and the rail's arc length, where Newton's last move is no longer, to the square of it.
+ARC_SHARP: Final[float] = 1e-9
+#: Over a longer way the wheel's abscissa per station is noted for the next guess [m].
+LEAST_WAY: Final[float] = 1e-5
 LINE_ITERATIONS: Final[int] = 20
 LINE_JOINT: Final[float] = 1e-7
 #: Arc lengths are added up by Simpson's rule over stretches of no more than this [m].
@@ -122,14 +126,25 @@ def rail_length(tables: 'float[:]', start: float, stop: float):
 
 
 def rail_abscissa(tables: 'float[:]', start: float, length: float):
-    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, by Newton's method."""
-    abscissa = start + length / rail_speed(tables, start)
-    for i in range(LINE_ITERATIONS):
-        move = (length - rail_length(tables, start, abscissa)) / rail_speed(tables, abscissa)
-        abscissa += move
-        if fabs(move) < LINE_SHARP:
-            break
-    return abscissa
+    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``: in steps of no more than ARC_STEP, each a parabola's
+    guess put right by Newton's method on Simpson's rule."""
+    steps = int(fabs(length) / ARC_STEP) + 1
+    way = length / float(steps)
+    x = start
+    for step in range(steps):
+        height, slope, bend = height_slope_bend(tables, int(tables[SET_RAIL]), x)
+        before = sqrt(1.0 + slope * slope)
+        cosine = 1.0 / before
+        following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine)
+        for i in range(LINE_ITERATIONS):
+            middle = rail_speed(tables, 0.5 * (x + following))
+            after = rail_speed(tables, following)
+            move = (way - (following - x) * (before + 4.0 * middle + after) / 6.0) / after
+            following += move
+            if fabs(move) < ARC_SHARP:
+                break
+        x = following
+    return x
 
 
 def pressed_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float):
@@ -145,12 +160,15 @@ def pressed_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station
     curvature = 1.0
     if abscissa >= tables[rail + START] and abscissa <= tables[rail + STOP]:
         y, overlap, rise, turn, found_curvature, found = normal_line(tables, work, int(work[FRAME_PLACE]), abscissa,
-                                                                     work[TRACER_WHEEL] + way, work[FRAME_POSE])
+                                                                     work[TRACER_WHEEL] + way * work[TRACER_WHEEL_RATE],
+                                                                     work[FRAME_POSE])
         if found == 1:
             gap = work[FRAME_RAISE] + work[FRAME_DEPTH] - overlap
             rate = -rise
             bend = -turn
             curvature = found_curvature
+            if fabs(way) > LEAST_WAY:
+                work[TRACER_WHEEL_RATE] = (y - work[TRACER_WHEEL]) / way
             work[TRACER_WHEEL] = y
             work[TRACER_RAIL] = abscissa
             work[TRACER_STATION] = station

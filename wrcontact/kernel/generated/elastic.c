@@ -161,11 +161,15 @@ static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_dou
 /* Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
  * sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do.
  */
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
+    int64_t status;
     int64_t first;
     int64_t second;
     double rigid_roll;
+    double lever_left;
+    double lever_right;
+    double turn;
     double height;
     double arm;
     double lack_left;
@@ -183,20 +187,34 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* sta
     double off_left;
     double off_right;
     double determinant;
-    (*status) = elastic__first_sink(tables, work, state, INT64_C(0), left);
-    if ((*status) == layout__VALID)
+    status = elastic__first_sink(tables, work, state, INT64_C(0), left);
+    if (status == layout__VALID)
     {
-        (*status) = elastic__first_sink(tables, work, state, INT64_C(1), right);
+        status = elastic__first_sink(tables, work, state, INT64_C(1), right);
     }
-    if ((*status) != layout__VALID)
+    if (status != layout__VALID)
     {
         (*result_0) = roll;
+        (*result_1) = status;
         return 0;
     }
     first = layout__WORK_SUPPORT;
     second = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK;
     rigid_roll = roll;
-    height = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST)) + 0.5 * ((*cspan_at(&work, first + side__SUPPORT_FIRST)) + (*cspan_at(&work, second + side__SUPPORT_FIRST)));
+    /* where both would stand if each had sunk as estimated */
+    lever_left = side__side_lever(tables, work, INT64_C(0), INT64_C(0));
+    lever_right = side__side_lever(tables, work, INT64_C(1), INT64_C(0));
+    turn = ((*cspan_at(&work, second + side__SUPPORT_FIRST)) - (*cspan_at(&work, first + side__SUPPORT_FIRST))) / (-(lever_left + lever_right));
+    turn = touching__limited(turn, elastic__LONGEST / (*cspan_at(&tables, layout__SET_ARM)));
+    /* in one order for a wheelset and its mirror image */
+    height = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST)) + 0.5 * ((*cspan_at(&work, first + side__SUPPORT_FIRST)) - lever_left * turn + ((*cspan_at(&work, second + side__SUPPORT_FIRST)) + lever_right * turn));
+    roll += turn;
+    if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
+    {
+        (*result_0) = roll;
+        (*result_1) = layout__OFF_PROFILE;
+        return 0;
+    }
     /* Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels */
     arm = (*cspan_at(&tables, layout__SET_ARM));
     lack_left = 0.0;
@@ -209,8 +227,8 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* sta
     move_roll = 0.0;
     for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
     {
-        (*status) = elastic__carry_both(tables, work, state, left, right, height);
-        if ((*status) > layout__UNLOADED)
+        status = elastic__carry_both(tables, work, state, left, right, height);
+        if (status > layout__UNLOADED)
         {
             break;
         }
@@ -247,6 +265,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* sta
         if ((fabs(move_height) < elastic__ELASTIC_SHARP) && (fabs(move_roll) < elastic__ELASTIC_SHARP))
         {
             (*result_0) = roll;
+            (*result_1) = status;
             return 0;
         }
         move_height = touching__limited(move_height, elastic__LONGEST);
@@ -262,8 +281,9 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* sta
             break;
         }
     }
-    elastic__bracket_roll(&roll, status, tables, work, state, rigid_roll, left, right);
+    elastic__bracket_roll(&roll, &status, tables, work, state, rigid_roll, left, right);
     (*result_0) = roll;
+    (*result_1) = status;
     return 0;
 }
 

@@ -35,7 +35,7 @@ static const int64_t elastic__TRIALS = INT64_C(25);
 static const int64_t elastic__BRACKETINGS = INT64_C(90);
 static const double elastic__BRACKET_SHARP = 1e-13;
 static const double elastic__FIRST_REACH = 2e-05;
-static const double elastic__ELASTIC_SHARP = 1e-12;
+static const double elastic__ELASTIC_SHARP = 1e-11;
 static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
 static const double elastic__SHALLOWEST = 0.1;
@@ -52,7 +52,7 @@ static OUT_OF_LINE double elastic__within_bracket(double low, double high, doubl
 static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
 static OUT_OF_LINE int64_t elastic__stand_at(double* difference, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
 static OUT_OF_LINE int64_t elastic__stand_compliant(array_double_1d tables, array_double_1d work, array_double_1d state);
 

@@ -209,23 +209,48 @@ static OUT_OF_LINE double pressed__rail_length(array_double_1d tables, double st
     return total * step / 6.0;
 }
 
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, by Newton's method. */
+/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``: in steps of no more than ARC_STEP, each a parabola's
+ * guess put right by Newton's method on Simpson's rule.
+ */
 static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double start, double length)
 {
+    int64_t steps;
+    double way;
+    int64_t step;
+    double height;
+    double slope;
+    double bend;
+    double before;
+    double cosine;
+    double following;
     int64_t i;
+    double middle;
+    double after;
     double move;
-    double abscissa;
-    abscissa = start + length / pressed__rail_speed(tables, start);
-    for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
+    double x;
+    steps = (int64_t)(fabs(length) / pressed__ARC_STEP) + INT64_C(1);
+    way = length / (double)(steps);
+    x = start;
+    for (step = INT64_C(0); step < steps; step += INT64_C(1))
     {
-        move = (length - pressed__rail_length(tables, start, abscissa)) / pressed__rail_speed(tables, abscissa);
-        abscissa += move;
-        if (fabs(move) < pressed__LINE_SHARP)
+        profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x);
+        before = sqrt(1.0 + slope * slope);
+        cosine = 1.0 / before;
+        following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine);
+        for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
         {
-            break;
+            middle = pressed__rail_speed(tables, 0.5 * (x + following));
+            after = pressed__rail_speed(tables, following);
+            move = (way - (following - x) * (before + 4.0 * middle + after) / 6.0) / after;
+            following += move;
+            if (fabs(move) < pressed__ARC_SHARP)
+            {
+                break;
+            }
         }
+        x = following;
     }
-    return abscissa;
+    return x;
 }
 
 /* What the overlap lacks of the region's depth at ``station`` [m], raised by the region's own gap, with its derivatives
@@ -252,13 +277,17 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
     {
-        pressed__normal_line(&y, &overlap, &rise, &turn, &found_curvature, &found, tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), abscissa, (*cspan_at(&work, contact_plane__TRACER_WHEEL)) + way, (*cspan_at(&work, contact_plane__FRAME_POSE)));
+        pressed__normal_line(&y, &overlap, &rise, &turn, &found_curvature, &found, tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), abscissa, (*cspan_at(&work, contact_plane__TRACER_WHEEL)) + way * (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)), (*cspan_at(&work, contact_plane__FRAME_POSE)));
         if (found == INT64_C(1))
         {
             (*gap) = (*cspan_at(&work, contact_plane__FRAME_RAISE)) + (*cspan_at(&work, contact_plane__FRAME_DEPTH)) - overlap;
             (*rate) = -rise;
             (*bend) = -turn;
             (*curvature) = found_curvature;
+            if (fabs(way) > pressed__LEAST_WAY)
+            {
+                (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (y - (*cspan_at(&work, contact_plane__TRACER_WHEEL))) / way;
+            }
             (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
             (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
             (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;

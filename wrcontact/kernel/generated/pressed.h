@@ -26,6 +26,8 @@
 #include "profile_table.h"
 
 static const double pressed__LINE_SHARP = 1e-12;
+static const double pressed__ARC_SHARP = 1e-09;
+static const double pressed__LEAST_WAY = 1e-05;
 static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
 static const double pressed__LINE_JOINT = 1e-07;
 static const double pressed__ARC_STEP = 0.001;
