@@ -48,7 +48,7 @@ SINGULAR: Final[float] = 0.02
 #: A loaded wheel is laid down by this share of its first estimate at least.
 SHALLOWEST: Final[float] = 0.1
 #: A wheel that stands deeper in its rail than this [m] is off the profile.
-DEEPEST: Final[float] = 2e-3
+DEEPEST: Final[float] = 5e-3
 FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3    # [m]
 

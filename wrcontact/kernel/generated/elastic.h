@@ -39,7 +39,7 @@ static const double elastic__ELASTIC_SHARP = 1e-11;
 static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
 static const double elastic__SHALLOWEST = 0.1;
-static const double elastic__DEEPEST = 0.002;
+static const double elastic__DEEPEST = 0.005;
 static const int64_t elastic__FOLLOW_STEPS = INT64_C(8);
 static const double elastic__FOLLOW_REACH = 0.002;
 
