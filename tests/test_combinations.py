@@ -1,0 +1,81 @@
+"""Every combination of methods runs for every standard pair: status 0 over |y| <= 8 mm, |yaw| <= 3 deg."""
+
+import itertools
+import random
+
+import numpy as np
+import pytest
+
+import wrcontact
+from wrcontact.system import CHOICES
+
+PAIRS = [(rail, inclination) for rail in ("UIC60", "60E1", "54E1") for inclination in (1 / 40, 1 / 20)]
+COMBINATIONS = [dict(zip(CHOICES, chosen)) for chosen in itertools.product(*CHOICES.values())]
+#: Compliant contact is prescribed no force.
+COMBINATIONS = [chosen for chosen in COMBINATIONS if chosen["contact_mode"] != "compliant" or chosen["load"] == "normal"]
+SINK = 1e-4  # [m] by which a compliant wheelset stands below its rigid height
+
+
+def poses(count):
+    """Lateral shifts [m] and yaws [rad]: ``count`` shifts by three yaws."""
+    shift, yaw = np.meshgrid(np.linspace(-8e-3, 8e-3, count), np.radians([0.0, 0.7, -3.0]))
+    return shift.ravel(), yaw.ravel()
+
+
+def run(rail, inclination, chosen, shift, yaw):
+    """The wheelset with these methods at these poses."""
+    pair = {"rail": rail, "rail_inclination": inclination}
+    system = wrcontact.ContactSystem(**pair, **chosen)
+    if chosen["contact_mode"] != "compliant":
+        return system.evaluate_many(shift, yaw)
+    rigid = wrcontact.ContactSystem(**pair, normal_model="hertz").evaluate_many(shift, yaw)
+    return system.evaluate_many(shift, yaw, vertical_shift_input=rigid.vertical_shift + SINK, roll_input=rigid.roll)
+
+
+def check(rail, inclination, chosen, count):
+    shift, yaw = poses(count)
+    table = run(rail, inclination, chosen, shift, yaw)
+    failed = [(f"y = {y * 1e3} mm", f"yaw = {psi} rad", f"status {status}")
+              for y, psi, status in zip(shift, yaw, table.status) if status != 0]
+    assert not failed, (rail, inclination, chosen, failed)
+    assert np.isfinite(table.values).all(), (rail, inclination, chosen)
+    for side in (table.left, table.right):
+        assert (side.normal_force > 0).all() and (side.area > 0).all() and (side.max_pressure > 0).all()
+        if chosen["contact_mode"] != "compliant" and chosen["load"] == "normal":
+            assert np.allclose(side.normal_force, 78.5e3, rtol=1e-9)
+    if chosen["contact_mode"] != "compliant" and chosen["load"] == "vertical":
+        assert np.allclose(table.force.z, -157e3, rtol=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_share_of_the_combinations(seed):
+    rng = random.Random(seed)
+    for chosen in rng.sample(COMBINATIONS, 8):
+        check(*rng.choice(PAIRS), chosen, 11)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("rail", "inclination"), PAIRS)
+def test_all_combinations(rail, inclination):
+    for chosen in COMBINATIONS:
+        check(rail, inclination, chosen, 17)
+
+
+def test_methods_change_only_what_they_should():
+    """In rigid contact the position of the wheelset is the same for every method but the contact mode; at the same load its
+    total is met by all."""
+    shift, yaw = poses(7)
+    reference = run("UIC60", 1 / 40, {name: choices[0] for name, choices in CHOICES.items()}, shift, yaw)
+    for name in ("load", "normal_model", "separation", "longitudinal_curvature", "lateral_curvature"):
+        for choice in CHOICES[name][1:]:
+            chosen = {other: choices[0] for other, choices in CHOICES.items()} | {name: choice}
+            table = run("UIC60", 1 / 40, chosen, shift, yaw)
+            for value in ("roll", "vertical_shift"):
+                assert (getattr(table, value) == getattr(reference, value)).all(), chosen
+            for side in ("left", "right"):
+                one, other = getattr(table, side), getattr(reference, side)
+                assert (one.contact.y_wheel == other.contact.y_wheel).all(), chosen
+                assert (one.contact_angle == other.contact_angle).all(), chosen
+                assert (one.curvature_x == other.curvature_x).all() == (name != "longitudinal_curvature"), chosen
+                if name != "lateral_curvature":
+                    assert (one.curvature_y == other.curvature_y).all(), chosen
