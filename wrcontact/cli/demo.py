@@ -12,7 +12,7 @@ from rich import box
 from rich.table import Table
 
 from ..conventions import MILLIMETRE, SIDES
-from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, VARIABLES, select
+from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, REFERENCE, VARIABLES, select
 from .door import sentences
 from .report import console, write_table
 
@@ -69,8 +69,7 @@ def run_demo(folder):
         fmu = build_fmu(folder)
     answers, seconds = apart(step_through, fmu, stored)
     checks = compare(answers, stored)
-    inputs = {v.name: stored[v.name] for v in VARIABLES if v.causality == INPUT}
-    write_table(Path(folder, CSV_NAME), {"time": stored["time"], **inputs, **answers})
+    write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
     draw(Path(folder, PICTURE_NAME), answers, stored)
     return tell(folder, fmu, checks, seconds)
 
@@ -80,6 +79,17 @@ def stored_run():
     with files(__package__).joinpath("data", RUN).open(encoding="utf-8", newline="") as file:
         names, *rows = csv.reader(file)
     return dict(zip(names, np.array(rows, dtype=float).T))
+
+
+def stored_inputs(stored):
+    """Names of the inputs that the run has; the others keep their start values."""
+    return [v.name for v in VARIABLES if v.causality == INPUT and v.name in stored]
+
+
+def all_inputs(stored):
+    """Every input during the run, arrays (n,) by name."""
+    rest = np.ones(len(stored["time"]))
+    return {v.name: stored.get(v.name, v.start * rest) for v in VARIABLES if v.causality == INPUT}
 
 
 def apart(function, *arguments):
@@ -113,7 +123,8 @@ def _stepped(slave, stored):
 
     A step is what a simulation does: set the inputs, step, read every output.
     """
-    inputs, reals, integers = select(INPUT), select(OUTPUT, REAL), select(OUTPUT, INTEGER)
+    inputs = [REFERENCE[name] for name in stored_inputs(stored)]
+    reals, integers = select(OUTPUT, REAL), select(OUTPUT, INTEGER)
     rows = np.column_stack([stored[VARIABLES[reference].name] for reference in inputs]).tolist()
     instants, seen, seconds = stored["time"].tolist(), [], []
     step_size = instants[1] - instants[0]
