@@ -85,6 +85,8 @@ def test_outputs_lie_in_the_order_of_the_kernel():
 
 @pytest.mark.parametrize("name, index", [
     ("roll", layout.OUT_ROLL),
+    ("force.z", layout.OUT_FORCE + 2),
+    ("moment.x", layout.OUT_MOMENT),
     ("left.contact.y_rail", layout.OUT_LEFT + layout.SIDE_Y_RAIL),
     ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
     ("right.patch[2].width", layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_SIZE + layout.PATCH_WIDTH),
@@ -127,9 +129,9 @@ def test_outputs_are_computed_once_per_change(running):
 def test_values_are_read_in_any_order_and_any_number(running):
     references = [REFERENCE["right.pressure[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"], REFERENCE["roll"]]
     values = running.get_reals(references)
-    assert values[0] == values[3] + 269 and values[1:3] == [1.435, 0.0] and values[3] == values[4]
+    assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0] and values[3] == values[4]
     assert running.get_reals(references[:1]) == values[:1]
-    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0, int(values[3]) + 2]
+    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0, int(values[3]) + layout.OUT_LEFT]
     assert running.get_strings([REFERENCE["rail_profile"]]) == ["UIC60"]
 
 

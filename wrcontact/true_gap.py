@@ -305,7 +305,7 @@ def _first_positive(edge):
 def resultant(plane, contact, index):
     """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the track's axes.
 
-    As in the kernel (wrcontact/kernel/resultant.py) each patch pushes along the normal of the rail where its load acts.
+    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its pressure.
     """
     total = np.zeros(6)
     for pressure in split_patches(contact):
