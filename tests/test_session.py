@@ -273,6 +273,35 @@ def test_snapshot_holds_parameters_and_pending_inputs(running):
     assert roll(running) == roll(other)
 
 
+def test_snapshot_holds_height_and_roll(running):
+    places = [REFERENCE["vertical_shift_input"], REFERENCE["roll_input"]]
+    running.set_reals(places, [0.25, 0.5])
+    running.step()
+    saved, kept = running.snapshot(), roll(running)
+    running.set_reals(places, [0.0, 0.0])
+    assert roll(running) != kept
+    running.restore(saved)
+    assert running.get_reals(places) == [0.25, 0.5] and roll(running) == kept
+    other = Session(tell=None)
+    other.restore(saved)
+    assert other.get_reals(places) == [0.25, 0.5] and roll(other) == kept
+
+
+@pytest.mark.parametrize("mode", ["elastic", "compliant"])
+def test_snapshot_of_a_real_wheelset_goes_on_bit_by_bit(mode):
+    """With the kernel itself: its state and the inputs are all that decides how it goes on."""
+    session, other = Session(tell=None), Session(tell=None)
+    session.set_strings([REFERENCE["contact_mode"]], [mode])
+    session.set_reals([REFERENCE["vertical_shift_input"]], [0.25e-3])
+    session.start()
+    advance(session, [1e-3, 1.1e-3])
+    other.restore(session.snapshot())
+    shifts = [1.2e-3, 4e-3, 4.01e-3]
+    assert advance(session, shifts) == advance(other, shifts)
+    assert session.get_reals(select(OUTPUT, "Real")) == other.get_reals(select(OUTPUT, "Real"))
+    assert session.status == 0
+
+
 def test_snapshot_before_initialisation(session):
     session.set_reals([REFERENCE["gauge"]], [1.5])
     saved = session.snapshot()
