@@ -152,6 +152,8 @@ def simulated(fmu, rows, times, names):
     """The same by simulate_fmu: inputs hold from one instant to the next, results are those at the end of each step."""
     import numpy as np
 
+    rest = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
+    rows = [{**rest, **row} for row in rows]
     columns = [(name, "f8") for name in ("time", *rows[0])]
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)
     interval = (times[-1] - times[0]) / (len(times) - 1)

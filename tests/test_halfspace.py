@@ -1,5 +1,6 @@
 """The half-space solver: closed forms, tables, an independent program, balances, scaling, and its place in ContactSystem."""
 
+import dataclasses
 import doctest
 import functools
 import math
@@ -19,6 +20,7 @@ from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout, planes
 from wrcontact.kernel.library import Kernel
+from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.resolution import FINEST
 from wrcontact.system import CHOICES
 
@@ -500,6 +502,38 @@ def analyn_in_one_plane(monkeypatch, **parameters):
     monkeypatch.setattr(planes, "SPLIT", 2.0)                                     # no sine is that large
     monkeypatch.setattr(wrcontact.system, "default_kernel", Kernel)
     return wrcontact.ContactSystem(**parameters)
+
+
+@pytest.mark.parametrize("model, shift", [("analyn", 6.125e-3), ("analyn", 6.14552e-3), ("analyn_strip", 6.125e-3)])
+def test_a_patch_that_leans_away_is_the_half_space_s_in_its_own_plane(model, shift):
+    """The flange beside the flange root, 44 deg apart, in rows of the stored run "jumps": under its load the half-space on
+    its own tangent plane, without its neighbour, has its pressure (1.7 and 2.2 GPa) and area.  In the contact point's
+    plane, as stored, the pressure is twice that (3.4 and 4.0 GPa)."""
+    stepper = wrcontact.ContactSystem(normal_model=model).stepper()
+    stepper.inputs[:5] = shift, 0.0174532925199433, 0.0, 78.5e3, 0.0
+    assert stepper.step() == Status.VALID
+    wheel = wrcontact.state.WheelsetState(stepper.outputs, 0, stepper.inputs).right
+    patch = next(patch for patch in wheel.patches if abs(patch.contact_angle - wheel.contact_angle) > 0.7)
+    contact = true_gap.contact_plane(stepper._tables, stepper.outputs, stepper.inputs, 1)
+    plane = plane_at(contact, wheel, patch)
+    domain = [1.1 * sign * extent for extent in (patch.length, patch.width) for sign in (-1, 1)]
+    truth = halfspace.solve_contact(plane.gap, domain, contact_modulus=MODULUS, force=patch.normal_force, tolerance=0.02)
+    assert patch.max_pressure == pytest.approx(truth.max_pressure, rel=0.03)
+    assert patch.area == pytest.approx(truth.area, rel=0.05)
+
+
+def plane_at(contact, wheel, patch):
+    """The tangent plane of a patch's centre of load, as ``contact`` is that of the rigid contact point."""
+    guess = wheel.contact.y_rail + patch.centroid * math.cos(0.5 * (wheel.contact_angle + patch.contact_angle))
+    places = np.linspace(guess - 3e-3, guess + 3e-3, 6001)
+    angles = -np.arctan(evaluate_table(contact.rail, places)[1])
+    y = places[np.argmin(np.abs(angles - patch.contact_angle))]
+    origin = np.array([contact.origin[0], y + contact.rail_y, float(evaluate_table(contact.rail, y)[0])])
+    along = np.linspace(-0.06, 0.06, 2401)
+    plane = dataclasses.replace(contact, origin=origin, angle=patch.contact_angle)
+    origin[0] += along[np.argmin(plane.wheel_height(along, np.zeros(1))[:, 0])]
+    x, _, z = contact.attitude.T @ (origin - contact.centre)
+    return dataclasses.replace(plane, origin=origin, around=math.atan2(x, z))
 
 
 def solved(plane, force, tolerance):
