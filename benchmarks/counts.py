@@ -36,13 +36,12 @@ def classes(count):
 def per_wheelset(model, poses):
     """Mean counts (6,) of a model's poses, those of :data:`COUNTS`."""
     stepper = system(normal_model=model).stepper()
-    shift, yaw = poses
-    inputs = np.column_stack([shift, yaw, 0 * shift, np.full(len(shift), runs.FORCE), 0 * shift])
-    outputs, status = np.empty((len(shift), layout.OUTPUT_COUNT)), np.empty(len(shift))
+    inputs = runs.rows(poses)
+    outputs, status = np.empty((len(inputs), layout.OUTPUT_COUNT)), np.empty(len(inputs))
     stepper.step_many(inputs, outputs, status)
     if np.any(status != 0):
         raise ArithmeticError(f"{np.sum(status != 0)} poses are not solved")
-    return stepper.state[list(COUNTS.values())] / len(shift)
+    return stepper.state[list(COUNTS.values())] / len(inputs)
 
 
 def raster():

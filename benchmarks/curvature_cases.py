@@ -67,7 +67,7 @@ def gap_curve(system, shift, yaw, force, name):
     """The right wheel's :class:`Case` at a pose, its truth still unknown; None where it has no contact."""
     tables, work = system._tables.copy(), np.zeros(layout.WORK_SIZE)
     state, inputs, outputs = (np.zeros(n) for n in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
-    inputs[:] = shift, yaw, 0.0, force, 0.0
+    inputs[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]] = shift, yaw, force
     if default_kernel().bind(tables, state, work, inputs, outputs).step() != 0:
         return None
     right = layout.OUT_RIGHT  # solved last: the contact frame left in the workspace is its

@@ -47,8 +47,7 @@ def threads(number, rounds, counts=THREADS):
 
 def batch_of(number, seed):
     """A call that steps ``number`` poses of the trajectory in one go, with a stepper of its own."""
-    shift, yaw = runs.trajectory(number)
-    inputs = np.column_stack([shift, yaw, 0 * shift, np.full(number, runs.FORCE), 0 * shift])
+    inputs = runs.rows(runs.trajectory(number))
     outputs, status = np.empty((number, layout.OUTPUT_COUNT)), np.empty(number)
     stepper = system().stepper()
     return lambda: stepper.step_many(inputs, outputs, status)

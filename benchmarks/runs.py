@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from wrcontact.kernel import layout
+
 TESTS = Path(__file__).parents[1] / "tests"
 POSITIONS = TESTS / "reference" / "positions.csv"
 HUNTING = TESTS / "trajectories" / "hunting.csv"
@@ -24,6 +26,14 @@ def anywhere(count, yaw=ANY_YAW):
     """No pose has anything to do with the one before."""
     random = np.random.default_rng(0)
     return random.uniform(-SHIFT, SHIFT, count), yaw * random.uniform(-1, 1, count)
+
+
+def rows(poses, force=FORCE):
+    """Inputs (n, INPUT_COUNT) of lateral shifts [m] and yaws [rad] under a force [N]; the others are zero."""
+    shift, yaw = poses
+    inputs = np.zeros((len(shift), layout.INPUT_COUNT))
+    inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_YAW], inputs[:, layout.IN_NORMAL_FORCE] = shift, yaw, force
+    return inputs
 
 
 @cache

@@ -54,7 +54,7 @@ def all_skips(effort):
 def resting(count):
     """Steps of a stepper at one pose, and at poses that change in the last digits."""
     stepper = system().stepper()
-    stepper.inputs[:] = 1e-3, 0.0, 0.0, runs.FORCE, 0.0
+    stepper.inputs[:] = runs.rows(([1e-3], [0.0]))[0]
 
     def rest():
         stepper.inputs[0] = 1e-3

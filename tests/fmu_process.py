@@ -138,9 +138,9 @@ def modules():
     return {name: module.__file__ for name, module in sys.modules.items() if name.startswith(ours)}
 
 
-def trajectory(fmu, rows, names):
+def trajectory(fmu, rows, names, start=None):
     """Outputs after a step at every row of inputs."""
-    instance = fmu.running()
+    instance = fmu.running(**(start or {}))
     seen = []
     for row in rows:
         instance.step(**row)
@@ -152,6 +152,8 @@ def simulated(fmu, rows, times, names):
     """The same by simulate_fmu: inputs hold from one instant to the next, results are those at the end of each step."""
     import numpy as np
 
+    rest = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
+    rows = [{**rest, **row} for row in rows]
     columns = [(name, "f8") for name in ("time", *rows[0])]
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)
     interval = (times[-1] - times[0]) / (len(times) - 1)
@@ -160,10 +162,14 @@ def simulated(fmu, rows, times, names):
     return {"seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
 
 
-def outcomes(fmu, cases):
+VALID = {"lateral_shift": 1e-3, "yaw": 0.0, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.0,
+         "vertical_shift_input": 0.0, "roll_input": 0.0}
+
+
+def outcomes(fmu, cases, start=None, valid=None):
     """Each case on a running instance, between two valid steps: its outputs, its log, and the recovery."""
-    instance = fmu.running()
-    valid = {"lateral_shift": 1e-3, "yaw": 0.0, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.0}
+    instance = fmu.running(**(start or {}))
+    valid = {**VALID, **(valid or {})}
     answers = {}
     for name, case in cases.items():
         instance.step(**valid)
@@ -203,9 +209,9 @@ def session_of(name):
     return next(slave.session for slave in slaves if slave.instance_name == name)
 
 
-def saved_states(fmu, rows, names):
+def saved_states(fmu, rows, names, start):
     """Go on from a state that was taken, from its bytes in another instance, and after damaged bytes."""
-    one = fmu.running("one")
+    one = fmu.running("one", **start)
     for row in rows[:5]:
         one.step(**row)
     before = one.get()
@@ -225,7 +231,7 @@ def saved_states(fmu, rows, names):
     other.told()
     refusals = [refused(set_state_from, other.slave, bytes(bad)) for bad in (damaged, saved[:-8], b"", saved + b"x")]
     kept = other.get() == present
-    other.step(lateral_shift=0.0)
+    other.step(**rows[0])
     return {
         "before": before,
         "restored": restored,

@@ -16,12 +16,14 @@ import wrcontact.fmu
 from wrcontact import ContactSystem
 from wrcontact.cli import demo as demo_module
 from wrcontact.cli import main
-from wrcontact.cli.demo import compare, stored_run
+from wrcontact.cli.demo import compare, stored_inputs, stored_run
 from wrcontact.cli.options import POSE, SYSTEM, option_of
 from wrcontact.cli.report import KEPT, columns_of, sentence
 from wrcontact.interface.variables import INPUT, REFERENCE, VARIABLES
+from wrcontact.kernel import layout
 from wrcontact.plots.geometry import wheel_zone
 from wrcontact.status import explain
+from wrcontact.system import CHOICES
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMANDS = ("demo", "solve", "sweep", "plot", "figures")
@@ -93,8 +95,8 @@ def test_demo_table_is_what_the_kernel_returns(demo):
     """Another warm start, so other iterations, but the same answers."""
     written, stored = read_csv(demo[1] / "demo.csv"), stored_run()
     assert np.array_equal(written["time"], stored["time"])
-    expected = columns_of(ContactSystem().evaluate_many(**{name: stored[name] for name in INPUT_NAMES}))
-    assert set(written) == {"time", *expected}
+    expected = columns_of(ContactSystem().evaluate_many(**{name: stored[name] for name in stored_inputs(stored)}))
+    assert set(written) == {"time", *expected} and set(INPUT_NAMES) <= set(written)
     for name, column in expected.items():
         nominal = VARIABLES[REFERENCE[name]].nominal or 1.0
         np.testing.assert_allclose(written[name], column, rtol=1e-7, atol=1e-7 * nominal, err_msg=name)
@@ -165,6 +167,23 @@ def test_a_few_patches_may_miss_their_tolerance_but_not_many(answers, name, fact
     assert failed(answers) == [quantity]
 
 
+def test_a_pressure_in_another_plane_is_not_compared(answers):
+    """Where a loaded patch leans away from the contact plane by more than 15 deg; every other value is."""
+    for k, force in ((1, 6e4), (2, 2e4), (3, 0.0)):
+        answers[f"right.patch[{k}].normal_force"] = np.full(160, force)
+        answers[f"right.patch[{k}].contact_angle"] = answers["right.contact_angle"] + (k == 3)      # no load, no matter
+    answers["right.max_pressure"][40] *= 0.5
+    assert failed(answers) == ["largest pressure"]
+    answers["right.patch[2].contact_angle"][40] += np.radians(14)
+    assert failed(answers) == ["largest pressure"]
+    answers["right.patch[2].contact_angle"][40] += np.radians(2)
+    assert failed(answers) == []
+    check = next(check for check in compare(answers, stored_run()) if check.quantity == "largest pressure")
+    assert check.count == 2 * 160 - 1
+    answers["right.area"][40] *= 0.5
+    assert failed(answers) == ["area"]
+
+
 @pytest.mark.parametrize("name, change", [("roll", 0.9e-9), ("left.contact.z_rail", 0.9e-6)])
 def test_a_deviation_within_the_tolerance_passes(answers, name, change):
     answers[name][40] += change
@@ -224,6 +243,52 @@ def test_solve_json_is_the_state_in_si(run):
         assert seen[side]["outline"]["half_length"] == wanted.outline.half_length.tolist()
 
 
+def test_solve_prints_the_resultant(run):
+    """On the flange, where it has a lateral force and a moment."""
+    _, out, _ = run("solve", "--lateral-shift-mm", 6.5, "--yaw-deg", 1)
+    state = ContactSystem().evaluate(lateral_shift=6.5e-3, yaw=np.radians(1))
+    line = next(line for line in out.splitlines() if line.startswith("contact forces"))
+    force, moment = (f"({', '.join(f'{getattr(vector, axis) / 1e3:.3f}' for axis in 'xyz')})"
+                     for vector in (state.force, state.moment))
+    assert line == f"contact forces on the wheelset {force} kN, moment about its centre {moment} kN.m"
+    _, out, _ = run("solve", "--lateral-shift-mm", 6.5, "--yaw-deg", 1, "--json")
+    seen = json.loads(out)
+    assert seen["force"] == {axis: getattr(state.force, axis) for axis in "xyz"}
+    assert seen["moment"] == {axis: getattr(state.moment, axis) for axis in "xyz"}
+
+
+METHODS = {"--contact-mode": "elastic", "--load": "vertical", "--normal-model": "analyn_strip", "--separation": "equidistant",
+           "--longitudinal-curvature": "basic", "--lateral-curvature": "rough", "--curvature-step-mm": 0.5,
+           "--curvature-reach-mm": 2, "--tolerance": 0.02}
+
+
+def test_solve_takes_every_method(run):
+    code, out, _ = run("solve", "--lateral-shift-mm", 3, "--json", *(word for pair in METHODS.items() for word in pair))
+    system = ContactSystem(contact_mode="elastic", load="vertical", normal_model="analyn_strip", separation="equidistant",
+                           longitudinal_curvature="basic", lateral_curvature="rough", curvature_step=0.5e-3,
+                           curvature_reach=2e-3, tolerance=0.02)
+    state, seen = system.evaluate(lateral_shift=3e-3), json.loads(out)
+    assert code == 0 and seen["status"] == 0
+    assert (seen["roll"], seen["right"]["area"]) == (state.roll, state.right.area)
+    assert seen["force"]["z"] == pytest.approx(-2 * 78.5e3, rel=1e-6)       # the load is the vertical component
+    assert "vertical force 78.500 kN per wheel" in run("solve", "--load", "vertical")[1]
+
+
+def test_solve_at_a_given_height_and_roll(run):
+    pose = ("--lateral-shift-mm", 1, "--contact-mode", "compliant")
+    code, out, _ = run("solve", *pose, "--vertical-shift-mm", 0.2, "--roll-deg", -0.003, "--json")
+    state = ContactSystem(contact_mode="compliant").evaluate(lateral_shift=1e-3, vertical_shift_input=0.2e-3,
+                                                             roll_input=np.radians(-0.003))
+    seen = json.loads(out)
+    assert code == 0 and (seen["vertical_shift"], seen["roll"]) == (0.2e-3, np.radians(-0.003))
+    assert seen["left"]["normal_force"] == state.left.normal_force > 1e4
+    code, out, _ = run("solve", *pose, "--vertical-shift-mm", -1)
+    assert code == 0 and "status 1 (unloaded)" in out and "vertical_shift_input is -0.001 m" in out and "lifted" in out
+    assert "height and roll as given" in out
+    code, out, err = run("sweep", "--contact-mode", "compliant", "--vertical-shift-mm", 4, "--from-mm", 0, "--to-mm", 1)
+    assert code == 2 and "vertical_shift_input is 0.004 m" in err
+
+
 def test_solve_tells_that_a_wheel_is_unloaded(run):
     code, out, _ = run("solve", "--load-transfer", 1)
     assert code == 0 and "status 1 (unloaded)" in out and "a wheel carries no load" in out
@@ -238,15 +303,22 @@ def test_json_has_null_where_there_is_no_contact(run):
 
 def test_sentence_promises_no_kept_values():
     """A command has no last valid values; the clause is cut off as it stands in wrcontact/status.py."""
-    for status, inputs in ((2, (0.02, 0, 0, 1, 0)), (3, (0, 0, 0, 1, 0)), (4, (np.nan, 0, 0, 1, 0))):
-        assert sentence(status, inputs) + KEPT == explain(status, inputs)
+    for status, inputs in ((2, (0.02, 0, 0, 1, 0, 0, 0)), (3, (0, 0, 0, 1, 0, 0, 0)), (4, (np.nan, 0, 0, 1, 0, 0, 0))):
+        for compliant in (False, True):
+            assert sentence(status, inputs, compliant) + KEPT == explain(status, inputs, compliant)
 
 
 def test_every_input_and_parameter_has_an_option(run):
     _, out, _ = run("solve", "--help")
     for variable in POSE + SYSTEM:
         assert option_of(variable) in out
-    assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn", "--load-transfer"}
+    assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn", "--load-transfer",
+                                            "--vertical-shift-mm", "--roll-deg"}
+    methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature", "lateral-curvature",
+               "curvature-step-mm", "curvature-reach-mm", "tolerance"}
+    assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}
+    words = " ".join(out.replace("│", " ").split())
+    assert all(choice in words for name in CHOICES for choice in CHOICES[name])
 
 
 def test_rail_inclination_is_read_as_a_ratio_or_a_slope(run):
@@ -265,7 +337,7 @@ def test_sweep_writes_what_evaluate_many_returns(run, tmp_path):
     shifts = np.round(np.linspace(-7, 7, 141), 9) / 1e3
     expected = columns_of(ContactSystem().evaluate_many(lateral_shift=shifts, yaw=np.radians(0.3), normal_force=100e3))
     assert code == 0 and "141 rows" in out
-    assert list(written) == list(expected) and len(expected) == 5 + 270 + 1
+    assert list(written) == list(expected) and len(expected) == layout.INPUT_COUNT + layout.OUTPUT_COUNT + 1
     for name, column in expected.items():
         np.testing.assert_array_equal(written[name], column, err_msg=name)
 
@@ -304,6 +376,14 @@ WRONG = {
     "wheel": ("solve --wheel S1003", ["wheel", "S1003", "S1002"]),
     "rail": ("sweep --rail Vignole", ["rail", "Vignole", "UIC60"]),
     "model": ("plot --normal-model kalker", ["normal_model", "kalker", "analyn", "hertz"]),
+    "mode": ("solve --contact-mode elastisch", ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
+    "load": ("sweep --load lateral", ["load", "lateral", "normal", "vertical"]),
+    "separation": ("solve --separation lateral", ["separation", "lateral", "equidistant_chord"]),
+    "step_of_curvature": ("plot --curvature-step-mm 50", ["curvature_step", "0.05", "0.005 m"]),
+    "height_of_rigid": ("solve --vertical-shift-mm 0.1", ["--vertical-shift-mm", "--contact-mode compliant", "'rigid'"]),
+    "roll_of_elastic": ("sweep --roll-deg 0.1 --contact-mode elastic", ["--roll-deg", "--contact-mode compliant", "'elastic'"]),
+    "force_of_compliant": ("plot --normal-force-kn 9 --contact-mode compliant", ["--normal-force-kn", "rigid or elastic"]),
+    "deep": ("solve --contact-mode compliant --vertical-shift-mm 4", ["vertical_shift_input", "0.004", "0.002 m"]),
     "gauge": ("solve --gauge-mm 14350", ["gauge", "14.35", "m"]),
     "inclination": ("solve --rail-inclination 1:forty", ["--rail-inclination", "1:forty", "1:40"]),
     "inclination_of_nothing": ("solve --rail-inclination 1:0", ["--rail-inclination", "1:0"]),

@@ -37,6 +37,10 @@ LEAST_WITHIN = {"hunting": 0.99, "jumps": 0.95, "load": 1.0}  # share of a run's
 #: is led over it within half a millimetre, half the step (6e-8 m) up or down.
 RESTING, ON_THE_STEP = -0.035, {"roll": 1e-7, "contact_angle": 0.065}  # [m]; [rad], and 77 1/m times the arc that belongs to
 POSITION_ON_THE_STEP = 6e-4  # [m]
+#: The stored patches are those of a half-space on one plane, the contact point's.  A flange patch that leans away from it has
+#: a plane of its own here, in which the half-space has its pressure too (test_halfspace.py): half of what is stored.
+LEANING, PRESSURE_LEANING = math.radians(15), 0.50  # [rad], of the stored value
+LEAST_UPRIGHT = 0.85  # share of a run's wheels that have no such patch
 PRESSURE_ON_THE_STEP = 0.40  # of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
 
 #: From Python 3.13 on PythonFMU 0.7 loses the log line of a process's first refusal; the console has the sentence.
@@ -108,7 +112,8 @@ def test_names_of_the_interface_are_there(description):
     side += [f"patch[{k}].{n}" for k in (1, 2, 3) for n in patch]
     side += [f"{n}[{j}]" for n in ("station", "half_length", "pressure") for j in range(1, 32)]
     expected = {f"{s}.{n}" for s in ("left", "right") for n in side} | {"roll", "vertical_shift", "status"}
-    expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer"}
+    expected |= {f"{vector}.{axis}" for vector in ("force", "moment") for axis in "xyz"}
+    expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input", "roll_input"}
     expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance",
                  "nominal_radius", "youngs_modulus", "poisson_ratio", "contact_mode", "load", "normal_model", "separation",
                  "longitudinal_curvature", "lateral_curvature", "curvature_step", "curvature_reach"}  # fmt: skip
@@ -128,9 +133,10 @@ def test_units_are_si_and_shown_as_engineers_read_them(description):
     bases = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
     exponents = {u.name: {b: getattr(u.baseUnit, b) for b in bases if getattr(u.baseUnit, b)} for u in units}
     assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2},
+                         "N.m": {"kg": 1, "m": 2, "s": -2},
                          "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {}}  # fmt: skip
     shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
-    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "MPa": 1e-6, "mm2": 1e6}
+    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "MPa": 1e-6, "mm2": 1e6}
 
 
 def test_start_values_lie_within_their_limits(description):
@@ -142,24 +148,48 @@ def test_start_values_lie_within_their_limits(description):
 def test_dependencies(description):
     follows = {u.variable.name: {d.name for d in u.dependencies} for u in description.outputs}
     assert set(follows) == set(OUTPUT_NAMES)
-    pose, load = {"lateral_shift", "yaw"}, {"lateral_shift", "yaw", "normal_force", "load_transfer"}
-    assert follows["roll"] == follows["right.contact.y_wheel"] == follows["left.curvature_y"] == pose
-    assert follows["right.area"] == follows["left.pressure[7]"] == follows["status"] == load
-    assert not any("roll_guess" in inputs for inputs in follows.values())
+    # declared once for all contact modes, and in elastic and compliant contact all that is read moves everything
+    read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input"}
+    assert all(inputs == read for inputs in follows.values())
     initial = {u.variable.name: {d.name for d in u.dependencies} for u in description.initialUnknowns}
     assert set(initial) == set(OUTPUT_NAMES)
     assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"]
 
 
-def test_declared_dependencies_hold():
-    """An output changes with exactly the inputs that it is declared to follow, at a pose with nothing special."""
-    pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.05}
-    present = evaluated(pose)
-    changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3, "load_transfer": 0.01}
+GEOMETRY = ("contact.", "contact_angle", "rolling_radius", "curvature_")
+
+
+def is_geometry(name):
+    """Whether the output is one of rigid contact's geometry."""
+    return name in ("roll", "vertical_shift") or "patch[" not in name and name.split(".", 1)[1].startswith(GEOMETRY)
+
+
+#: What an output of each contact mode does not follow: inputs, and the outputs that this is said of.
+FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, "load_transfer": is_geometry,
+                  "vertical_shift_input": lambda name: True, "roll_input": lambda name: True},
+        "elastic": {name: lambda name: True for name in ("roll_guess", "vertical_shift_input", "roll_input")},
+        "compliant": {name: lambda name: True for name in ("roll_guess", "normal_force", "load_transfer")}}
+
+
+@pytest.mark.parametrize("mode", FREE)
+def test_declared_dependencies_hold(mode):
+    """At a pose with nothing special: no output changes with an input that it is not declared to follow, nor with one that
+    the contact mode does not read for it; and every input that it reads does change something."""
+    system = ContactSystem(contact_mode=mode)
+    pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3, "load_transfer": 0.05,
+            "vertical_shift_input": 0.2e-3, "roll_input": -7e-5}
+    changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3, "load_transfer": 0.01,
+               "vertical_shift_input": 1e-6, "roll_input": 1e-6}
+    assert set(changes) == set(INPUT_NAMES)
+    present = evaluated(pose, system.stepper())
+    assert present["status"] == 0
     for name, change in changes.items():
-        changed = evaluated({**pose, name: pose[name] + change})
-        free = [v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS] if name not in v.depends_on]
+        changed = evaluated({**pose, name: pose[name] + change}, system.stepper())
+        is_free = FREE[mode].get(name, lambda output: False)
+        outputs = VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]
+        free = [v.name for v in outputs if name not in v.depends_on or is_free(v.name)]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free})
+        assert len(free) == len(outputs) or changed["right.area"] != present["right.area"], name
 
 
 def test_capabilities(description):
@@ -268,6 +298,56 @@ def test_methods_and_their_parameters_arrive(run):
         assert seen["after_initialisation"]["right.area"] != seen["default"]["right.area"]
 
 
+def test_contact_modes_arrive(run):
+    """Elastic: height and roll follow the load; compliant: they are inputs, and the loads follow."""
+    start = {"lateral_shift": 3e-3, "yaw": 1e-3, "contact_mode": "elastic", "load": "vertical"}
+    elastic = run("first_instant", start=start)["after_initialisation"]
+    assert_same(elastic, evaluated(start, ContactSystem(contact_mode="elastic", load="vertical").stepper()))
+    assert elastic["status"] == 0 and elastic["force.z"] == pytest.approx(-2 * 78.5e3, rel=1e-6)
+    given = {"vertical_shift_input": elastic["vertical_shift"], "roll_input": elastic["roll"]}
+    start = {**start, **given, "contact_mode": "compliant", "normal_force": 1.0}
+    compliant = run("first_instant", start=start)["after_initialisation"]
+    assert_same(compliant, evaluated(start, ContactSystem(contact_mode="compliant").stepper()))
+    for name in ("left.normal_force", "right.normal_force", "right.area", "force.y", "moment.x"):
+        assert compliant[name] == pytest.approx(elastic[name], rel=1e-5), name
+
+
+@pytest.mark.parametrize("mode", ["elastic", "compliant"])
+def test_contact_modes_step_as_the_kernel(run, mode):
+    rows = pressed_poses(12) if mode == "compliant" else poses(12)
+    seen = run("trajectory", rows=rows, names=OUTPUT_NAMES, start={"contact_mode": mode})["seen"]
+    stepper = ContactSystem(contact_mode=mode).stepper()
+    for row, found in zip(rows, seen):
+        assert_same(found, evaluated(row, stepper))
+        assert found["status"] == 0
+
+
+def pressed_poses(count):
+    """Poses with the height and roll at which they carry their loads."""
+    system = ContactSystem(contact_mode="elastic")
+    states = [system.evaluate(**row) for row in poses(count)]
+    return [{**row, "vertical_shift_input": state.vertical_shift, "roll_input": state.roll}
+            for row, state in zip(poses(count), states)]
+
+
+def test_a_lifted_wheelset_is_a_status_with_a_sentence(run):
+    """And a height that no wheelset can have; both with the next valid height forgotten."""
+    cases = {"lifted": {"vertical_shift_input": -1e-3}, "deep": {"vertical_shift_input": 5e-3},
+             "steep": {"roll_input": 0.3}, "nan": {"roll_input": math.nan}}
+    answers = run("outcomes", cases=cases, start={"contact_mode": "compliant"}, valid={"vertical_shift_input": 0.25e-3})
+    assert {name: answer["during"]["status"] for name, answer in answers.items()} == {
+        "lifted": 1, "deep": 2, "steep": 2, "nan": 4}
+    lifted = answers["lifted"]["during"]
+    assert lifted["left.normal_force"] == lifted["right.area"] == lifted["force.z"] == 0.0
+    assert lifted["vertical_shift"] == -1e-3
+    words = {"lifted": ["vertical_shift_input is -0.001 m", "lifted"], "deep": ["vertical_shift_input is 0.005 m", "0.002 m"],
+             "steep": ["roll_input is 0.3 rad", "0.12 rad"], "nan": ["roll_input is nan rad"]}
+    for name, answer in answers.items():
+        assert answer["before"]["status"] == answer["after"]["status"] == 0 and len(answer["log"]) == 1, name
+        assert all(word in answer["log"][0][2] for word in words[name]), answer["log"]
+        assert_same(answer["after"], answer["before"])
+
+
 def test_runs_its_own_code(run, tmp_path):
     modules = run("first_instant")["modules"]
     assert "wrcontact" not in modules
@@ -277,14 +357,14 @@ def test_runs_its_own_code(run, tmp_path):
 @pytest.mark.parametrize("name", TRAJECTORIES)
 def test_trajectory(run, name):
     times, rows, expected = stored(name)
-    seen = run("trajectory", rows=rows, names=list(expected[0]))
+    seen = run("trajectory", rows=rows, names=[*expected[0], *PATCH_NAMES])
     assert_near(seen["seen"], expected, name)
 
 
 @pytest.mark.parametrize("name", TRAJECTORIES)
 def test_trajectory_by_simulate_fmu(run, name):
     times, rows, expected = stored(name)
-    seen = run("simulated", rows=rows, times=times, names=list(expected[0]))["seen"]
+    seen = run("simulated", rows=rows, times=times, names=[*expected[0], *PATCH_NAMES])["seen"]
     assert_near(seen[1:], expected[: len(seen) - 1], name)
 
 
@@ -301,23 +381,40 @@ def stored(name):
     with open(HERE / "trajectories" / f"{name}.csv", newline="", encoding="utf-8") as file:
         table = [{key: float(cell) for key, cell in row.items() if cell.strip()} for row in csv.DictReader(file)]
     times = [row["time"] for row in table]
-    rows = [{key: row[key] for key in INPUT_NAMES} for row in table]
+    rows = [{key: row[key] for key in INPUT_NAMES if key in row} for row in table]      # others keep their start values
     names = [name for name in dict.fromkeys(key for row in table for key in row) if name in OUTPUT_NAMES]
     return times, rows, [{name: row.get(name) for name in names} for row in table]
 
 
 def assert_near(seen, expected, run):
     """Outputs agree with a stored trajectory, each within what its name allows."""
-    within = []
+    within, upright = [], []
     for k, (found, wanted) in enumerate(zip(seen, expected, strict=True)):
         resting = any(abs(wanted[f"{side}.contact.y_wheel"] - RESTING) < 1e-9 for side in ("left", "right"))
+        leaning = {side: leans_away(found, side) for side in ("left", "right")}
+        upright += [not leans for leans in leaning.values()]
         for name, value in wanted.items():
             if value is not None:
+                leans = leaning.get(name.split(".")[0], False)
                 difference = abs(found[name] - value)
-                assert difference <= allowance(name, value, resting), f"row {k}: {name} is {found[name]!r}, expected {value!r}"
-                if name.split(".")[-1] in LOADED and value:
+                allowed = allowance(name, value, resting)
+                if leans and name.endswith("max_pressure"):
+                    allowed = PRESSURE_LEANING * value
+                assert difference <= allowed, f"row {k}: {name} is {found[name]!r}, expected {value!r}"
+                if name.split(".")[-1] in LOADED and value and not leans:
                     within.append(difference <= LOADED[name.split(".")[-1]] * abs(value))
     assert np.mean(within) >= LEAST_WITHIN[run]
+    assert np.mean(upright) >= LEAST_UPRIGHT
+
+
+PATCH_NAMES = [f"{side}.patch[{k}].{name}" for side in ("left", "right") for k in (1, 2, 3)
+               for name in ("normal_force", "contact_angle")]
+
+
+def leans_away(found, side):
+    """Whether a loaded patch leans away from the wheel's contact plane."""
+    patches = [(found[f"{side}.patch[{k}].normal_force"], found[f"{side}.patch[{k}].contact_angle"]) for k in (1, 2, 3)]
+    return any(force > 0.0 and abs(angle - found[f"{side}.contact_angle"]) > LEANING for force, angle in patches)
 
 
 def allowance(name, value, resting):
@@ -410,8 +507,10 @@ def test_lazy(run):
     assert seen["ahead"] == seen["after"]
 
 
-def test_saved_states(run):
-    seen = run("saved_states", rows=poses(20), names=OUTPUT_NAMES)
+@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
+def test_saved_states(run, mode):
+    rows = pressed_poses(20) if mode == "compliant" else poses(20)
+    seen = run("saved_states", rows=rows, names=OUTPUT_NAMES, start={"contact_mode": mode})
     assert seen["restored"] == seen["before"]
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
     assert seen["refusals"] == [True] * 4 and seen["kept"]
@@ -464,7 +563,8 @@ def test_path_with_spaces_and_other_letters(fmu, tmp_path):
 
 
 WRONG = {
-    "contact_mode": ({"contact_mode": "elastisch"}, ["contact_mode", "elastisch", "rigid"]),
+    "contact_mode": ({"contact_mode": "elastisch"}, ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
+    "load": ({"contact_mode": "elastic", "load": "lateral"}, ["load", "lateral", "normal", "vertical"]),
     "normal_model": ({"normal_model": "kalker"}, ["normal_model", "kalker", "analyn", "hertz"]),
     "wheel": ({"wheel_profile": "S1003"}, ["wheel", "S1003", "S1002"]),
     "gauge": ({"gauge": 14.35}, ["gauge", "14.35", "m"]),

@@ -17,7 +17,8 @@ from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_c
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel import library
 from wrcontact.kernel.files import LIBRARY_NAME, fingerprint
-from wrcontact.kernel.layout import INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE
+from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUTPUT_COUNT,
+                                     SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE)
 
 PACKAGE = Path(wrcontact.__file__).parent
 KERNEL = PACKAGE / "kernel"
@@ -39,19 +40,25 @@ np.save(sys.argv[2], np.array(rows))
 
 
 def poses(count, seed=20):
-    """Poses over tread and flange: cold jumps, a slow run, and some that no wheelset can have."""
+    """Inputs (count, 7) over tread and flange: cold jumps, a slow run, and some that no wheelset can have; heights and rolls
+    around those of rigid contact, from lifted wheels to 0.2 mm deep ones."""
     rng = np.random.default_rng(seed)
     rows = np.column_stack([
         rng.uniform(-8e-3, 8e-3, count),            # lateral shift [m]
         rng.uniform(-0.02, 0.02, count),            # yaw [rad]
         rng.uniform(-1e-3, 1e-3, count),            # roll guess [rad]
         rng.uniform(2e4, 1.5e5, count),             # normal force [N]
-        rng.uniform(-0.5, 0.5, count)])             # load transfer
+        rng.uniform(-0.5, 0.5, count),              # load transfer
+        rng.uniform(-5e-5, 2e-4, count),            # height below rigid contact [m]
+        rng.uniform(-1e-4, 1e-4, count)])           # roll beyond it [rad]
     rows[::4, 1] = 0.0
     run = count // 2
     rows[run:, 0] = np.linspace(-7e-3, 7e-3, count - run)
-    rows[run::7] = [[np.nan, 0.0, 0.0, 7e4, 0.0]]
-    rows[run + 1::7] = [[0.3, 0.0, 0.0, 7e4, 0.0]]
+    rigid = wrcontact.ContactSystem().evaluate_many(rows[:, IN_LATERAL_SHIFT], rows[:, IN_YAW], outputs="geometry")
+    rows[:, IN_VERTICAL_SHIFT] += rigid.vertical_shift
+    rows[:, IN_ROLL] += rigid.roll
+    rows[run::7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
+    rows[run + 1::7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
     rows[run + 2::7, 3] = 0.0
     return rows
 
@@ -81,6 +88,18 @@ def bits(array):
     return np.ascontiguousarray(array).view(np.int64)
 
 
+#: Every contact mode with every normal model, and the vertical load.
+MODES = [{"contact_mode": "elastic", "normal_model": "analyn"},
+         {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
+         {"contact_mode": "elastic", "normal_model": "hertz"},
+         {"contact_mode": "compliant", "normal_model": "analyn"},
+         {"contact_mode": "compliant", "normal_model": "analyn_strip"},
+         {"contact_mode": "compliant", "normal_model": "hertz"},
+         {"load": "vertical"},
+         {"load": "vertical", "normal_model": "hertz"},
+         {"contact_mode": "elastic", "load": "vertical", "separation": "equidistant", "lateral_curvature": "smooth"}]
+
+
 @needs_library
 @pytest.mark.parametrize("parameters", [
     {},
@@ -91,9 +110,10 @@ def bits(array):
     {"separation": "equidistant", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "lateral_curvature": "smooth"},
     {"lateral_curvature": "rough", "normal_model": "hertz", "curvature_step": 1e-3},
+    *MODES,
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
-    rows = poses(80)
+    rows = poses(80 if parameters.get("contact_mode") != "elastic" else 30)      # a dozen times the work
     compiled = run_steps(rows, tmp_path, choice="compiled", **parameters)
     source = run_steps(rows, tmp_path, choice="python", **parameters)
     assert len(set(compiled[:, 0])) > 1, "the poses should meet more than one status"
@@ -123,6 +143,9 @@ def checked_package(tmp_path_factory):
     {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
+    *MODES,
+    {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
+    {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
     """The library with checked indices takes the same steps: 1200 over tread and flange, from 1 mN to 1 MN."""
@@ -148,8 +171,9 @@ def test_no_index_leaves_its_array_in_very_many_poses(tmp_path, checked_package,
     np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
 
 
-def test_many_steps_are_single_steps():
-    system = wrcontact.ContactSystem()
+@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
+def test_many_steps_are_single_steps(mode):
+    system = wrcontact.ContactSystem(contact_mode=mode)
     one, many, rows = system.stepper(), system.stepper(), poses(24)
     outputs, statuses = np.zeros((len(rows), OUTPUT_COUNT)), np.zeros(len(rows))
     many.step_many(rows, outputs, statuses)
@@ -266,7 +290,7 @@ def test_end_of_a_range_is_read_once(tmp_path):
 def test_a_bare_step_keeps_its_arrays():
     """``step`` may outlive its stepper; its arrays then stay."""
     stepper = wrcontact.ContactSystem().stepper()
-    stepper.inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    stepper.inputs[:5] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     kept, step = weakref.ref(stepper.outputs), stepper.step
     del stepper
     gc.collect()

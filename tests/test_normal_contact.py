@@ -86,6 +86,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
     block = regions.region_block(0)
+    regions.lean_region(tables, work, block)                # one plane: the whole penetration, the whole load
     spacing = half_width / half_nodes
     last = half_nodes + 2
     work[block + regions.REGION_LOW], work[block + regions.REGION_HIGH] = -1.0, 1.0
@@ -348,8 +349,8 @@ def test_work_is_bounded(system):
     for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)), (55, 2.1, 135, 11)),
                                 ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000), (60, 2.2, 135, 11))):
         stepper.state[:] = 0.0
-        inputs = np.zeros((2000, 5))
-        inputs[:, 0], inputs[:, 3] = shift, 78.5e3
+        inputs = np.zeros((2000, layout.INPUT_COUNT))
+        inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_NORMAL_FORCE] = shift, 78.5e3
         stepper.step_many(inputs, np.zeros((2000, layout.OUTPUT_COUNT)), np.zeros(2000))
         counts = stepper.state[[layout.STATE_GAP_COUNT, layout.STATE_SCAN_COUNT, layout.STATE_NODE_COUNT,
                                 layout.STATE_SOLVE_COUNT]] / 2000

@@ -9,9 +9,8 @@ import pytest
 from matplotlib.image import imread
 
 from wrcontact import ContactSystem
-from wrcontact.cli.demo import stored_run
+from wrcontact.cli.demo import stored_inputs, stored_run
 from wrcontact.cli.report import columns_of
-from wrcontact.interface.variables import INPUT, VARIABLES
 from wrcontact.plots import contact_figure, demo_figure, find_jumps, outline_figure, pose_figure, save, sweep, sweep_figure
 from wrcontact.plots.demo import SHOWN_SHIFTS
 from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline, wheel_zone
@@ -177,6 +176,20 @@ def test_wheel_without_load_is_drawn_as_unloaded(transfer):
     assert panel(figure, f"{loaded} patch").collections
 
 
+@pytest.mark.parametrize("mode, given, told", [
+    ("elastic", {}, "78.5 kN per wheel"),
+    ("compliant", {"vertical_shift_input": 0.25 * MM}, "0.250 mm down"),
+])
+def test_a_pressed_wheelset_is_drawn_too(tmp_path, mode, given, told):
+    system = ContactSystem(contact_mode=mode)
+    state = system.evaluate(**given)
+    figure = pose_figure(system, state)
+    assert told in figure.get_suptitle() if hasattr(figure, "get_suptitle") else told in figure._suptitle.get_text()
+    mesh = panel(figure, "right patch").collections[0]
+    assert np.max(mesh.get_array()) == pytest.approx(np.max(state.right.outline.pressure) / 1e6, rel=0.01)
+    assert save(figure, tmp_path / "pressed.png").stat().st_size > 20_000
+
+
 def test_no_wheel_with_load_is_drawn_too(tmp_path):
     state = SYSTEM.evaluate(normal_force=0.0)
     assert save(pose_figure(SYSTEM, state), tmp_path / "empty.png").stat().st_size > 20_000
@@ -189,7 +202,7 @@ def test_no_wheel_with_load_is_drawn_too(tmp_path):
 def run():
     """The stored run, and the kernel's answers to it."""
     stored = stored_run()
-    inputs = {v.name: stored[v.name] for v in VARIABLES if v.causality == INPUT}
+    inputs = {name: stored[name] for name in stored_inputs(stored)}
     return columns_of(SYSTEM.evaluate_many(**inputs)), stored
 
 

@@ -214,8 +214,8 @@ def system_tables():
     wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435,
                                                         gauge_depth=0.014)
     return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
-                        normal_model=layout.MODEL_ANALYN, longitudinal_curvature=layout.LONGITUDINAL_EFFECTIVE,
-                        resolution=resolve("analyn"))
+                        methods={"normal_model": layout.MODEL_ANALYN,
+                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=resolve("analyn"))
 
 
 def on_rail(tables, work, places):

@@ -85,6 +85,8 @@ def test_outputs_lie_in_the_order_of_the_kernel():
 
 @pytest.mark.parametrize("name, index", [
     ("roll", layout.OUT_ROLL),
+    ("force.z", layout.OUT_FORCE + 2),
+    ("moment.x", layout.OUT_MOMENT),
     ("left.contact.y_rail", layout.OUT_LEFT + layout.SIDE_Y_RAIL),
     ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
     ("right.patch[2].width", layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_SIZE + layout.PATCH_WIDTH),
@@ -127,9 +129,9 @@ def test_outputs_are_computed_once_per_change(running):
 def test_values_are_read_in_any_order_and_any_number(running):
     references = [REFERENCE["right.pressure[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"], REFERENCE["roll"]]
     values = running.get_reals(references)
-    assert values[0] == values[3] + 269 and values[1:3] == [1.435, 0.0] and values[3] == values[4]
+    assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0] and values[3] == values[4]
     assert running.get_reals(references[:1]) == values[:1]
-    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0, int(values[3]) + 2]
+    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0, int(values[3]) + layout.OUT_LEFT]
     assert running.get_strings([REFERENCE["rail_profile"]]) == ["UIC60"]
 
 
@@ -269,6 +271,35 @@ def test_snapshot_holds_parameters_and_pending_inputs(running):
     running.restore(other.snapshot())
     assert running.get_reals([REFERENCE["gauge"], SHIFT]) == [1.5, 0.5]
     assert roll(running) == roll(other)
+
+
+def test_snapshot_holds_height_and_roll(running):
+    places = [REFERENCE["vertical_shift_input"], REFERENCE["roll_input"]]
+    running.set_reals(places, [0.25, 0.5])
+    running.step()
+    saved, kept = running.snapshot(), roll(running)
+    running.set_reals(places, [0.0, 0.0])
+    assert roll(running) != kept
+    running.restore(saved)
+    assert running.get_reals(places) == [0.25, 0.5] and roll(running) == kept
+    other = Session(tell=None)
+    other.restore(saved)
+    assert other.get_reals(places) == [0.25, 0.5] and roll(other) == kept
+
+
+@pytest.mark.parametrize("mode", ["elastic", "compliant"])
+def test_snapshot_of_a_real_wheelset_goes_on_bit_by_bit(mode):
+    """With the kernel itself: its state and the inputs are all that decides how it goes on."""
+    session, other = Session(tell=None), Session(tell=None)
+    session.set_strings([REFERENCE["contact_mode"]], [mode])
+    session.set_reals([REFERENCE["vertical_shift_input"]], [0.25e-3])
+    session.start()
+    advance(session, [1e-3, 1.1e-3])
+    other.restore(session.snapshot())
+    shifts = [1.2e-3, 4e-3, 4.01e-3]
+    assert advance(session, shifts) == advance(other, shifts)
+    assert session.get_reals(select(OUTPUT, "Real")) == other.get_reals(select(OUTPUT, "Real"))
+    assert session.status == 0
 
 
 def test_snapshot_before_initialisation(session):

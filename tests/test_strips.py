@@ -26,6 +26,7 @@ from test_normal_contact import MODULUS, hertz, lay_constant_curvatures, planar_
 
 NAMES = ("penetration", "area", "max_pressure")
 EXTENT = (*NAMES, "patch_length", "patch_width")
+POSE = [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]     # what random poses differ in
 
 
 def system_of(model="analyn_strip", **parameters):
@@ -43,7 +44,7 @@ def errors(side, truth):
 
 
 def random_poses(count, seed, low=3e3, high=2e5):
-    """Inputs (count, 5): S1002's tread to flange, ``low`` to ``high`` N, half of them with up to 2 degrees of yaw."""
+    """Inputs (count, 7): S1002's tread to flange, ``low`` to ``high`` N, half of them with up to 2 degrees of yaw."""
     rng = np.random.default_rng(seed)
     rows = np.zeros((count, layout.INPUT_COUNT))
     rows[:, layout.IN_LATERAL_SHIFT] = rng.uniform(-6.6e-3, 6.6e-3, count)
@@ -53,7 +54,7 @@ def random_poses(count, seed, low=3e3, high=2e5):
 
 
 def step_all(stepper, rows, before=lambda stepper: None):
-    """Outputs (n, 270) of all rows, one after the other, ``before`` done to the stepper ahead of each; NaN where not valid."""
+    """Outputs (n, 276) of all rows, one after the other, ``before`` done to the stepper ahead of each; NaN where not valid."""
     outputs = np.full((len(rows), layout.OUTPUT_COUNT), np.nan)
     for row, values in zip(outputs, rows):
         before(stepper)
@@ -133,7 +134,7 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
     assert met == 1
     penetration, found, met = strips.correct_strips(tables, work, state, 1, force, predicted, 0)
     assert met == 1 and found == count
-    patches.write_patches(work, 0, strip_patches.gather_strips(tables, work, found))
+    patches.write_patches(work, 0, strip_patches.gather_strips(work, found))
     exact, a, b, pressure = hertz(A, B, force)
     assert work[layout.SIDE_NORMAL_FORCE] == pytest.approx(force, rel=1e-12)
     return np.array([penetration / exact, work[layout.SIDE_AREA] / (math.pi * a * b),
@@ -319,7 +320,7 @@ def compare_on_random_poses(count, seed, **parameters):
     for k, pose in enumerate(random_poses(count, seed)):
         rail, inclination = PAIRS[k % len(PAIRS)]
         given = {"rail": rail, "rail_inclination": inclination, **parameters}
-        shift, yaw, _, force, _ = pose
+        shift, yaw, force = pose[POSE]
         truth = system_of("halfspace", **given).evaluate(shift, yaw, force)
         state = system_of(**given).evaluate(shift, yaw, force)
         assert state.status == truth.status == Status.VALID
@@ -441,7 +442,7 @@ def test_a_half_width_survives_a_first_guess_beyond_the_outline():
     pose = -0.0012012888609971711, 0.09952843742040426, 66549.96968005493
     for model in ("analyn", "analyn_strip"):
         side = system_of(model, rail="54E1", rail_inclination=1 / 20).stepper("left")
-        side.inputs[:] = pose[0], pose[1], 0.0, pose[2], 0.0
+        side.inputs[POSE] = pose
         assert side.step() == Status.VALID
         left = side.outputs[layout.OUT_LEFT:]
         assert left[layout.SIDE_AREA] == pytest.approx(1.934e-5, rel=0.05)              # half-space
@@ -493,7 +494,7 @@ def test_prescribed_penetration_is_the_inverse():
     """ANALYN's zone is placed by the strips' penetration in one case, and by its own in the other: 1 % of the load, more
     only where a region appears."""
     ratios = []
-    for shift, yaw, _, force, _ in random_poses(150, 45, low=1e3):
+    for shift, yaw, force in random_poses(150, 45, low=1e3)[:, POSE]:
         one = system_of().evaluate(shift, yaw, force)
         back = system_of().evaluate(shift, yaw, penetration=(one.left.penetration, one.right.penetration))
         for there, here in ((one.left, back.left), (one.right, back.right)):

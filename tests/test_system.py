@@ -9,6 +9,7 @@ import pytest
 
 import wrcontact
 from wrcontact import Status
+from wrcontact.kernel import layout
 from wrcontact.status import explain
 
 
@@ -69,7 +70,7 @@ def test_invalid_input_is_a_status_with_a_sentence(system, arguments, words):
     assert system.evaluate(lateral_shift=2e-3).values == pytest.approx(good.values, rel=1e-9, abs=1e-12)
 
 
-@pytest.mark.parametrize("inputs, status, words", [
+@pytest.mark.parametrize("inputs, status, words", [     # height and roll are zero
     ((0.1, 0, 0, 1e4, 0), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
     ((0.0, 0.3, 0, 1e4, 0), 2, ["yaw is 0.3 rad", "0.12 rad"]),
     ((0.0, 0, 0, 0.0, 0), 1, ["normal_force is 0 N", "> 0 N"]),
@@ -77,8 +78,25 @@ def test_invalid_input_is_a_status_with_a_sentence(system, arguments, words):
     ((0.0, 0, 0, 1e4, 0), 3, ["iteration limit"]),
 ])
 def test_every_status_has_its_sentence(inputs, status, words):
+    inputs = (*inputs, 0.0, 0.0)
     assert all(word in explain(status, inputs) for word in words), explain(status, inputs)
     assert explain(0, inputs) == ""
+
+
+@pytest.mark.parametrize("arguments, status, words", [
+    (dict(vertical_shift_input=-1e-3), 1, ["vertical_shift_input is -0.001 m", "roll_input 0 rad", "lifted"]),
+    (dict(vertical_shift_input=0.5e-3, roll_input=1e-3), 1, ["roll_input 0.001 rad", "lifted"]),    # the left wheel
+    (dict(vertical_shift_input=1e-3, roll_input=2e-3), 2, ["roll_input 0.002 rad", "deeper in it than 0.002 m"]),
+    (dict(vertical_shift_input=4e-3), 2, ["vertical_shift_input is 0.004 m", "deeper in it than 0.002 m"]),
+    (dict(roll_input=-0.2), 2, ["roll_input is -0.2 rad", "|roll_input| <= 0.12 rad"]),
+    (dict(lateral_shift=0.1), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
+    (dict(vertical_shift_input=math.nan), 4, ["vertical_shift_input is nan m", "finite"]),
+    (dict(roll_input=math.inf), 4, ["roll_input is inf rad", "finite"]),
+])
+def test_compliant_contact_has_its_sentences(arguments, status, words):
+    state = wrcontact.ContactSystem(contact_mode="compliant").evaluate(**arguments)
+    sentence = explain(state.status, state.inputs, compliant=True)
+    assert state.status == status and all(word in sentence for word in words), sentence
 
 
 def test_nothing_valid_yet_is_nan():
@@ -95,7 +113,11 @@ def test_nothing_valid_yet_is_nan():
     (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),
     (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
     (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'analyn_strip', 'hertz', 'halfspace'"),
-    (dict(contact_mode="elastic"), "contact_mode is 'elastic'; permitted is 'rigid'"),
+    (dict(contact_mode="plastic"), "contact_mode is 'plastic'; permitted are 'rigid', 'elastic', 'compliant'"),
+    (dict(load="lateral"), "load is 'lateral'; permitted are 'normal', 'vertical'"),
+    (dict(normal_model="halfspace", contact_mode="elastic"),
+     "contact_mode is 'elastic'; permitted with the normal_model 'halfspace', which solves one wheel at its rigid contact, is"),
+    (dict(normal_model="halfspace", load="vertical"), "load is 'vertical'; permitted with the normal_model 'halfspace'"),
     (dict(lateral_curvature=3), "lateral_curvature is 3; permitted are 'adaptive', 'smooth', 'rough'"),
     (dict(separation="lateral"), "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'"),
     (dict(curvature_step=1e-5), "curvature_step is 1e-05; permitted is 2e-05 ... 0.005 m"),
@@ -121,25 +143,26 @@ def test_every_parameter_changes_what_it_should(system):
 def test_stepper_keeps_the_last_valid_outputs(system):
     stepper = system.stepper()
     assert not np.any(stepper.outputs)
-    stepper.inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    stepper.inputs[:5] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     assert stepper.step() == 0
     kept = stepper.outputs.copy()
     for wrong in ((1.0, 0, 0, 1e4, 0), (np.nan, 0, 0, 1e4, 0), (0, 0, 0, -1, 0), (0, 0, 0, np.inf, 0), (1e308, 0, 0, 1, 0)):
-        stepper.inputs[:] = wrong
+        stepper.inputs[:len(wrong)] = wrong
         assert stepper.step() in (2, 4)
         np.testing.assert_array_equal(stepper.outputs, kept)
-    stepper.inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    stepper.inputs[:5] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     assert stepper.step() == 0
     np.testing.assert_allclose(stepper.outputs, kept, rtol=1e-9, atol=1e-12)
 
 
-def test_numbers_from_hell_never_leave_the_statuses(system):
+@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
+def test_numbers_from_hell_never_leave_the_statuses(mode):
     rng = np.random.default_rng(13)
     special = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-30, 1e-9, 1e-3, 6.25e-3, 0.0149999, 0.015, 1.0, 1e30, 1e308,
                         np.inf, np.nan])
-    stepper = system.stepper()
+    stepper, count = wrcontact.ContactSystem(contact_mode=mode).stepper(), layout.INPUT_COUNT
     for _ in range(3000):
-        stepper.inputs[:] = rng.choice(special, 5) * rng.choice([-1.0, 1.0], 5)
+        stepper.inputs[:] = rng.choice(special, count) * rng.choice([-1.0, 1.0], count)
         pose = tuple(stepper.inputs)
         status = stepper.step()
         assert 0 <= status <= 4, pose

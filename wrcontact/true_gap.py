@@ -31,6 +31,8 @@ GUESSES = 600            # points of a profile from which Newton's method starts
 REACH_X, REACH_S = 0.15, 0.08
 #: Components of the loaded cells with less than this share of the load are no patches.
 STRAY_SHARE = 1e-6
+#: The mirror of a force and of a moment, which is an axial vector.
+MIRRORED_RESULTANT = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 
 
 @dataclass(frozen=True)
@@ -300,6 +302,22 @@ def _first_positive(edge):
     return float(np.min(first[rows] - inside / (inside - outside)))
 
 
+def resultant(plane, contact, index):
+    """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the track's axes.
+
+    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its pressure.
+    """
+    total = np.zeros(6)
+    for pressure in split_patches(contact):
+        load = pressure.sum() * (contact.x[1] - contact.x[0]) * (contact.s[1] - contact.s[0])
+        x, s = pressure.sum(axis=1) @ contact.x / pressure.sum(), pressure.sum(axis=0) @ contact.s / pressure.sum()
+        height, angle = plane.rail_height(np.array([s]))[0], plane.rail_angle(s)
+        place = plane.origin - plane.centre + [x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
+        force = load * np.array([0.0, -math.sin(angle), -math.cos(angle)])
+        total += np.concatenate([force, np.cross(place, force)])
+    return total if index == 1 else total * MIRRORED_RESULTANT
+
+
 # --- a wheelset moved in time -----------------------------------------------------------------------------------------------
 
 
@@ -328,20 +346,22 @@ class HalfspaceStepper(Stepper):
         status = self._bound.step()
         if status > Status.UNLOADED:
             return status
-        answer = self._rigid.copy()
+        answer, total = self._rigid.copy(), np.zeros(len(MIRRORED_RESULTANT))
         try:
             for index, first in enumerate((layout.OUT_LEFT, layout.OUT_RIGHT)):
                 side = answer[first:first + layout.SIDE_SIZE]
                 if side[layout.SIDE_NORMAL_FORCE] > 0.0:
-                    self._solve(index, side)
+                    total += self._solve(index, side)
         except ArithmeticError:
             return int(Status.NOT_CONVERGED)
+        if math.isfinite(answer[layout.OUT_FORCE]):     # both sides are wanted
+            answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
         self.outputs[:] = answer
         self._answer, self._status = answer, status
         return status
 
     def _solve(self, index, side):
-        """Replace the normal contact of one loaded side by the half-space's."""
+        """Replace the normal contact of one loaded side by the half-space's; its part of the resultant (6,)."""
         plane = contact_plane(self._tables, self._rigid, self.inputs, index)
         penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
         load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
@@ -352,6 +372,7 @@ class HalfspaceStepper(Stepper):
         if outline:
             side[layout.SIDE_STATION:] = 0.0
         write_side(side, plane, contact, outline)
+        return resultant(plane, contact, index)
 
     def step_many(self, inputs, outputs, status):
         """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, 276) and ``status`` (n,)."""

@@ -10,8 +10,9 @@ import typer
 from .. import ContactSystem
 from ..status import Status
 from .door import Door, Refused, sentences
-from .options import LOAD, POSE, SYSTEM, number, takes
-from .report import columns_of, print_state, print_sweep, sentence, state_text, sweep_remark, write_table
+from .options import LOAD, POSE, SYSTEM, number, option_of, takes
+from .report import (columns_of, is_compliant, print_state, print_sweep, sentence, state_text, sweep_remark,
+                     write_table)
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="rich",
@@ -52,13 +53,17 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
 def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON in SI units")] = False):
     """Solve one pose and print the contact of both wheels side by side.
 
+    Rigid contact is where the undeformed wheels touch; with --contact-mode elastic they sink in until each carries its load,
+    and with compliant they stand where --vertical-shift-mm and --roll-deg say.
+
     Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
     """
     system = _system(system)
+    _refuse_what_is_not_read(system, pose)
     state = system.evaluate(**pose)
     if as_json:
-        print(state_text(state))
-    _refuse_without_contact(state)
+        print(state_text(system, state))
+    _refuse_without_contact(system, state)
     if not as_json:
         print_state(system, state)
 
@@ -75,17 +80,18 @@ def sweep(load, system,
 
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --csv sweep.csv
     """
-    shifts = _shifts(start, stop, step)
-    table = _system(system).evaluate_many(lateral_shift=shifts, **load)
+    shifts, system = _shifts(start, stop, step), _system(system)
+    _refuse_what_is_not_read(system, load)
+    table = system.evaluate_many(lateral_shift=shifts, **load)
     if min(table.status) > Status.UNLOADED:
-        raise Refused(sweep_remark(table))
+        raise Refused(sweep_remark(system, table))
     if file:
         with sentences():
             write_table(file, columns_of(table))
         print(f"{len(table)} rows written to {file}")
     else:
         print_sweep(table)
-    remark = sweep_remark(table)
+    remark = sweep_remark(system, table)
     if remark:
         print(f"wrcontact: {remark}", file=sys.stderr)
 
@@ -103,8 +109,9 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
     if output.suffix.lower() not in PICTURES:
         raise Refused(f"--output is {str(output)!r}; permitted are files that end in {', '.join(PICTURES)}")
     system = _system(system)
+    _refuse_what_is_not_read(system, pose)
     state = system.evaluate(**pose)
-    _refuse_without_contact(state)
+    _refuse_without_contact(system, state)
     figure = pose_figure(system, state)
     with sentences():
         save(figure, output)
@@ -135,10 +142,21 @@ def _system(parameters):
         return ContactSystem(**parameters)
 
 
-def _refuse_without_contact(state):
+def _refuse_what_is_not_read(system, given):
+    """An option that the contact mode does not read is a refusal: its answer would be that of another question."""
+    names = ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input", "roll_input")
+    for variable in POSE:
+        if variable.name in names and variable.name in given:
+            allowed = "rigid or elastic" if is_compliant(system) else "compliant"
+            raise Refused(f"{option_of(variable)} is given; permitted is that with --contact-mode {allowed}, not with "
+                          f"{system.parameters['contact_mode']!r}, which does not read it")
+
+
+def _refuse_without_contact(system, state):
     """A state without contact is a refusal: of the input, or because the search found nothing."""
     if state.status > Status.UNLOADED:
-        raise Refused(sentence(state.status, state.inputs), code=1 if state.status == Status.NOT_CONVERGED else 2)
+        raise Refused(sentence(state.status, state.inputs, is_compliant(system)),
+                      code=1 if state.status == Status.NOT_CONVERGED else 2)
 
 
 def _shifts(start, stop, step):

@@ -4,6 +4,7 @@ import csv
 import time
 from dataclasses import dataclass
 from importlib.resources import files
+from math import radians
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -12,7 +13,8 @@ from rich import box
 from rich.table import Table
 
 from ..conventions import MILLIMETRE, SIDES
-from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, VARIABLES, select
+from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, REFERENCE, VARIABLES, select
+from ..kernel import layout
 from .door import sentences
 from .report import console, write_table
 
@@ -38,6 +40,9 @@ TOLERANCES = (
 #: two regions: quantity, largest deviation there [%].  The share of values that must keep the tolerance is LEAST_WITHIN.
 LARGEST = {"penetration": 16.0, "area": 18.0, "largest pressure": 30.0}
 LEAST_WITHIN = 0.97
+#: They lie in one plane, the contact point's.  A patch that leans away from it by more than this [rad] has a plane and a
+#: pressure of its own (wrcontact/kernel/planes.py), so such a wheel's largest pressure is no question to the stored run.
+LEANING = radians(15)
 
 
 @dataclass(frozen=True)
@@ -69,8 +74,7 @@ def run_demo(folder):
         fmu = build_fmu(folder)
     answers, seconds = apart(step_through, fmu, stored)
     checks = compare(answers, stored)
-    inputs = {v.name: stored[v.name] for v in VARIABLES if v.causality == INPUT}
-    write_table(Path(folder, CSV_NAME), {"time": stored["time"], **inputs, **answers})
+    write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
     draw(Path(folder, PICTURE_NAME), answers, stored)
     return tell(folder, fmu, checks, seconds)
 
@@ -80,6 +84,17 @@ def stored_run():
     with files(__package__).joinpath("data", RUN).open(encoding="utf-8", newline="") as file:
         names, *rows = csv.reader(file)
     return dict(zip(names, np.array(rows, dtype=float).T))
+
+
+def stored_inputs(stored):
+    """Names of the inputs that the run has; the others keep their start values."""
+    return [v.name for v in VARIABLES if v.causality == INPUT and v.name in stored]
+
+
+def all_inputs(stored):
+    """Every input during the run, arrays (n,) by name."""
+    rest = np.ones(len(stored["time"]))
+    return {v.name: stored.get(v.name, v.start * rest) for v in VARIABLES if v.causality == INPUT}
 
 
 def apart(function, *arguments):
@@ -113,7 +128,8 @@ def _stepped(slave, stored):
 
     A step is what a simulation does: set the inputs, step, read every output.
     """
-    inputs, reals, integers = select(INPUT), select(OUTPUT, REAL), select(OUTPUT, INTEGER)
+    inputs = [REFERENCE[name] for name in stored_inputs(stored)]
+    reals, integers = select(OUTPUT, REAL), select(OUTPUT, INTEGER)
     rows = np.column_stack([stored[VARIABLES[reference].name] for reference in inputs]).tolist()
     instants, seen, seconds = stored["time"].tolist(), [], []
     step_size = instants[1] - instants[0]
@@ -156,12 +172,26 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
     """The largest deviation of the variables ``names`` of ``owners``, in ``unit``."""
     variables = [owner + name for owner in owners for name in names]
     deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
+    asked = np.array([is_asked(answers, name) for name in variables])
+    deviations[~asked] = 0.0
     which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)), deviations.shape)
     wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
     place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f}{wheel}"
-    within = int(np.sum(deviations <= tolerance))
+    within = int(np.sum(deviations[asked] <= tolerance))
     largest = float(np.where(np.isnan(deviations), np.inf, deviations)[which, row])
-    return Check(quantity, largest, tolerance, unit, within, deviations.size, place)
+    return Check(quantity, largest, tolerance, unit, within, int(asked.sum()), place)
+
+
+def is_asked(answers, name):
+    """In which steps (n,) an output is compared: all, but largest pressures only where no patch leans away."""
+    wheel, _, quantity = name.partition(".")
+    steps = np.ones(len(answers["status"]), dtype=bool)
+    for k in range(1, layout.PATCH_LIMIT + 1):
+        patch = f"{wheel}.patch[{k}]."
+        if quantity == "max_pressure" and f"{patch}contact_angle" in answers:
+            leans = np.abs(answers[f"{patch}contact_angle"] - answers[f"{wheel}.contact_angle"]) > LEANING
+            steps &= ~(leans & (answers[f"{patch}normal_force"] > 0.0))
+    return steps
 
 
 def deviation(found, wanted, unit):
@@ -194,7 +224,8 @@ def tell(folder, fmu, checks, seconds):
     out.print("The FMU against the stored run: a hunting wheelset over tread, flange root and flange", soft_wrap=True)
     out.print(check_table(checks))
     out.print(f"penetration, area and pressure against the complete theory: {LEAST_WITHIN:.0%} of the values within the tolerance, "
-              f"none beyond {', '.join(f'{limit:g}' for limit in LARGEST.values())} %", soft_wrap=True)
+              f"none beyond {', '.join(f'{limit:g}' for limit in LARGEST.values())} %; no pressure is compared where a patch "
+              "leans away from the contact plane, in which the stored ones lie", soft_wrap=True)
     for line in lines:
         out.print(line, soft_wrap=True)
     return not failed

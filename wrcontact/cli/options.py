@@ -21,6 +21,23 @@ WORDS = {
     "wheel": f"Wheel profile: {', '.join(WHEELS)}, or the path of a text file with y and z in mm",
     "rail": f"Rail profile: {', '.join(RAILS)}, or the path of a text file with y and z in mm",
     "rail_inclination": "Inclination of the rail to the track centre, as 1:40 or as a slope, 0.025",
+    "normal_force": "Force that presses each wheel on its rail, before load transfer; what of it is meant says --load",
+    "load_transfer": "Share L of that force N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left",
+    "vertical_shift_input": "Height of the wheelset with --contact-mode compliant, positive down",
+    "roll_input": "Roll of the wheelset with --contact-mode compliant, positive with the right wheel down",
+    "contact_mode": "How wheel and rail meet: rigid, undeformed surfaces touch at equal gaps left and right; elastic, the "
+                    "wheels sink in until each carries its load, which gives height and roll; compliant, height and roll "
+                    "are --vertical-shift-mm and --roll-deg, and the loads follow",
+    "load": "What --normal-force-kn prescribes: normal, the total over the patches of a wheel; vertical, the vertical "
+            "component of their resultant",
+    "separation": "How the undeformed distance of wheel and rail is measured: normal, along the normal of the contact plane; "
+                  "vertical, at common lateral coordinate; equidistant, between points at equal arc length from the contact; "
+                  "equidistant_chord, between nodes that circles step off from the contact",
+    "lateral_curvature": "Curvature across the rail: adaptive, averaged over a window in proportion to the patch; smooth, of "
+                         "circles fitted to the profiles over --curvature-reach-mm to either side; rough, change of the "
+                         "profiles' angles over --curvature-step-mm",
+    "curvature_step": "Arc length over which --lateral-curvature rough takes the change of angle",
+    "curvature_reach": "Half the width over which --lateral-curvature smooth fits circles to the profiles",
 }
 RATIO = "rail_inclination"
 
@@ -77,8 +94,8 @@ def name_of(variable):
 
 
 def option_of(variable):
-    """The option of a variable: ``--nominal-radius-mm``."""
-    words = [name_of(variable).replace("_", "-"), _display(variable).lower()]
+    """The option of a variable: ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``, which an output is named after."""
+    words = [name_of(variable).removesuffix("_input").replace("_", "-"), _display(variable).lower()]
     return "--" + "-".join(word for word in words if word)
 
 

@@ -12,13 +12,15 @@ from rich.table import Table
 
 from ..conventions import SIDES
 from ..interface.variables import INPUT, INTEGER, OUTLINE_TABLE, OUTPUT, PATCH_TABLE, SIDE_TABLE, UNITS, VARIABLES
+from ..kernel import layout
 from ..status import INPUT_NAMES, Status, explain
 
 #: Digits after the point by display unit.
-DIGITS = {"mm": 4, "deg": 4, "kN": 3, "MPa": 1, "mm2": 2}
+DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}
 #: What :func:`~wrcontact.status.explain` says of outputs that go on in time; here there is nothing to keep.
 KEPT = "; the outputs keep their last valid values"
 
+VECTOR_AXES = ("x", "y", "z")
 SIDE_ROWS = [(name, unit) for name, _, unit, *_ in SIDE_TABLE]
 PATCH_ROWS = [(name, unit) for name, _, unit, *_ in PATCH_TABLE]
 OUTLINE_NAMES = [name for name, *_ in OUTLINE_TABLE]
@@ -26,9 +28,14 @@ OUTLINE_NAMES = [name for name, *_ in OUTLINE_TABLE]
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
 
 
-def sentence(status, inputs):
-    """What a status means for these five inputs, in one sentence; "" for a valid one."""
-    return explain(status, inputs).removesuffix(KEPT)
+def sentence(status, inputs, compliant=False):
+    """What a status means for these seven inputs, in one sentence; "" for a valid one."""
+    return explain(status, inputs, compliant).removesuffix(KEPT)
+
+
+def is_compliant(system):
+    """Whether height and roll are given, and the loads follow."""
+    return system.parameters["contact_mode"] == "compliant"
 
 
 def shown(value, unit, digits=None):
@@ -53,15 +60,31 @@ def console():
 
 def print_state(system, state):
     """One state in display units, left and right side by side."""
-    shift, yaw, _, force, transfer = state.inputs
+    shift, yaw = state.inputs[:2]
     out = console()
     out.print(f"{system.wheel.name} on {system.rail.name}: lateral shift {shown(shift, 'm')} mm, yaw {shown(yaw, 'rad')} deg, "
-              f"normal force {shown(force, 'N')} kN per wheel, load transfer {transfer:g}", soft_wrap=True)
+              f"{load_words(system, state)}", soft_wrap=True)
     out.print(f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
               f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)
+    out.print(f"contact forces on the wheelset {vector_words(state.force, 'N')}, "
+              f"moment about its centre {vector_words(state.moment, 'N.m')}", soft_wrap=True)
     out.print(state_table(state))
     if state.status:
-        out.print(sentence(state.status, state.inputs), soft_wrap=True)
+        out.print(sentence(state.status, state.inputs, is_compliant(system)), soft_wrap=True)
+
+
+def load_words(system, state):
+    """How the wheels are loaded: the force of each, or that height and roll are given."""
+    if is_compliant(system):
+        return "height and roll as given"
+    force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]
+    kind = "normal force" if system.parameters["load"] == "normal" else "vertical force"
+    return f"{kind} {shown(force, 'N')} kN per wheel, load transfer {transfer:g}"
+
+
+def vector_words(vector, unit):
+    """Three components in the track's axes, forward, right and down, in display units."""
+    return f"({', '.join(shown(getattr(vector, axis), unit) for axis in VECTOR_AXES)}) {unit_name(unit)}"
 
 
 def state_table(state):
@@ -85,11 +108,12 @@ def _of_patch(side, k, name, unit):
     return shown(getattr(side.patches[k], name), unit) if k < len(side.patches) else ""
 
 
-def state_text(state):
+def state_text(system, state):
     """One state as JSON in SI, under the names that Python has for it; null where there is no value."""
-    words = sentence(state.status, state.inputs)
+    words = sentence(state.status, state.inputs, is_compliant(system))
     content = {"status": int(state.status), "explanation": words, "inputs": dict(zip(INPUT_NAMES, map(_plain, state.inputs))),
                "roll": _plain(state.roll), "vertical_shift": _plain(state.vertical_shift)}
+    content |= {name: {axis: _plain(getattr(getattr(state, name), axis)) for axis in VECTOR_AXES} for name in ("force", "moment")}
     return json.dumps({**content, **{side: _side_content(getattr(state, side)) for side in SIDES}}, indent=2)
 
 
@@ -149,10 +173,11 @@ def print_sweep(table):
     console().print(printed)
 
 
-def sweep_remark(table):
+def sweep_remark(system, table):
     """One sentence on the rows that are not valid; "" where all are."""
     wrong = np.flatnonzero(np.asarray(table.status) != Status.VALID)
     if not len(wrong):
         return ""
     rows = f"{len(wrong)} of {len(table)} rows have" if len(wrong) > 1 else f"1 of {len(table)} rows has"
-    return f"{rows} a status other than 0; the first: {sentence(table.status[wrong[0]], table.inputs[wrong[0]])}"
+    first = sentence(table.status[wrong[0]], table.inputs[wrong[0]], is_compliant(system))
+    return f"{rows} a status other than 0; the first: {first}"

@@ -15,6 +15,8 @@ from ..tables import LATERAL_LIMIT, YAW_LIMIT
 from .starts import STARTS
 
 INPUT, PARAMETER, OUTPUT = "input", "parameter", "output"
+#: Declared range of the height in compliant contact [m]: a flange on top of the rail lifts the wheelset by 28 mm.
+HEIGHT_LIMIT = 0.05
 REAL, INTEGER, STRING = "Real", "Integer", "String"
 
 
@@ -129,12 +131,12 @@ def _inputs():
                  unit="rad", start=0.0, minimum=-YAW_LIMIT, maximum=YAW_LIMIT, nominal=1e-2, index=layout.IN_YAW),
         Variable("roll_guess", INPUT, "Where the search for the roll angle starts; changes the cost of a step, never its answer",
                  unit="rad", start=0.0, minimum=-0.5, maximum=0.5, nominal=1e-3, index=layout.IN_ROLL_GUESS),
-        Variable("normal_force", INPUT, "Normal force per wheel, total over its patches, before load transfer",
+        Variable("normal_force", INPUT, "Load per wheel before load transfer: normal force, total over its patches, or its vertical component (parameter load); the contact_mode compliant does not read it",
                  unit="N", start=78500.0, minimum=0.0, maximum=1e7, nominal=1e5, index=layout.IN_NORMAL_FORCE),
-        Variable("load_transfer", INPUT, "Share L of the normal force N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left",
+        Variable("load_transfer", INPUT, "Share L of the load N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left; the contact_mode compliant does not read it",
                  unit="1", start=0.0, minimum=-1.0, maximum=1.0, nominal=0.1, index=layout.IN_LOAD_TRANSFER),
         Variable("vertical_shift_input", INPUT, "Vertical shift of the wheelset in the contact_mode compliant, positive down; other modes do not read it",
-                 unit="m", start=0.0, nominal=1e-3, index=layout.IN_VERTICAL_SHIFT),
+                 unit="m", start=0.0, minimum=-HEIGHT_LIMIT, maximum=HEIGHT_LIMIT, nominal=1e-3, index=layout.IN_VERTICAL_SHIFT),
         Variable("roll_input", INPUT, "Roll of the wheelset in the contact_mode compliant, positive with the right wheel down; other modes do not read it",
                  unit="rad", start=0.0, minimum=-ROLL_LIMIT, maximum=ROLL_LIMIT, nominal=1e-3, index=layout.IN_ROLL),
     ]  # fmt: skip

@@ -374,6 +374,7 @@ def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, p
     work[block + REGION_STIFFNESS] = 1.5 * stiffness * sqrt(penetration)
     work[block + REGION_CARRIED] = load
     work[block + REGION_MOMENT] = 0.0
+    work[block + REGION_SLANT] = 0.0
     one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
     a = sqrt(penetration / (one_alpha * A))
     b = sqrt(penetration / (one_beta * B))

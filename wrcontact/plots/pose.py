@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..conventions import SIDES
+from ..kernel import layout
 from .geometry import rail_outline, wheel_outline
 from .patch import draw_outlines
 from .style import CONTACT_COLOUR, DEGREE, KILONEWTON, MM, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR, new_figure, number, styled
@@ -33,7 +34,7 @@ def contact_figure(system, state):
 
 def draw_contacts(figure, panels, system, state):
     """Left and right contact into ``panels`` (2,), the pose above them."""
-    figure.suptitle(_headline(state), x=0.01, ha="left")
+    figure.suptitle(_headline(system, state), x=0.01, ha="left")
     for panel, side in zip(panels, SIDES):
         draw_contact(panel, system, state, side)
     middle_of_rail = OUTSIDE / (INSIDE + OUTSIDE)
@@ -80,9 +81,16 @@ def _describe(contact, side):
             f"of its profile, contact angle {number(contact.contact_angle / DEGREE, 1)}°")
 
 
-def _headline(state):
+def _headline(system, state):
     """Pose, load and roll in one line."""
-    shift, yaw, _, force, transfer = state.inputs
-    load = f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}" if transfer else "")
-    return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, {load}: "
+    shift, yaw = state.inputs[:2]
+    return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, {_load(system, state)}: "
             f"roll {number(state.roll / DEGREE, 3)}°")
+
+
+def _load(system, state):
+    """How the wheels are loaded: by forces, or by the height of the wheelset."""
+    if system.parameters["contact_mode"] == "compliant":
+        return f"{number(state.vertical_shift / MM, 3)} mm down"
+    force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]
+    return f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}" if transfer else "")

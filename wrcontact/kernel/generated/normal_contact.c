@@ -540,6 +540,7 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt(penetration);
     (*cspan_at(&work, block + regions__REGION_CARRIED)) = load;
     (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_SLANT)) = 0.0;
     hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
     a = sqrt(penetration / (one_alpha * A));
     b = sqrt(penetration / (one_beta * B));
