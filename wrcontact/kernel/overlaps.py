@@ -66,11 +66,13 @@ def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, hei
 
 
 def sample_end(tables: 'float[:]', work: 'float[:]', direction: int, entry: int):
-    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched."""
+    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+
+    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+    """
     rail = int(tables[SET_RAIL])
     work[SAMPLE_RAIL + entry] = tables[rail + START]
     work[SAMPLE_RISE + entry] = 1.0
-    work[SAMPLE_WHEEL + entry] = work[SAMPLE_WHEEL + entry - direction]
     if direction > 0:
         work[SAMPLE_RAIL + entry] = tables[rail + STOP]
         work[SAMPLE_RISE + entry] = -1.0

@@ -36,14 +36,16 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     return 0;
 }
 
-/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched. */
+/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+ *
+ * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+ */
 static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry)
 {
     int64_t rail;
     rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__START));
     (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = 1.0;
-    (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) = (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry - direction));
     if (direction > INT64_C(0))
     {
         (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__STOP));
