@@ -210,7 +210,8 @@ def within_bracket(low: float, high: float, at_low: float, at_high: float, i: in
 def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
     """Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
 
-    Laid down too high it lacks height, too low it has too much.
+    Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
+    a region comes or goes, the height of the jump is taken, with the regions just below it.
     """
     support = WORK_SUPPORT + SUPPORT_BLOCK * index
     best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
@@ -239,7 +240,7 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
         if status > UNLOADED:
             return status
         lack = work[support + SUPPORT_HEIGHT] - height
-        if fabs(lack) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+        if fabs(lack) < BRACKET_SHARP:
             return status
         if lack > 0.0:
             low = height
@@ -247,6 +248,10 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
         else:
             high = height
             lack_high = lack
+        if high - low < BRACKET_SHARP:
+            break
+    status = carry_side(tables, work, state, index, force, high)
+    work[support + SUPPORT_HEIGHT] = high
     return status
 
 

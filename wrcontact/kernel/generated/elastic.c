@@ -286,7 +286,8 @@ static OUT_OF_LINE double elastic__within_bracket(double low, double high, doubl
 
 /* Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
  *
- * Laid down too high it lacks height, too low it has too much.
+ * Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
+ * a region comes or goes, the height of the jump is taken, with the regions just below it.
  */
 static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
@@ -342,7 +343,7 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
             return status;
         }
         lack = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - height;
-        if ((fabs(lack) < elastic__BRACKET_SHARP) || (high - low < elastic__BRACKET_SHARP))
+        if (fabs(lack) < elastic__BRACKET_SHARP)
         {
             return status;
         }
@@ -356,7 +357,13 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
             high = height;
             lack_high = lack;
         }
+        if (high - low < elastic__BRACKET_SHARP)
+        {
+            break;
+        }
     }
+    status = elastic__carry_side(tables, work, state, index, force, high);
+    (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = high;
     return status;
 }
 
