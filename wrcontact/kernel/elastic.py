@@ -133,6 +133,14 @@ def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: fl
     return status
 
 
+def too_deep(work: 'float[:]', index: int):
+    """1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0."""
+    deep = 0
+    if work[WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_HEIGHT] - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST] > DEEPEST:
+        deep = 1
+    return deep
+
+
 def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
     """Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
     sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do."""
@@ -184,6 +192,8 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         move_height = (lack_right * left_roll - lack_left * right_roll) / determinant
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant
         if fabs(move_height) < ELASTIC_SHARP and fabs(move_roll) < ELASTIC_SHARP:
+            if too_deep(work, 0) == 1 or too_deep(work, 1) == 1:
+                status = OFF_PROFILE
             return roll, status
         move_height = limited(move_height, LONGEST)
         move_roll = limited(move_roll, LONGEST)

@@ -158,6 +158,18 @@ static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_dou
     return status;
 }
 
+/* 1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0. */
+static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index)
+{
+    int64_t deep;
+    deep = INT64_C(0);
+    if ((*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_HEIGHT)) - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST)) > elastic__DEEPEST)
+    {
+        deep = INT64_C(1);
+    }
+    return deep;
+}
+
 /* Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
  * sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do.
  */
@@ -246,6 +258,10 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* sta
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant;
         if ((fabs(move_height) < elastic__ELASTIC_SHARP) && (fabs(move_roll) < elastic__ELASTIC_SHARP))
         {
+            if ((elastic__too_deep(work, INT64_C(0)) == INT64_C(1)) || (elastic__too_deep(work, INT64_C(1)) == INT64_C(1)))
+            {
+                (*status) = layout__OFF_PROFILE;
+            }
             (*result_0) = roll;
             return 0;
         }
