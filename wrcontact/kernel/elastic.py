@@ -49,6 +49,8 @@ SINGULAR: Final[float] = 0.02
 SHALLOWEST: Final[float] = 0.1
 #: A wheel that stands deeper in its rail than this [m] is off the profile.
 DEEPEST: Final[float] = 2e-3
+#: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known, does not touch; 5e-9 N.
+GRAZING: Final[float] = 1e-13
 FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3    # [m]
 
@@ -325,7 +327,7 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
 def bear_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, height: float):
     """The load of a side whose wheelset stands at the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted."""
     sink = height - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
-    if not sink > 0.0:
+    if not sink > GRAZING:
         return rest_side(tables, work, state, index)
     if sink > DEEPEST:
         return OFF_PROFILE

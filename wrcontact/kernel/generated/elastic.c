@@ -499,7 +499,7 @@ static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_doub
     int64_t count;
     int64_t result;
     sink = height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
-    if (!(sink > 0.0))
+    if (!(sink > elastic__GRAZING))
     {
         result = side__rest_side(tables, work, state, index);
         return result;

@@ -40,6 +40,7 @@ static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
 static const double elastic__SHALLOWEST = 0.1;
 static const double elastic__DEEPEST = 0.002;
+static const double elastic__GRAZING = 1e-13;
 static const int64_t elastic__FOLLOW_STEPS = INT64_C(8);
 static const double elastic__FOLLOW_REACH = 0.002;
 
