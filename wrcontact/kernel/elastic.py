@@ -49,6 +49,8 @@ SINGULAR: Final[float] = 0.02
 SHALLOWEST: Final[float] = 0.1
 #: A wheel that stands deeper in its rail than this [m] is off the profile.
 DEEPEST: Final[float] = 5e-3
+#: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known, does not touch; 5e-9 N.
+GRAZING: Final[float] = 1e-13
 FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3    # [m]
 
@@ -133,6 +135,14 @@ def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: fl
     return status
 
 
+def too_deep(work: 'float[:]', index: int):
+    """1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0."""
+    deep = 0
+    if work[WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_HEIGHT] - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST] > DEEPEST:
+        deep = 1
+    return deep
+
+
 def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
     """Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
     sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do."""
@@ -194,6 +204,8 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         move_height = (lack_right * left_roll - lack_left * right_roll) / determinant
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant
         if fabs(move_height) < ELASTIC_SHARP and fabs(move_roll) < ELASTIC_SHARP:
+            if too_deep(work, 0) == 1 or too_deep(work, 1) == 1:
+                status = OFF_PROFILE
             return roll, status
         move_height = limited(move_height, LONGEST)
         move_roll = limited(move_roll, LONGEST)
@@ -220,7 +232,8 @@ def within_bracket(low: float, high: float, at_low: float, at_high: float, i: in
 def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
     """Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
 
-    Laid down too high it lacks height, too low it has too much.
+    Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
+    a region comes or goes, the height of the jump is taken, with the regions just below it.
     """
     support = WORK_SUPPORT + SUPPORT_BLOCK * index
     best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
@@ -249,7 +262,7 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
         if status > UNLOADED:
             return status
         lack = work[support + SUPPORT_HEIGHT] - height
-        if fabs(lack) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+        if fabs(lack) < BRACKET_SHARP:
             return status
         if lack > 0.0:
             low = height
@@ -257,6 +270,10 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
         else:
             high = height
             lack_high = lack
+        if high - low < BRACKET_SHARP:
+            break
+    status = carry_side(tables, work, state, index, force, high)
+    work[support + SUPPORT_HEIGHT] = high
     return status
 
 
@@ -320,7 +337,7 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
 def bear_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, height: float):
     """The load of a side whose wheelset stands at the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted."""
     sink = height - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
-    if not sink > 0.0:
+    if not sink > GRAZING:
         return rest_side(tables, work, state, index)
     if sink > DEEPEST:
         return OFF_PROFILE

@@ -66,11 +66,13 @@ def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, hei
 
 
 def sample_end(tables: 'float[:]', work: 'float[:]', direction: int, entry: int):
-    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched."""
+    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+
+    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+    """
     rail = int(tables[SET_RAIL])
     work[SAMPLE_RAIL + entry] = tables[rail + START]
     work[SAMPLE_RISE + entry] = 1.0
-    work[SAMPLE_WHEEL + entry] = work[SAMPLE_WHEEL + entry - direction]
     if direction > 0:
         work[SAMPLE_RAIL + entry] = tables[rail + STOP]
         work[SAMPLE_RISE + entry] = -1.0
@@ -118,10 +120,15 @@ def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, hig
                   sign: float):
     """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail abscissae, and
     the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
-    else 0."""
+    else 0.
+
+    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send Newton's
+    method to and fro.  Where a step has not halved the slope, the bracket is.
+    """
     x = 0.5 * (low + high)
     overlap = 0.0
     rise = 1.0
+    before = 0.0
     for i in range(DEEP_ITERATIONS):
         y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, y, height)
         if found == 0:
@@ -131,13 +138,14 @@ def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, hig
         else:
             high = x
         following = 0.5 * (low + high)
-        if sign * bend < 0.0:
+        if sign * bend < 0.0 and (i == 0 or fabs(rise) < 0.5 * before):
             newton = x - rise / (bend * rail_speed(tables, x))
             if newton > low and newton < high:
                 following = newton
         if fabs(following - x) < DEEP_SHARP:
             break
         x = following
+        before = fabs(rise)
     turned = 0
     if fabs(rise) < LEVEL_RISE:
         turned = 1

@@ -100,7 +100,8 @@ def stand_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', rigid
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
     roll, status = solve_elastic(tables, work, state, rigid_roll, side_force(work, 0), side_force(work, 1))
     work[WORK_OUTPUTS + OUT_ROLL] = roll
-    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = work[WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT]
+    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = 0.5 * (work[WORK_SUPPORT + SUPPORT_HEIGHT]
+                                                     + work[WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT])
     return status
 
 

@@ -158,6 +158,18 @@ static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_dou
     return status;
 }
 
+/* 1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0. */
+static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index)
+{
+    int64_t deep;
+    deep = INT64_C(0);
+    if ((*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_HEIGHT)) - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST)) > elastic__DEEPEST)
+    {
+        deep = INT64_C(1);
+    }
+    return deep;
+}
+
 /* Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
  * sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do.
  */
@@ -264,6 +276,10 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant;
         if ((fabs(move_height) < elastic__ELASTIC_SHARP) && (fabs(move_roll) < elastic__ELASTIC_SHARP))
         {
+            if ((elastic__too_deep(work, INT64_C(0)) == INT64_C(1)) || (elastic__too_deep(work, INT64_C(1)) == INT64_C(1)))
+            {
+                status = layout__OFF_PROFILE;
+            }
             (*result_0) = roll;
             (*result_1) = status;
             return 0;
@@ -306,7 +322,8 @@ static OUT_OF_LINE double elastic__within_bracket(double low, double high, doubl
 
 /* Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
  *
- * Laid down too high it lacks height, too low it has too much.
+ * Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
+ * a region comes or goes, the height of the jump is taken, with the regions just below it.
  */
 static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
@@ -362,7 +379,7 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
             return status;
         }
         lack = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - height;
-        if ((fabs(lack) < elastic__BRACKET_SHARP) || (high - low < elastic__BRACKET_SHARP))
+        if (fabs(lack) < elastic__BRACKET_SHARP)
         {
             return status;
         }
@@ -376,7 +393,13 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
             high = height;
             lack_high = lack;
         }
+        if (high - low < elastic__BRACKET_SHARP)
+        {
+            break;
+        }
     }
+    status = elastic__carry_side(tables, work, state, index, force, high);
+    (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = high;
     return status;
 }
 
@@ -496,7 +519,7 @@ static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_doub
     int64_t count;
     int64_t result;
     sink = height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
-    if (!(sink > 0.0))
+    if (!(sink > elastic__GRAZING))
     {
         result = side__rest_side(tables, work, state, index);
         return result;

@@ -40,6 +40,7 @@ static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
 static const double elastic__SHALLOWEST = 0.1;
 static const double elastic__DEEPEST = 0.005;
+static const double elastic__GRAZING = 1e-13;
 static const int64_t elastic__FOLLOW_STEPS = INT64_C(8);
 static const double elastic__FOLLOW_REACH = 0.002;
 
@@ -48,6 +49,7 @@ static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_dou
 static OUT_OF_LINE int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
 static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
+static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index);
 static OUT_OF_LINE double elastic__within_bracket(double low, double high, double at_low, double at_high, int64_t i);
 static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
 static OUT_OF_LINE int64_t elastic__stand_at(double* difference, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);

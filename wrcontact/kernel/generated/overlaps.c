@@ -36,14 +36,16 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     return 0;
 }
 
-/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched. */
+/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+ *
+ * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+ */
 static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry)
 {
     int64_t rail;
     rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__START));
     (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = 1.0;
-    (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) = (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry - direction));
     if (direction > INT64_C(0))
     {
         (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__STOP));
@@ -119,12 +121,16 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
 /* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail abscissae, and
  * the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
  * else 0.
+ *
+ * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send Newton's
+ * method to and fro.  Where a step has not halved the slope, the bracket is.
  */
 static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign)
 {
     double x;
     double overlap;
     double rise;
+    double before;
     int64_t i;
     double bend;
     double curvature;
@@ -135,6 +141,7 @@ static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* res
     x = 0.5 * (low + high);
     overlap = 0.0;
     rise = 1.0;
+    before = 0.0;
     for (i = INT64_C(0); i < overlaps__DEEP_ITERATIONS; i += INT64_C(1))
     {
         pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, y, height);
@@ -155,7 +162,7 @@ static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* res
             high = x;
         }
         following = 0.5 * (low + high);
-        if (sign * bend < 0.0)
+        if ((sign * bend < 0.0) && ((i == INT64_C(0)) || (fabs(rise) < 0.5 * before)))
         {
             newton = x - rise / (bend * pressed__rail_speed(tables, x));
             if ((newton > low) && (newton < high))
@@ -168,6 +175,7 @@ static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* res
             break;
         }
         x = following;
+        before = fabs(rise);
     }
     turned = INT64_C(0);
     if (fabs(rise) < overlaps__LEVEL_RISE)

@@ -140,7 +140,7 @@ static inline int64_t step__stand_elastic(array_double_1d tables, array_double_1
     int64_t status;
     elastic__solve_elastic(&roll, &status, tables, work, state, rigid_roll, step__side_force(work, INT64_C(0)), step__side_force(work, INT64_C(1)));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORT + side__SUPPORT_HEIGHT)) + (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT)));
     return status;
 }
 
