@@ -45,7 +45,7 @@ is pressed along its normal there. Elastic: the wheels sink in until each carrie
 a small load that is the rigid pose. Compliant: height and roll are the inputs <code>vertical_shift_input</code> and
 <code>roll_input</code>, and the loads follow from how deep each wheel stands; <code>normal_force</code> and
 <code>load_transfer</code> are not read, and the outputs <code>force</code> and <code>moment</code> close the loop to a
-wheelset with mass. Inputs that a mode does not read may have any finite value. <code>load</code> says what
+wheelset with mass. Inputs that a mode does not read may have any permitted value. <code>load</code> says what
 <code>normal_force</code> prescribes: the total over the patches of a wheel, or the vertical component of their resultant.</p>
 
 <h2>Contact geometry</h2>
