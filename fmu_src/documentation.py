@@ -21,8 +21,8 @@ its value and the limit. The step itself always succeeds, and the next valid inp
 <table>
 <tr><th>status</th><th>meaning</th><th>outputs</th></tr>
 <tr><td>0</td><td>valid</td><td>valid</td></tr>
-<tr><td>1</td><td>unloaded: a wheel has no normal force</td><td>valid; the patch of that wheel is empty</td></tr>
-<tr><td>2</td><td>off the profile: no contact point within wheel and rail profile</td><td>last valid values</td></tr>
+<tr><td>1</td><td>unloaded: a wheel has no normal force, or is lifted in compliant contact</td><td>valid; the patch of that wheel is empty</td></tr>
+<tr><td>2</td><td>off the profile: no contact point within wheel and rail profile, or deeper than 2 mm in it</td><td>last valid values</td></tr>
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
 <tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td><td>last valid values</td></tr>
 </table>
@@ -35,6 +35,18 @@ R = R<sub>z</sub>(&psi;) R<sub>x</sub>(&theta;). Wheel and rail profile frames h
 sides (the left side is the mirror image of the right one): the flange is at negative y, and
 <code>y_wheel</code>, <code>y_rail</code>, stations and centroids of both wheels compare directly. Only
 <code>y_track</code> is not mirrored. The contact angle is positive towards the flange.</p>
+<p><code>force</code> and <code>moment</code> are the resultant of the contact forces of both rails on the wheelset, in the
+axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
+<code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: each patch pushes along its own normal.</p>
+
+<h2>Contact modes</h2>
+<p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each wheel
+is pressed along its normal there. Elastic: the wheels sink in until each carries its load, which gives height and roll; under
+a small load that is the rigid pose. Compliant: height and roll are the inputs <code>vertical_shift_input</code> and
+<code>roll_input</code>, and the loads follow from how deep each wheel stands; <code>normal_force</code> and
+<code>load_transfer</code> are not read, and the outputs <code>force</code> and <code>moment</code> close the loop to a
+wheelset with mass. Inputs that a mode does not read may have any permitted value. <code>load</code> says what
+<code>normal_force</code> prescribes: the total over the patches of a wheel, or the vertical component of their resultant.</p>
 
 <h2>Contact geometry</h2>
 <p>The wheel is a surface of revolution with radius r(y), the rail a cylinder along x: at a contact the common normal has

@@ -257,8 +257,8 @@ def test_solve_prints_the_resultant(run):
     assert seen["moment"] == {axis: getattr(state.moment, axis) for axis in "xyz"}
 
 
-METHODS = {"--contact-mode": "elastic", "--load": "vertical", "--normal-model": "analyn_strip", "--separation": "equidistant",
-           "--longitudinal-curvature": "basic", "--lateral-curvature": "rough", "--curvature-step-mm": 0.5,
+METHODS = {"--contact-mode": "elastic", "--load": "vertical", "--normal-model": "analyn_strip",
+           "--separation": "equidistant", "--longitudinal-curvature": "basic", "--lateral-curvature": "rough", "--curvature-step-mm": 0.5,
            "--curvature-reach-mm": 2, "--tolerance": 0.02}
 
 
@@ -381,7 +381,7 @@ WRONG = {
     "separation": ("solve --separation lateral", ["separation", "lateral", "equidistant_chord"]),
     "step_of_curvature": ("plot --curvature-step-mm 50", ["curvature_step", "0.05", "0.005 m"]),
     "height_of_rigid": ("solve --vertical-shift-mm 0.1", ["--vertical-shift-mm", "--contact-mode compliant", "'rigid'"]),
-    "roll_of_elastic": ("sweep --roll-deg 0.1 --contact-mode elastic", ["--roll-deg", "--contact-mode compliant", "'elastic'"]),
+    "roll_of_elastic": ("sweep --roll-deg 0.1 --contact-mode elastic", ["--roll-deg", "compliant", "'elastic'"]),
     "force_of_compliant": ("plot --normal-force-kn 9 --contact-mode compliant", ["--normal-force-kn", "rigid or elastic"]),
     "deep": ("solve --contact-mode compliant --vertical-shift-mm 4", ["vertical_shift_input", "0.004", "0.002 m"]),
     "gauge": ("solve --gauge-mm 14350", ["gauge", "14.35", "m"]),

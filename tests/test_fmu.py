@@ -37,8 +37,8 @@ LEAST_WITHIN = {"hunting": 0.99, "jumps": 0.95, "load": 1.0}  # share of a run's
 #: is led over it within half a millimetre, half the step (6e-8 m) up or down.
 RESTING, ON_THE_STEP = -0.035, {"roll": 1e-7, "contact_angle": 0.065}  # [m]; [rad], and 77 1/m times the arc that belongs to
 POSITION_ON_THE_STEP = 6e-4  # [m]
-#: The stored patches are those of a half-space on one plane, the contact point's.  A flange patch that leans away from it has
-#: a plane of its own here, in which the half-space has its pressure too (test_halfspace.py): half of what is stored.
+#: The stored patches are those of a half-space on one plane, the contact point's.  A flange patch that leans away from it
+#: has a plane of its own here, in which the half-space has its pressure too (test_halfspace.py): half of what is stored.
 LEANING, PRESSURE_LEANING = math.radians(15), 0.50  # [rad], of the stored value
 LEAST_UPRIGHT = 0.85  # share of a run's wheels that have no such patch
 PRESSURE_ON_THE_STEP = 0.40  # of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
@@ -234,6 +234,7 @@ def test_documentation_names_every_variable(entries):
     for name, variable in variables.documented():
         assert f"<code>{name}</code>" in page
     assert "envelope theorem" in page and "ANALYN" in page
+    assert "contact_mode" in page and "about the wheelset's centre" in page and "close the loop" in page
 
 
 def test_equal_sources_give_equal_bytes(fmu, tmp_path):
@@ -340,7 +341,8 @@ def test_a_lifted_wheelset_is_a_status_with_a_sentence(run):
     lifted = answers["lifted"]["during"]
     assert lifted["left.normal_force"] == lifted["right.area"] == lifted["force.z"] == 0.0
     assert lifted["vertical_shift"] == -1e-3
-    words = {"lifted": ["vertical_shift_input is -0.001 m", "lifted"], "deep": ["vertical_shift_input is 0.005 m", "0.002 m"],
+    words = {"lifted": ["vertical_shift_input is -0.001 m", "lifted"],
+             "deep": ["vertical_shift_input is 0.005 m", "0.002 m"],
              "steep": ["roll_input is 0.3 rad", "0.12 rad"], "nan": ["roll_input is nan rad"]}
     for name, answer in answers.items():
         assert answer["before"]["status"] == answer["after"]["status"] == 0 and len(answer["log"]) == 1, name

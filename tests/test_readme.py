@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from wrcontact.interface.variables import OUTPUT, select
+from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES, select
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -25,3 +25,14 @@ def test_linked_files_exist():
 
 def test_counts():
     assert f"all {len(select(OUTPUT))} outputs" in README
+    assert f"{len(select(INPUT))} inputs and {len(select(OUTPUT))} outputs" in README
+
+
+def test_every_input_and_parameter_is_in_a_table():
+    """And every choice of every method."""
+    for variable in VARIABLES:
+        if variable.causality != OUTPUT:
+            assert re.search(rf"^\| [^|]*`{variable.name}`[^|]* \|", README, re.MULTILINE), variable.name
+            assert all(f'"{choice}"' in README for choice in variable.choices), variable.name
+    for name in ("force", "moment", "roll", "vertical_shift", "status"):
+        assert re.search(rf"^\| [^|]*`{name}`[^|]* \|", README, re.MULTILINE), name

@@ -76,7 +76,8 @@ class Patch(_View):
     length = _place(layout.PATCH_LENGTH, "m", "largest extent along the track")
     width = _place(layout.PATCH_WIDTH, "m", "extent across, in the contact plane")
     centroid = _place(layout.PATCH_CENTROID, "m", "centre of pressure, station in the contact plane")
-    contact_angle = _place(layout.PATCH_CONTACT_ANGLE, "rad", "angle of the rail there, positive towards the flange")
+    contact_angle = _place(layout.PATCH_CONTACT_ANGLE, "rad", "angle of the rail at its smallest gap (half-space: at its "
+                           "centroid), positive towards the flange")
 
 
 class Outline(_View):

@@ -224,8 +224,8 @@ def tell(folder, fmu, checks, seconds):
     out.print("The FMU against the stored run: a hunting wheelset over tread, flange root and flange", soft_wrap=True)
     out.print(check_table(checks))
     out.print(f"penetration, area and pressure against the complete theory: {LEAST_WITHIN:.0%} of the values within the tolerance, "
-              f"none beyond {', '.join(f'{limit:g}' for limit in LARGEST.values())} %; no pressure is compared where a patch "
-              "leans away from the contact plane, in which the stored ones lie", soft_wrap=True)
+              f"none beyond {', '.join(f'{limit:g}' for limit in LARGEST.values())} %; no pressure is compared where a "
+              "patch leans away from the contact plane, in which the stored ones lie", soft_wrap=True)
     for line in lines:
         out.print(line, soft_wrap=True)
     return not failed

@@ -30,11 +30,11 @@ WORDS = {
                     "are --vertical-shift-mm and --roll-deg, and the loads follow",
     "load": "What --normal-force-kn prescribes: normal, the total over the patches of a wheel; vertical, the vertical "
             "component of their resultant",
-    "separation": "How the undeformed distance of wheel and rail is measured: normal, along the normal of the contact plane; "
-                  "vertical, at common lateral coordinate; equidistant, between points at equal arc length from the contact; "
-                  "equidistant_chord, between nodes that circles step off from the contact",
-    "lateral_curvature": "Curvature across the rail: adaptive, averaged over a window in proportion to the patch; smooth, of "
-                         "circles fitted to the profiles over --curvature-reach-mm to either side; rough, change of the "
+    "separation": "How the undeformed distance of wheel and rail is measured: normal, along the normal of the contact "
+                  "plane; vertical, at common lateral coordinate; equidistant, between points at equal arc length from the "
+                  "contact; equidistant_chord, between nodes that circles step off from the contact",
+    "lateral_curvature": "Curvature across the rail: adaptive, averaged over a window in proportion to the patch; smooth, "
+                         "of circles fitted to the profiles over --curvature-reach-mm to either side; rough, change of the "
                          "profiles' angles over --curvature-step-mm",
     "curvature_step": "Arc length over which --lateral-curvature rough takes the change of angle",
     "curvature_reach": "Half the width over which --lateral-curvature smooth fits circles to the profiles",
@@ -94,7 +94,7 @@ def name_of(variable):
 
 
 def option_of(variable):
-    """The option of a variable: ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``, which an output is named after."""
+    """The option of a variable: ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``."""
     words = [name_of(variable).removesuffix("_input").replace("_", "-"), _display(variable).lower()]
     return "--" + "-".join(word for word in words if word)
 

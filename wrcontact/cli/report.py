@@ -113,7 +113,8 @@ def state_text(system, state):
     words = sentence(state.status, state.inputs, is_compliant(system))
     content = {"status": int(state.status), "explanation": words, "inputs": dict(zip(INPUT_NAMES, map(_plain, state.inputs))),
                "roll": _plain(state.roll), "vertical_shift": _plain(state.vertical_shift)}
-    content |= {name: {axis: _plain(getattr(getattr(state, name), axis)) for axis in VECTOR_AXES} for name in ("force", "moment")}
+    for name in ("force", "moment"):
+        content[name] = {axis: _plain(getattr(getattr(state, name), axis)) for axis in VECTOR_AXES}
     return json.dumps({**content, **{side: _side_content(getattr(state, side)) for side in SIDES}}, indent=2)
 
 

@@ -206,7 +206,7 @@ PATCH_TABLE = (
     ("length", layout.PATCH_LENGTH, "m", 1e-2, 0.0, "length in rolling direction"),
     ("width", layout.PATCH_WIDTH, "m", 1e-2, 0.0, "width in the contact plane"),
     ("centroid", layout.PATCH_CENTROID, "m", 1e-3, None, "centre of load in the contact plane, from the contact point to the field side"),
-    ("contact_angle", layout.PATCH_CONTACT_ANGLE, "rad", 0.1, None, "contact angle at the centre of load, positive towards the flange"),
+    ("contact_angle", layout.PATCH_CONTACT_ANGLE, "rad", 0.1, None, "contact angle where its gap is smallest, along whose normal it is loaded, positive towards the flange"),
 )  # fmt: skip
 
 OUTLINE_TABLE = (
