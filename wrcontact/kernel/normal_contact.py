@@ -12,7 +12,7 @@ from math import isfinite, log, pi, sqrt
 from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
-from .contact_plane import FRAME_BLUR, FRAME_DEPTH, FRAME_PRESSED, FRAME_WHEEL_COS, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
+from .contact_plane import FRAME_BLUR, FRAME_COS, FRAME_DEPTH, FRAME_PRESSED, FRAME_SIN, FRAME_WHEEL_COS, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
 from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, LOAD_VERTICAL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA, PATCH_CENTROID,
                      PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE, PATCH_WIDTH, REGION_LIMIT,
@@ -25,7 +25,6 @@ from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_fie
 from .overlaps import gather_overlaps
 from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
-from .pressed import rail_speed
 from .profile_table import height_slope
 from .regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_COS, REGION_CURVATURE, REGION_FIRST, REGION_GAP, REGION_HIGH,
                       REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_RAIL, REGION_REACHED, REGION_SHARE,
@@ -173,17 +172,26 @@ def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', cou
             work[FRAME_BLUR] = spacing * float(stride) * work[FRAME_WHEEL_COS]
         lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
-        if work[FRAME_PRESSED] == 1.0:
+        if work[FRAME_PRESSED] == 1.0 or int(tables[SET_LOAD]) == LOAD_VERTICAL:
             mean_normal(tables, work, i, level)
         leave_plane(work, i)
         work[block + REGION_SQUARE] = level / work[node_field(i, NODE_LENGTH)]
     return 0
 
 
-def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float):
-    """Let the force of a pressed region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
+def rail_per_station(tables: 'float[:]', work: 'float[:]', abscissa: float):
+    """Change of the rail's abscissa per station of the open frame [-]."""
+    height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+    along = sqrt(1.0 + slope * slope)
+    if work[FRAME_PRESSED] == 0.0:
+        along = work[FRAME_COS] + slope * work[FRAME_SIN]
+    return 1.0 / along
 
-    The rail is followed from node to node by the midpoint rule.
+
+def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float):
+    """Let the force of a region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
+
+    The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others in the plane.
     """
     block = region_block(region)
     rises = node_field(region, NODE_RISE)
@@ -198,8 +206,8 @@ def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float)
         if direction < 0:
             last = -int(work[block + REGION_FIRST])
         for k in range(last + 1):
-            cosine = 1.0 / rail_speed(tables, x)
             height, slope = height_slope(tables, int(tables[SET_RAIL]), x)
+            cosine = 1.0 / sqrt(1.0 + slope * slope)
             weight = work[lines + direction * k] * (level - work[rises + direction * k])
             if weight <= 0.0:
                 break
@@ -208,7 +216,7 @@ def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float)
             total += weight
             cosines += weight * cosine
             sines += weight * slope * cosine
-            x += step / rail_speed(tables, x + 0.5 * step * cosine)
+            x += step * rail_per_station(tables, work, x + 0.5 * step * rail_per_station(tables, work, x))
     if total > 0.0:
         work[block + REGION_COS] = cosines / total
         work[block + REGION_SIN] = sines / total

@@ -4,7 +4,7 @@ A patch is a connected run of loaded strips.  Between nodes the line load and th
 are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
 """
 
-from math import atan2, fabs, pi, sqrt
+from math import atan, atan2, fabs, pi, sqrt
 from typing import Final
 
 from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
@@ -13,8 +13,8 @@ from .layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENG
                      SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
                      SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS)
 from .nodes import NODE_LENGTH, NODE_LINE, NODE_LOAD, NODE_PRESSURE, NODE_RISE, NODE_SQUARE, node_field
-from .regions import (REGION_CARRIED, REGION_COS, REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW,
-                      REGION_MOMENT, REGION_OFFSET, REGION_SIN, REGION_SPACING, REGION_STATION, region_block)
+from .regions import (REGION_CARRIED, REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEAN, REGION_LEVEL, REGION_LOW,
+                      REGION_MOMENT, REGION_OFFSET, REGION_SPACING, REGION_STATION, region_block)
 
 # an island: a run of loaded cells under construction
 ISLAND_SIZE: Final[int] = 10
@@ -152,7 +152,7 @@ def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
         work[block + REGION_CARRIED] = 0.0
         work[block + REGION_MOMENT] = 0.0
         if level > 0.0:
-            angle = -atan2(work[block + REGION_SIN], work[block + REGION_COS])
+            angle = -atan(work[block + REGION_LEAN])
             load_nodes(work, region, level)
             for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
                 islands = gather_cell(work, region, level, k, islands, angle)

@@ -45,11 +45,12 @@ REGION_SLANT: Final[int] = 31        # of the line along which the gap is smalle
 REGION_OWN: Final[int] = 32          # 1 if it has a plane of its own, else 0
 REGION_TURN: Final[int] = 33         # how much of the penetration comes along its normal [-]
 REGION_OFFSET: Final[int] = 34       # from its own stations to those of the outputs [m]
-REGION_COS: Final[int] = 35          # of the rail's angle at its minimum
+REGION_COS: Final[int] = 35          # of the angle along which its force acts: the rail's at its minimum, or the mean over it
 REGION_SIN: Final[int] = 36
 REGION_SHARE: Final[int] = 37        # of its load that counts for the prescribed force
 REGION_MOMENT: Final[int] = 38       # of the load that it carries, over the stations of the outputs [N m]
 REGION_CARRIED: Final[int] = 39      # that load [N]
+REGION_LEAN: Final[int] = 40         # slope of the rail at its minimum
 REGION_SQUARE: Final[int] = 24       # square of its half-length as estimated [m^2]
 REGION_WEIGHT: Final[int] = 23       # integral of their density's graded part
 REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]
@@ -117,6 +118,7 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
 def lean_region(tables: 'float[:]', work: 'float[:]', block: int, slope: float):
     """Angle of a region in the contact point's plane from the rail's ``slope`` there, and what follows from it."""
     cosine = 1.0 / sqrt(1.0 + slope * slope)
+    work[block + REGION_LEAN] = slope
     work[block + REGION_OWN] = 0.0
     work[block + REGION_TURN] = 1.0
     work[block + REGION_OFFSET] = 0.0

@@ -4,12 +4,12 @@ A patch is a run of loaded strips that touch each other.  Near its edge the line
 distance, so the edge is where the straight line through the last two strips' line loads ends.
 """
 
-from math import atan2, sqrt
+from math import atan, sqrt
 
 from .layout import REGION_LIMIT, SIDE_HALF_LENGTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS
 from .patches import (ISLAND_AREA, ISLAND_HALF_LENGTH, ISLAND_LIMIT, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_PRESSURE,
                       ISLAND_SIZE, ISLAND_START, ISLAND_STOP, open_island, root_integral)
-from .regions import REGION_CARRIED, REGION_COS, REGION_MOMENT, REGION_SIN, region_block
+from .regions import REGION_CARRIED, REGION_LEAN, REGION_MOMENT, region_block
 from .strips import (STRIP_LINE, STRIP_PRESSURE, STRIP_REGION, STRIP_SQUARE, STRIP_STATION, STRIP_WIDTH, run_edge,
                      run_end, strip_field)
 
@@ -99,7 +99,7 @@ def gather_strips(work: 'float[:]', strips: int):
             block = region_block(int(work[strip_field(STRIP_REGION) + first]))
             start = run_edge(work, strips, first, last, -1)
             stop = run_edge(work, strips, last, first, 1)
-            open_island(work, islands, start, -atan2(work[block + REGION_SIN], work[block + REGION_COS]))
+            open_island(work, islands, start, -atan(work[block + REGION_LEAN]))
             at = WORK_ISLANDS + ISLAND_SIZE * islands
             for i in range(first, last + 1):
                 load = work[lines + i] * work[widths + i]

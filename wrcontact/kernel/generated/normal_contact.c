@@ -194,7 +194,7 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
         }
         nodes__lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL))
         {
             normal_contact__mean_normal(tables, work, i, level);
         }
@@ -204,9 +204,24 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     return INT64_C(0);
 }
 
-/* Let the force of a pressed region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
+/* Change of the rail's abscissa per station of the open frame [-]. */
+static inline double normal_contact__rail_per_station(array_double_1d tables, array_double_1d work, double abscissa)
+{
+    double height;
+    double slope;
+    double along;
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    along = sqrt(1.0 + slope * slope);
+    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0)
+    {
+        along = (*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work, contact_plane__FRAME_SIN));
+    }
+    return 1.0 / along;
+}
+
+/* Let the force of a region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
  *
- * The rail is followed from node to node by the midpoint rule.
+ * The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others in the plane.
  */
 static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_double_1d work, int64_t region, double level)
 {
@@ -221,9 +236,9 @@ static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_
     double step;
     int64_t last;
     int64_t k;
-    double cosine;
     double height;
     double slope;
+    double cosine;
     double weight;
     block = regions__region_block(region);
     rises = nodes__node_field(region, nodes__NODE_RISE);
@@ -242,8 +257,8 @@ static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_
         }
         for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
         {
-            cosine = 1.0 / pressed__rail_speed(tables, x);
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x);
+            cosine = 1.0 / sqrt(1.0 + slope * slope);
             weight = (*cspan_at(&work, lines + direction * k)) * (level - (*cspan_at(&work, rises + direction * k)));
             if (weight <= 0.0)
             {
@@ -256,7 +271,7 @@ static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_
             total += weight;
             cosines += weight * cosine;
             sines += weight * slope * cosine;
-            x += step / pressed__rail_speed(tables, x + 0.5 * step * cosine);
+            x += step * normal_contact__rail_per_station(tables, work, x + 0.5 * step * normal_contact__rail_per_station(tables, work, x));
         }
     }
     if (total > 0.0)

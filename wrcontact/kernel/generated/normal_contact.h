@@ -22,7 +22,6 @@
 #include "overlaps.h"
 #include "patches.h"
 #include "planes.h"
-#include "pressed.h"
 #include "profile_table.h"
 #include "regions.h"
 #include "strip_patches.h"
@@ -49,6 +48,7 @@ static inline double normal_contact__side_curvature(double reached, double own, 
 static inline int64_t normal_contact__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double level);
 static inline double normal_contact__zone_share(array_double_1d tables, double A, double side);
 static inline int64_t normal_contact__node_stride(array_double_1d tables);
+static inline double normal_contact__rail_per_station(array_double_1d tables, array_double_1d work, double abscissa);
 static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_double_1d work, int64_t region, double level);
 static inline int64_t normal_contact__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
 static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t count, double penetration);

@@ -209,7 +209,7 @@ static inline int64_t patches__gather_islands(array_double_1d tables, array_doub
         (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
         if (level > 0.0)
         {
-            angle = -atan2((*cspan_at(&work, block + regions__REGION_SIN)), (*cspan_at(&work, block + regions__REGION_COS)));
+            angle = -atan((*cspan_at(&work, block + regions__REGION_LEAN)));
             patches__load_nodes(work, region, level);
             k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))

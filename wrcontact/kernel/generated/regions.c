@@ -76,6 +76,7 @@ static inline int64_t regions__lean_region(array_double_1d tables, array_double_
 {
     double cosine;
     cosine = 1.0 / sqrt(1.0 + slope * slope);
+    (*cspan_at(&work, block + regions__REGION_LEAN)) = slope;
     (*cspan_at(&work, block + regions__REGION_OWN)) = 0.0;
     (*cspan_at(&work, block + regions__REGION_TURN)) = 1.0;
     (*cspan_at(&work, block + regions__REGION_OFFSET)) = 0.0;

@@ -2,8 +2,9 @@
  *
  * The resultant of the contact forces on the wheelset, in the track's axes.
  *
- * The rail pushes the wheel along each region's normal, (0, -+ sin(angle), -cos(angle)) on the right and on the left, where the
- * region's load acts; the moment is that about the wheelset's centre, which stands the nominal radius above the running circles.
+ * The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
+ * acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
+ * that about the wheelset's centre, which stands the nominal radius above the running circles.
  */
 
 #include "resultant.h"
@@ -27,10 +28,12 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
     int64_t block;
     double load;
     double cosine;
-    double sine;
     double away;
+    double abscissa;
     double height;
     double slope;
+    double normal_cos;
+    double normal_sin;
     double x;
     double y;
     double z;
@@ -40,16 +43,28 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
     load = (*cspan_at(&work, block + regions__REGION_CARRIED));
     if (load > 0.0)
     {
-        cosine = (*cspan_at(&work, block + regions__REGION_COS));
-        sine = (*cspan_at(&work, block + regions__REGION_SIN));
+        /* of the region's plane */
+        cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
+        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + regions__REGION_OWN)) == 1.0))
+        {
+            cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + regions__REGION_LEAN)) * (*cspan_at(&work, block + regions__REGION_LEAN)));
+        }
         /* from the region's smallest gap to its centre of load, along its plane */
         away = (*cspan_at(&work, block + regions__REGION_MOMENT)) / load - (*cspan_at(&work, block + regions__REGION_OFFSET)) - (*cspan_at(&work, block + regions__REGION_STATION));
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, block + regions__REGION_RAIL)));
+        abscissa = (*cspan_at(&work, block + regions__REGION_RAIL)) + away * cosine;
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+        normal_cos = 1.0 / sqrt(1.0 + slope * slope);
+        normal_sin = slope * normal_cos;
+        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL))
+        {
+            normal_cos = (*cspan_at(&work, block + regions__REGION_COS));
+            normal_sin = (*cspan_at(&work, block + regions__REGION_SIN));
+        }
         x = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL))) + (*cspan_at(&work, block + regions__REGION_SLANT)) * away;
-        y = mirror * ((*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, block + regions__REGION_RAIL)) + away * cosine);
-        z = height + away * sine;
-        force_y = mirror * sine * load;
-        force_z = (-cosine) * load;
+        y = mirror * ((*cspan_at(&tables, layout__SET_RAIL_Y)) + abscissa);
+        z = height;
+        force_y = mirror * normal_sin * load;
+        force_z = (-normal_cos) * load;
         (*cspan_at(&work, at + INT64_C(1))) += force_y;
         (*cspan_at(&work, at + INT64_C(2))) += force_z;
         (*cspan_at(&work, at + INT64_C(3))) += y * force_z - z * force_y;

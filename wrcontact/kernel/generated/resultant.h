@@ -2,8 +2,9 @@
  *
  * The resultant of the contact forces on the wheelset, in the track's axes.
  *
- * The rail pushes the wheel along each region's normal, (0, -+ sin(angle), -cos(angle)) on the right and on the left, where the
- * region's load acts; the moment is that about the wheelset's centre, which stands the nominal radius above the running circles.
+ * The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
+ * acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
+ * that about the wheelset's centre, which stands the nominal radius above the running circles.
  */
 
 #ifndef WRCONTACT_KERNEL_RESULTANT_H

@@ -158,7 +158,7 @@ static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t
             block = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + first))));
             start = strips__run_edge(work, strips, first, last, -INT64_C(1));
             stop = strips__run_edge(work, strips, last, first, INT64_C(1));
-            patches__open_island(work, islands, start, -atan2((*cspan_at(&work, block + regions__REGION_SIN)), (*cspan_at(&work, block + regions__REGION_COS))));
+            patches__open_island(work, islands, start, -atan((*cspan_at(&work, block + regions__REGION_LEAN))));
             at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * islands;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
