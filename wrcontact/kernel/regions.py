@@ -8,7 +8,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, FRAME_Y, NO_GAP, TRACER_RAIL,
-                            TRACER_WHEEL, normal_gap, start_tracer)
+                            TRACER_WHEEL, is_yawed, normal_gap, ridge_place, start_tracer)
 from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
                      SIDE_NODE, WORK_REGION)
 from .profile_table import height_slope
@@ -50,6 +50,7 @@ REGION_SIN: Final[int] = 36
 REGION_SHARE: Final[int] = 37        # of its load that counts for the prescribed force
 REGION_MOMENT: Final[int] = 38       # of the load that it carries, over the stations of the outputs [N m]
 REGION_CARRIED: Final[int] = 39      # that load [N]
+REGION_ALONG: Final[int] = 40        # track coordinate x of the minimum [m]; 0 without yaw
 REGION_SQUARE: Final[int] = 24       # square of its half-length as estimated [m^2]
 REGION_WEIGHT: Final[int] = 23       # integral of their density's graded part
 REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]
@@ -114,7 +115,7 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
 
 
 def lean_region(tables: 'float[:]', work: 'float[:]', block: int):
-    """Angle of a region in the contact point's plane, and what follows from it."""
+    """Angle of the rail at a region's minimum and where that lies along the track, and what follows from it."""
     height, slope = height_slope(tables, int(tables[SET_RAIL]), work[block + REGION_RAIL])
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     work[block + REGION_OWN] = 0.0
@@ -122,6 +123,9 @@ def lean_region(tables: 'float[:]', work: 'float[:]', block: int):
     work[block + REGION_OFFSET] = 0.0
     work[block + REGION_COS] = cosine
     work[block + REGION_SIN] = slope * cosine
+    work[block + REGION_ALONG] = 0.0
+    if is_yawed(work) == 1:
+        work[block + REGION_ALONG] = ridge_place(tables, work, work[block + REGION_WHEEL])
     work[block + REGION_SHARE] = 1.0
     if int(tables[SET_LOAD]) == LOAD_VERTICAL:
         work[block + REGION_SHARE] = cosine

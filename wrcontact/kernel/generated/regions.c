@@ -68,7 +68,7 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     return found;
 }
 
-/* Angle of a region in the contact point's plane, and what follows from it. */
+/* Angle of the rail at a region's minimum and where that lies along the track, and what follows from it. */
 static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block)
 {
     double height;
@@ -81,6 +81,11 @@ static inline int64_t regions__lean_region(array_double_1d tables, array_double_
     (*cspan_at(&work, block + regions__REGION_OFFSET)) = 0.0;
     (*cspan_at(&work, block + regions__REGION_COS)) = cosine;
     (*cspan_at(&work, block + regions__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work, block + regions__REGION_ALONG)) = 0.0;
+    if (contact_plane__is_yawed(work) == INT64_C(1))
+    {
+        (*cspan_at(&work, block + regions__REGION_ALONG)) = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL)));
+    }
     (*cspan_at(&work, block + regions__REGION_SHARE)) = 1.0;
     if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
     {
