@@ -1,7 +1,7 @@
 """What elastic equilibrium costs and how it moves: time and trials of a step, and the largest step of the roll.
 
-``python -m benchmarks.elastic_study``, some 20 s.  A step costs the smallest of five runs over a sine of 5 mm and 0.3 deg, in
-microseconds and in ``np.sqrt`` of 2000 doubles; trials are those of random poses and include the rigid search's.
+``python -m benchmarks.elastic_study``, some 20 s.  A step costs the smallest of five runs over a sine of 5 mm and 0.3 deg,
+in microseconds and in ``np.sqrt`` of 2000 doubles; trials are those of random poses and include the rigid search's.
 """
 
 import math
@@ -30,8 +30,8 @@ def step_cost(**parameters):
     shift, yaw = sine()
     stand = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
     pair = wrcontact.ContactSystem(**parameters)
-    return cost(lambda: pair.evaluate_many(shift, yaw, FORCE, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll),
-                STEPS, ROUNDS)
+    given = dict(vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
+    return cost(lambda: pair.evaluate_many(shift, yaw, FORCE, **given), STEPS, ROUNDS)
 
 
 def trials(model, load):

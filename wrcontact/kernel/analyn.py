@@ -18,7 +18,8 @@ from typing import Final
 
 from .layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
 from .nodes import NODE_LINE, NODE_RISE, node_field
-from .regions import (REGION_ALONG, REGION_COS, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD,
+from .regions import (REGION_ALONG, REGION_COS, REGION_FIRST,
+                      REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOAD,
                       REGION_LOW, REGION_MIDDLE, REGION_MOVE, REGION_OFFSET, REGION_OWN, REGION_RESIDUAL, REGION_SHARE,
                       REGION_SIN, REGION_SLOPE, REGION_SPACING, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS,
                       REGION_TURN, region_block)
@@ -147,8 +148,8 @@ def region_load(work: 'float[:]', region: int, level: float):
 def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
     """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
 
-    Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one lies
-    ahead of the other.
+    Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one
+    lies ahead of the other.
     """
     result = 0.0
     if first != second:
@@ -167,8 +168,8 @@ def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
 def region_lead(work: 'float[:]', first: int, second: int):
     """How far one region of a yawed wheel lies ahead of another that leans away from it [m].
 
-    A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it is
-    left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
+    A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it
+    is left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
     """
     lead = 0.0
     if planes_cosine(work, first, second) < LEANING:

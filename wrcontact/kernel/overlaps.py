@@ -122,8 +122,8 @@ def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, hig
     the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
     else 0.
 
-    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send Newton's
-    method to and fro.  Where a step has not halved the slope, the bracket is.
+    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send
+    Newton's method to and fro.  Where a step has not halved the slope, the bracket is.
     """
     x = 0.5 * (low + high)
     overlap = 0.0

@@ -195,8 +195,8 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
 
 /* What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
  *
- * Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one lies
- * ahead of the other.
+ * Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one
+ * lies ahead of the other.
  */
 static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
 {
@@ -224,8 +224,8 @@ static inline double analyn__influence(array_double_1d tables, array_double_1d w
 
 /* How far one region of a yawed wheel lies ahead of another that leans away from it [m].
  *
- * A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it is
- * left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
+ * A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it
+ * is left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
  */
 static inline double analyn__region_lead(array_double_1d work, int64_t first, int64_t second)
 {

@@ -122,8 +122,8 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
  * the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
  * else 0.
  *
- * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send Newton's
- * method to and fro.  Where a step has not halved the slope, the bracket is.
+ * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send
+ * Newton's method to and fro.  Where a step has not halved the slope, the bracket is.
  */
 static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign)
 {
