@@ -96,27 +96,30 @@ def test_rolls_of_the_manchester_benchmark(model):
 
 
 def steps_of(quantity, start, stop, step, yaw):
-    """Largest step of ``quantity`` and the statuses of a slow lateral move [m], both wheels at FORCE."""
+    """Steps of ``quantity`` during a slow lateral move [m], both wheels at FORCE."""
     shift = np.arange(start, stop, step)
     table = elastic().evaluate_many(shift, yaw)
-    return np.abs(np.diff(getattr(table, quantity))).max(), set(table.status)
+    assert not np.any(table.status)
+    return np.abs(np.diff(getattr(table, quantity)))
 
 
 @pytest.mark.parametrize("yaw", [0.0, math.radians(1), math.radians(2)])
 @pytest.mark.parametrize("window", [(4.4e-3, 5.5e-3, 1e-6), (5.8e-3, 6.5e-3, 1e-6), (6.2e-3, 6.4e-3, 2e-7)])
 def test_roll_does_not_jump(window, yaw):
-    """The steepest slope is 27 rad/m (measured, without yaw at 6.293 mm); a step of the shift adds no jump to it."""
-    largest, statuses = steps_of("roll", *window, yaw)
-    assert statuses == {0}
-    assert largest < 30.0 * window[2] + 1e-6     # [rad]; 1e-6 for a region that comes or goes
+    """The steepest slope is 17 rad/m (measured, at 2 deg and 5.995 mm).  Without yaw two equilibria stand side by side from
+    6.2926 to 6.2985 mm, on root and on flange, 3e-5 rad apart, and which one is found changes some ten times; at 1 deg
+    regions that come and go make steps of 8e-6 rad near 6.233 mm."""
+    steps = steps_of("roll", *window, yaw)
+    assert steps.max() < 4e-5                                   # [rad]; measured 3.0e-5
+    jumps = np.count_nonzero(steps > 20.0 * window[2] + 2e-6)
+    assert jumps <= (20 if window[1] > 6.3e-3 else 0), jumps
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("yaw", [0.0, math.radians(1), math.radians(2)])
 def test_roll_does_not_jump_over_the_whole_range(yaw):
     for quantity in ("roll", "vertical_shift"):
-        largest, statuses = steps_of(quantity, -8e-3, 8e-3 + 5e-7, 1e-6, yaw)
-        assert statuses == {0}
+        largest = steps_of(quantity, -8e-3, 8e-3 + 5e-7, 1e-6, yaw).max()
         assert largest < 4e-5    # [rad, m]; measured 2.7e-5 and 2.9e-5
 
 
@@ -192,21 +195,22 @@ def test_scipy_finds_the_same_equilibrium(case, load):
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-7)
 
 
-@pytest.mark.parametrize("load", LOADS)
-def test_scipy_finds_the_same_conformal_equilibrium_nearby(load):
-    """At 6.29 mm the load has more than one equilibrium, as the wheel hangs on root or flange; the one that was found is a
-    root of both loads, to which Powell's method comes back from 1 um and 2 urad away."""
+@pytest.mark.parametrize("load, tolerance", [("normal", 1e-8), ("vertical", 5e-4)])
+def test_the_conformal_stand_is_an_equilibrium(load, tolerance):
+    """At 6.29 mm there are more than one, as the wheel hangs on root or flange; the one that was found is a root of both
+    loads, to which Powell's method comes back, but for bends in the load that stop it a few nm short.  With the vertical load
+    it is where the load steps by 0.04 %, as nodes come in."""
     loads = Loads("conformal", load, "analyn")
     state = elastic(load=load).evaluate(*CASES["conformal"][:2], FORCE)
-    found = root(lambda at: loads.lacks(*at), (state.vertical_shift + 1e-6, state.roll + 2e-6), tol=1e-13)
-    np.testing.assert_allclose(found.x, (state.vertical_shift, state.roll), atol=1e-9)
-    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-8)
+    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=tolerance)
+    found = root(lambda at: loads.lacks(*at), (state.vertical_shift + 2e-8, state.roll - 2e-8), tol=1e-13)
+    np.testing.assert_allclose(found.x, (state.vertical_shift, state.roll), rtol=0.0, atol=5e-8)
 
 
 @pytest.mark.parametrize("model, tolerance", [("hertz", 1e-8), ("analyn_strip", 0.01)])
 @pytest.mark.parametrize("case", ["tread", "root", "flange", "yawed_flange"])
 def test_compliant_loads_are_the_elastic_ones_with_other_models(case, model, tolerance):
-    """Two sweeps of strips begin at ANALYN's patch for the load in one form and for the depth in the other: 0.7 % at most."""
+    """Two sweeps of strips begin at ANALYN's patch for the load in one form and for the depth in the other: 0.7 %."""
     loads = Loads(case, "normal", model)
     state = elastic(normal_model=model).evaluate(*CASES[case][:2], FORCE, CASES[case][2])
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=tolerance)
@@ -274,7 +278,8 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
     stepper.inputs[:] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
     assert stepper.step() == 0
     work = stepper._workspace
-    regions = work[overlaps.DEEP_FIRST:][:overlaps.DEEP_SIZE * int(work[overlaps.DEEP_COUNT])].reshape(-1, overlaps.DEEP_SIZE)
+    count = int(work[overlaps.DEEP_COUNT])
+    regions = work[overlaps.DEEP_FIRST:][:overlaps.DEEP_SIZE * count].reshape(-1, overlaps.DEEP_SIZE)
     pose = brute_force.Pose(shift, yaw, stand.roll, stand.vertical_shift)
     for region in regions:    # of the right wheel, which came last
         depth, _, abscissa = deepest(track, pose, region[overlaps.DEEP_RAIL])
@@ -325,7 +330,7 @@ def test_a_ball_pressed_down_on_a_slope_is_hertz(sink):
 
 
 def forces_of(state):
-    """Contact forces (n, 3) [N] and the places where they act (n, 3) [m] in the track frame, from the outputs of single patches.
+    """Contact forces (n, 3) [N] and the places where they act (n, 3) [m] in the track frame, from the patches' outputs.
 
     A place is the contact point and the patch's centroid along the contact plane; the surface is left by 0.1 mm."""
     for sign, side in ((-1, state.left), (1, state.right)):
@@ -347,10 +352,12 @@ def test_resultant_is_the_sum_of_the_patches(case, mode):
     np.testing.assert_allclose(got[0], forces.sum(axis=0), atol=1e-7 * FORCE)
     centre = np.array([0.0, shift, state.vertical_shift - 0.46])
     moment = np.cross(places - centre, forces).sum(axis=0)
-    # patches on a curved rail are up to 10 mm away from the contact point, and yawed ones lie on a slanted ridge:
-    # 1 mm about x, and 2 mm of the 10 mm ahead about y and z
+    # a second patch on a curved rail is up to 10 mm away from the contact point, and a yawed one 17 mm ahead of it: times
+    # its share of the load that is 1 mm about x, and 7 mm about y and z
     assert abs(got[1] - moment)[0] < 1e-3 * FORCE
-    assert np.all(abs(got[1] - moment)[1:] < (2e-3 * FORCE if yaw else 1e-12))
+    assert np.all(abs(got[1] - moment)[1:] < (7e-3 * FORCE if yaw else 1e-12))
+    if all(side.patch_count == 1 for side in (state.left, state.right)):
+        np.testing.assert_allclose(got[1], moment, atol=5e-6 * FORCE)
 
 
 def test_resultant_of_a_centred_wheelset_is_its_weight():
@@ -372,7 +379,7 @@ def test_vertical_load_is_what_the_wheels_carry_vertically(mode):
 
 def test_forces_nearly_come_from_a_potential():
     """A height's force and a roll's moment are derivatives of one energy if contact conserves it.  ANALYN's nearly does: the
-    stiffness's two halves differ by 1.1 % of k_zz times half the distance of the wheels at most, measured; its load follows
+    stiffness's two halves differ by 2.0 % of k_zz times half the distance of the wheels at most, measured; its load follows
     the deepest point, and its centre of load does not quite stand there."""
     for case in CASES:
         shift, yaw, transfer = CASES[case]
@@ -386,7 +393,7 @@ def test_forces_nearly_come_from_a_potential():
         own = abs(slope(lambda state: state.force.z, 1e-7, 0.0)) * 0.75
         by_roll = slope(lambda state: state.force.z, 0.0, 1e-7)
         by_height = slope(lambda state: state.moment.x, 1e-7, 0.0)
-        assert abs(by_roll - by_height) < 0.02 * own, (case, by_roll / own, by_height / own)
+        assert abs(by_roll - by_height) < 0.03 * own, (case, by_roll / own, by_height / own)
 
 
 def test_a_lifted_wheelset_carries_nothing():
@@ -408,7 +415,8 @@ def test_a_wheel_that_comes_down_carries_more():
         shift, yaw, _ = CASES[case]
         rigid = system().evaluate(shift, yaw)
         sink = np.linspace(1e-6, 2e-4, 200)
-        table = compliant().evaluate_many(shift, yaw, vertical_shift_input=rigid.vertical_shift + sink, roll_input=rigid.roll)
+        height = rigid.vertical_shift + sink
+        table = compliant().evaluate_many(shift, yaw, vertical_shift_input=height, roll_input=rigid.roll)
         assert not np.any(table.status)
         for side in (table.left, table.right):
             fall = np.diff(side.normal_force) / side.normal_force[:-1]
@@ -472,7 +480,7 @@ def test_compiled_and_python_are_one_in_the_last_bit(tmp_path, parameters):
 
 @pytest.mark.parametrize("model, mean, most", [("analyn", 10, 100), ("analyn_strip", 10, 100), ("hertz", 10, 100)])
 def test_a_step_takes_few_trials(model, mean, most):
-    """Measured with those of the rigid search: 8.7 on average, 20 at the 99th percentile, 74 at most where brackets step in."""
+    """Measured with those of the rigid search: 8.7 on average, 20 at the 99th percentile, 74 at most, with brackets."""
     stepper, counts = elastic(normal_model=model).stepper(), []
     for pose in zip(*random_poses(600, 44, 8e-3, 0.03, (1e3, 1.5e5), 0.5)):
         stepper.inputs[[0, 1, 3, 4]] = pose
@@ -513,7 +521,7 @@ def test_random_poses_stand(pair, model, load):
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("pair", range(len(PAIRS)))
 def test_many_random_poses_stand(pair, model, load):
-    """Measured: no status 3 in 140 000 poses; status 2 in one of 1300 with vertical loads."""
+    """Measured: no status 3 in 216 000 poses; status 2 in one of 1100 with vertical loads."""
     assert check_random_poses(4000, 70 + pair, *PAIRS[pair], model, load) <= 12
 
 
@@ -545,7 +553,8 @@ def second_derivatives(track, pose, x, abscissa, along=1.5e-3, across=2.5e-4):
     """Principal curvatures (2,) [1/m] of the distance from the rail, less the rail's own normal, at a smallest one."""
     _, slope, _ = track.rail(abscissa)
     step = across / math.hypot(1.0, slope)
-    grid = -overlap(track, pose, x + along * np.array([[-1.0], [0.0], [1.0]]), abscissa + step * np.array([[-1.0, 0.0, 1.0]]))
+    three = np.array([-1.0, 0.0, 1.0])
+    grid = -overlap(track, pose, x + along * three[:, None], abscissa + step * three[None, :])
     xx = (grid[0, 1] - 2 * grid[1, 1] + grid[2, 1]) / along**2
     ss = (grid[1, 0] - 2 * grid[1, 1] + grid[1, 2]) / across**2
     xs = (grid[0, 0] + grid[2, 2] - grid[0, 2] - grid[2, 0]) / (4 * along * across)
@@ -555,8 +564,8 @@ def second_derivatives(track, pose, x, abscissa, along=1.5e-3, across=2.5e-4):
 def two_hertz_loads(track, pose, state, force):
     """Loads of the contact point's region and of the flange's [N], each Hertz's with the gap along its own normal.
 
-    The wheel comes down the contact point's normal by d, and the flange's by cos(turn) d less its gap; each presses the other
-    down by N / (pi E* distance), and of that cos(turn) comes along its normal.
+    The wheel comes down the contact point's normal by d, and the flange's by cos(turn) d less its gap; each presses the
+    other down by N / (pi E* distance), and of that cos(turn) comes along its normal.
     """
     near = state.right.contact.y_rail
     gap, x_f, y_f = deepest(track, pose, -0.0424, 8e-4)
@@ -597,6 +606,20 @@ def test_root_and_flange_share_a_rigid_wheel(yaw, shift, force):
     assert np.all(outline.half_length[between] == 0.0)
 
 
+@pytest.mark.parametrize("mode, shift, yaw, force", [
+    ("rigid", 5.487379916049944e-3, 0.049410464000100594, 66986.25868528389),
+    ("elastic", 5.800301577896962e-3, 0.04273883444233607, 325564.17596696055)])
+def test_three_regions_share_a_wheel(mode, shift, yaw, force):
+    """Tread, flange root and flange."""
+    side = system(contact_mode=mode).evaluate(shift, yaw, force).right
+    assert side.patch_count == 3
+    angles = sorted(patch.contact_angle for patch in side.patches)
+    assert angles[2] - angles[1] > math.radians(40) and angles[1] - angles[0] > math.radians(8)
+    assert min(patch.normal_force for patch in side.patches) > 0.05 * force
+    assert sum(patch.normal_force for patch in side.patches) == pytest.approx(force, rel=1e-8)
+    assert np.all(np.diff(side.outline.station) > 0)
+
+
 @pytest.mark.parametrize("yaw, shift, force", SPREAD)
 def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force):
     shift, yaw = shift * 1e-3, math.radians(yaw)
@@ -605,9 +628,9 @@ def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force)
     one, other, down, angles = two_hertz_loads(brute_force.track(), pose, state, force)
     root_patch, flange = sorted(state.right.patches, key=lambda patch: patch.contact_angle)
     assert flange.contact_angle == pytest.approx(angles[1], abs=1e-3)
-    print(yaw, shift, force, flange.normal_force / force, other / force, state.right.penetration / down)
-    assert flange.normal_force / force == pytest.approx(other / force, abs=0.05)
-    assert state.right.penetration == pytest.approx(down, rel=0.1)
+    # measured 0.018 and 5 %: ANALYN's root patch is no ellipse
+    assert flange.normal_force / force == pytest.approx(other / force, abs=0.025)
+    assert state.right.penetration == pytest.approx(down, rel=0.07)
 
 
 # ------------------------------------------------------------------------------------------------------------ bad input
@@ -617,7 +640,7 @@ def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force)
 def test_a_penetration_is_refused(mode):
     with pytest.raises(ValueError, match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"):
         system(contact_mode=mode).evaluate(penetration=5e-5)
-    with pytest.raises(ValueError, match=f"contact_mode is '{mode}'; permitted with the normal_model 'halfspace'.*is 'rigid'"):
+    with pytest.raises(ValueError, match=f"contact_mode is '{mode}'; permitted with .* 'halfspace'.*is 'rigid'"):
         wrcontact.ContactSystem(contact_mode=mode, normal_model="halfspace")
 
 

@@ -6,7 +6,8 @@ are equal the wheelset stands.  Their difference D(roll) = height_right - height
 
     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
 
-is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope.
+is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope, by the
+envelope theorem (docs/method.md, section 11).  Both unknowns are found by Broyden's method (Broyden 1965).
 
 Regions and nodes are laid where the wheels stand, which is found along with height and roll: a trial lays both wheels down at
 one pose, and solves their loads; what either lacks of the height that it would carry its load at vanishes in equilibrium.
@@ -138,7 +139,8 @@ def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: fl
 def too_deep(work: 'float[:]', index: int):
     """1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0."""
     deep = 0
-    if work[WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_HEIGHT] - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST] > DEEPEST:
+    best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+    if work[WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_HEIGHT] - best > DEEPEST:
         deep = 1
     return deep
 

@@ -14,7 +14,7 @@ from .gap import above_rail
 from .layout import (OVERLAP_LIMIT, REGION_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST_Y, STATE_GAP_COUNT,
                      WORK_OVERLAP)
 from .locus import outline_point
-from .planes import keep_frame, use_frame
+from .planes import keep_frame, line_up, use_frame
 from .pressed import normal_line, pressed_gap, rail_length, rail_speed
 from .profile_table import START, STOP, height_slope, height_slope_bend
 from .regions import (MERGE, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
@@ -122,8 +122,8 @@ def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, hig
     the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
     else 0.
 
-    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send Newton's
-    method to and fro.  Where a step has not halved the slope, the bracket is.
+    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send
+    Newton's method to and fro.  Where a step has not halved the slope, the bracket is.
     """
     x = 0.5 * (low + high)
     overlap = 0.0
@@ -351,4 +351,6 @@ def gather_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
         work[block + REGION_HIGH] = rail_length(tables, work[deep + DEEP_RAIL], high)
         keep_frame(work, region)
         use_frame(work, REGION_LIMIT)
+    if count > 1:
+        line_up(tables, work, count)
     return count

@@ -13,11 +13,11 @@ from math import fabs
 from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_RAISE, FRAME_SHIFT,
-                            FRAME_SIN, TRACER_RAIL, normal_gap, open_frame, start_tracer)
+                            FRAME_SIN, TRACER_RAIL, normal_gap, open_frame, ridge_place, start_tracer)
 from .layout import CONTACT_BLOCK, REGION_LIMIT, SET_RAIL, WORK_CONTACT, WORK_FRAMES
 from .pressed import rail_length
 from .profile_table import height_slope
-from .regions import (FAR, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW, REGION_OFFSET,
+from .regions import (FAR, REGION_ALONG, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW, REGION_OFFSET,
                       REGION_OWN, REGION_RAIL, REGION_SIN, REGION_STATION, REGION_TURN, REGION_WHEEL, TRACE, lean_region,
                       region_block)
 from .touching import touching_pair
@@ -106,9 +106,20 @@ def own_plane(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
 
 def give_planes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int):
     """Give every region that leans away its own plane."""
+    own = 0
     for region in range(count):
         if leans_away(work, region) == 1:
-            own_plane(tables, work, state, region)
+            own += own_plane(tables, work, state, region)
+    if own > 0:
+        line_up(tables, work, count)
+    return 0
+
+
+def line_up(tables: 'float[:]', work: 'float[:]', count: int):
+    """Note how far ahead every region lies: of a yawed wheel, a flange is some 20 mm ahead of the flange root."""
+    for region in range(count):
+        block = region_block(region)
+        work[block + REGION_ALONG] = ridge_place(tables, work, work[block + REGION_WHEEL])
     return 0
 
 

@@ -7,10 +7,10 @@ between them stays below MERGE of the penetration; otherwise the hump bounds bot
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, FRAME_Y, NO_GAP, TRACER_RAIL,
-                            TRACER_WHEEL, normal_gap, start_tracer)
-from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST, SIDE_LAST,
-                     SIDE_NODE, WORK_REGION)
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, FRAME_Y,
+                            NO_GAP, TRACER_RAIL, TRACER_WHEEL, normal_gap, start_tracer)
+from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST,
+                     SIDE_FIRST, SIDE_LAST, SIDE_NODE, WORK_REGION)
 from .profile_table import height_slope
 from .search import ROW_Y, SCAN_NODES, SCAN_ROW, scan_side
 from .separation import open_origin, separation
@@ -51,6 +51,7 @@ REGION_SHARE: Final[int] = 37        # of its load that counts for the prescribe
 REGION_MOMENT: Final[int] = 38       # of the load that it carries, over the stations of the outputs [N m]
 REGION_CARRIED: Final[int] = 39      # that load [N]
 REGION_LEAN: Final[int] = 40         # slope of the rail at its minimum
+REGION_ALONG: Final[int] = 41        # track coordinate x of the minimum [m], where regions lean apart
 REGION_SQUARE: Final[int] = 24       # square of its half-length as estimated [m^2]
 REGION_WEIGHT: Final[int] = 23       # integral of their density's graded part
 REGION_WIDTH_LEVEL: Final[int] = 20  # level that the half-widths were measured at [m]

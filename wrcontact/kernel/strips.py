@@ -14,7 +14,7 @@ One round of 2 and 3 is a sweep.  Where the true patch differs from ANALYN's, st
 from math import fabs, log, pi, sqrt
 from typing import Final
 
-from .analyn import planes_cosine
+from .analyn import planes_cosine, region_lead
 from .contact_plane import is_yawed
 from .layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT,
                      STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
@@ -363,12 +363,18 @@ def set_strip(work: 'float[:]', strips: int, i: int, start: float, stop: float):
 
 
 def measure_distances(work: 'float[:]', strips: int, i: int, others: int):
-    """Logarithms of the distances between strip ``i`` and the first ``others``."""
+    """Logarithms of the distances between strip ``i`` and the first ``others``, and how far their regions lie
+    ahead of each other."""
     stations = strip_field(STRIP_STATION)
+    regions = strip_field(STRIP_REGION)
     row = WORK_DISTANCE + strips * i
     for j in range(others):
         if j != i:
-            distance = log(fabs(work[stations + i] - work[stations + j]))
+            apart = fabs(work[stations + i] - work[stations + j])
+            if work[regions + i] != work[regions + j]:
+                along = region_lead(work, int(work[regions + i]), int(work[regions + j]))
+                apart = sqrt(apart * apart + along * along)
+            distance = log(apart)
             work[row + j] = distance
             work[WORK_DISTANCE + strips * j + i] = distance
     return 0

@@ -8,7 +8,8 @@
  *
  *     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
  *
- * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope.
+ * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope, by the
+ * envelope theorem (docs/method.md, section 11).  Both unknowns are found by Broyden's method (Broyden 1965).
  *
  * Regions and nodes are laid where the wheels stand, which is found along with height and roll: a trial lays both wheels down at
  * one pose, and solves their loads; what either lacks of the height that it would carry its load at vanishes in equilibrium.
@@ -161,9 +162,11 @@ static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_dou
 /* 1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0. */
 static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index)
 {
+    double best;
     int64_t deep;
     deep = INT64_C(0);
-    if ((*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_HEIGHT)) - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST)) > elastic__DEEPEST)
+    best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+    if ((*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_HEIGHT)) - best > elastic__DEEPEST)
     {
         deep = INT64_C(1);
     }

@@ -8,7 +8,8 @@
  *
  *     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
  *
- * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope.
+ * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope, by the
+ * envelope theorem (docs/method.md, section 11).  Both unknowns are found by Broyden's method (Broyden 1965).
  *
  * Regions and nodes are laid where the wheels stand, which is found along with height and roll: a trial lays both wheels down at
  * one pose, and solves their loads; what either lacks of the height that it would carry its load at vanishes in equilibrium.

@@ -122,8 +122,8 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
  * the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
  * else 0.
  *
- * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send Newton's
- * method to and fro.  Where a step has not halved the slope, the bracket is.
+ * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap that can send
+ * Newton's method to and fro.  Where a step has not halved the slope, the bracket is.
  */
 static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign)
 {
@@ -552,6 +552,10 @@ static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, arr
         (*cspan_at(&work, block + regions__REGION_HIGH)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), high);
         planes__keep_frame(work, region);
         planes__use_frame(work, layout__REGION_LIMIT);
+    }
+    if (count > INT64_C(1))
+    {
+        planes__line_up(tables, work, count);
     }
     return count;
 }

@@ -146,13 +146,32 @@ static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_doubl
 /* Give every region that leans away its own plane. */
 static OUT_OF_LINE int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count)
 {
+    int64_t own;
     int64_t region;
+    own = INT64_C(0);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
         if (planes__leans_away(work, region) == INT64_C(1))
         {
-            planes__own_plane(tables, work, state, region);
+            own += planes__own_plane(tables, work, state, region);
         }
+    }
+    if (own > INT64_C(0))
+    {
+        planes__line_up(tables, work, count);
+    }
+    return INT64_C(0);
+}
+
+/* Note how far ahead every region lies: of a yawed wheel, a flange is some 20 mm ahead of the flange root. */
+static OUT_OF_LINE int64_t planes__line_up(array_double_1d tables, array_double_1d work, int64_t count)
+{
+    int64_t region;
+    int64_t block;
+    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    {
+        block = regions__region_block(region);
+        (*cspan_at(&work, block + regions__REGION_ALONG)) = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL)));
     }
     return INT64_C(0);
 }

@@ -30,6 +30,7 @@ static OUT_OF_LINE double planes__bound_abscissa(array_double_1d tables, array_d
 static OUT_OF_LINE double planes__bound_station(array_double_1d tables, array_double_1d work, double abscissa);
 static OUT_OF_LINE int64_t planes__leans_away(array_double_1d work, int64_t region);
 static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region);
+static OUT_OF_LINE int64_t planes__line_up(array_double_1d tables, array_double_1d work, int64_t count);
 static OUT_OF_LINE int64_t planes__give_planes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count);
 static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t region);
 static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t region);

@@ -51,6 +51,7 @@ static const int64_t regions__REGION_SHARE = INT64_C(37);
 static const int64_t regions__REGION_MOMENT = INT64_C(38);
 static const int64_t regions__REGION_CARRIED = INT64_C(39);
 static const int64_t regions__REGION_LEAN = INT64_C(40);
+static const int64_t regions__REGION_ALONG = INT64_C(41);
 static const int64_t regions__REGION_SQUARE = INT64_C(24);
 static const int64_t regions__REGION_WEIGHT = INT64_C(23);
 static const int64_t regions__REGION_WIDTH_LEVEL = INT64_C(20);

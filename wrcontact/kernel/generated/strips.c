@@ -508,20 +508,32 @@ static inline int64_t strips__set_strip(array_double_1d work, int64_t strips, in
     return INT64_C(0);
 }
 
-/* Logarithms of the distances between strip ``i`` and the first ``others``. */
+/* Logarithms of the distances between strip ``i`` and the first ``others``, and how far their regions lie
+ * ahead of each other.
+ */
 static inline int64_t strips__measure_distances(array_double_1d work, int64_t strips, int64_t i, int64_t others)
 {
     int64_t stations;
+    int64_t regions;
     int64_t row;
     int64_t j;
+    double apart;
+    double along;
     double distance;
     stations = strips__strip_field(strips__STRIP_STATION);
+    regions = strips__strip_field(strips__STRIP_REGION);
     row = layout__WORK_DISTANCE + strips * i;
     for (j = INT64_C(0); j < others; j += INT64_C(1))
     {
         if (j != i)
         {
-            distance = log(fabs((*cspan_at(&work, stations + i)) - (*cspan_at(&work, stations + j))));
+            apart = fabs((*cspan_at(&work, stations + i)) - (*cspan_at(&work, stations + j)));
+            if ((*cspan_at(&work, regions + i)) != (*cspan_at(&work, regions + j)))
+            {
+                along = analyn__region_lead(work, (int64_t)((*cspan_at(&work, regions + i))), (int64_t)((*cspan_at(&work, regions + j))));
+                apart = sqrt(apart * apart + along * along);
+            }
+            distance = log(apart);
             (*cspan_at(&work, row + j)) = distance;
             (*cspan_at(&work, layout__WORK_DISTANCE + strips * j + i)) = distance;
         }
