@@ -18,6 +18,9 @@ import wrcontact
 from test_native_library import bits, needs_library, run_steps
 from test_normal_contact import MODULUS, hertz
 from wrcontact.kernel import layout, overlaps
+from wrcontact.profiles.catalogue import standard_profile
+from wrcontact.profiles.compiled import compile_profile, evaluate_table
+from wrcontact.profiles.placement import place_rail
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 from wrcontact.status import explain
@@ -182,27 +185,54 @@ class Loads:
         return self.height(1, roll, start.vertical_shift), roll
 
 
-@pytest.mark.parametrize("load", LOADS)
 @pytest.mark.parametrize("case", [case for case in CASES if case != "conformal"])
-def test_scipy_finds_the_same_equilibrium(case, load):
-    loads = Loads(case, load, "analyn")
+def test_scipy_finds_the_same_equilibrium(case):
+    loads = Loads(case, "normal", "analyn")
     shift, yaw, transfer = CASES[case]
     height, roll = loads.stand(system().evaluate(shift, yaw))
-    state = elastic(load=load).evaluate(shift, yaw, FORCE, transfer)
+    state = elastic().evaluate(shift, yaw, FORCE, transfer)
     assert state.status == 0
-    assert state.roll == pytest.approx(roll, abs=1e-11)                  # [rad]; measured 1.1e-12
-    assert state.vertical_shift == pytest.approx(height, abs=1e-11)      # [m]; measured 8e-13
-    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-7)
+    # height and roll are sought to 1e-11 m, which is 1e-7 of a wheel's depth
+    assert state.roll == pytest.approx(roll, abs=1e-10)                  # [rad]
+    assert state.vertical_shift == pytest.approx(height, abs=1e-10)      # [m]
+    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-6)
 
 
-@pytest.mark.parametrize("load, tolerance", [("normal", 1e-8), ("vertical", 5e-4)])
-def test_the_conformal_stand_is_an_equilibrium(load, tolerance):
+@pytest.mark.parametrize("case", CASES)
+def test_vertical_load_stands_where_its_normal_loads_do(case):
+    """The vertical load is met in sum, and each wheel's normal load leads to the same stand."""
+    shift, yaw, transfer = CASES[case]
+    state = elastic(load="vertical").evaluate(shift, yaw, FORCE, transfer)
+    assert state.status == 0
+    assert state.force.z == pytest.approx(-2 * FORCE, rel=1e-9)
+    left, right = state.left.normal_force, state.right.normal_force
+    again = elastic().evaluate(shift, yaw, (left + right) / 2, (right - left) / (right + left))
+    # at 6.29 mm two stands lie 3e-5 rad apart, on root and flange
+    near = 5e-5 if case == "conformal" else 1e-9
+    assert again.roll == pytest.approx(state.roll, abs=near)
+    assert again.vertical_shift == pytest.approx(state.vertical_shift, abs=near)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_force_acts_along_the_mean_of_the_normals(case):
+    """Of the outline: pressure times length over its stations, by the rail's normal there; 31 stations tell it to 1 %."""
+    shift, yaw, transfer = CASES[case]
+    state = elastic().evaluate(shift, yaw, FORCE, transfer)
+    total = np.zeros(2)
+    for sign, side in ((-1, state.left), (1, state.right)):
+        line = np.pi / 2 * side.outline.half_length * side.outline.pressure
+        slope = rail_slope_along(side.contact.y_rail, side.outline.station)
+        normal = np.array([sign * slope, -np.ones_like(slope)]) / np.hypot(1, slope)
+        total += side.normal_force * (normal * line).sum(axis=1) / line.sum()
+    assert (state.force.y, state.force.z) == pytest.approx(tuple(total), abs=0.01 * FORCE)
+
+
+def test_the_conformal_stand_is_an_equilibrium():
     """At 6.29 mm there are more than one, as the wheel hangs on root or flange; the one that was found is a root of both
-    loads, to which Powell's method comes back, but for bends in the load that stop it a few nm short.  With the vertical load
-    it is where the load steps by 0.04 %, as nodes come in."""
-    loads = Loads("conformal", load, "analyn")
-    state = elastic(load=load).evaluate(*CASES["conformal"][:2], FORCE)
-    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=tolerance)
+    loads, to which Powell's method comes back, but for bends in the load that stop it a few nm short."""
+    loads = Loads("conformal", "normal", "analyn")
+    state = elastic().evaluate(*CASES["conformal"][:2], FORCE)
+    np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-6)
     found = root(lambda at: loads.lacks(*at), (state.vertical_shift + 2e-8, state.roll - 2e-8), tol=1e-13)
     np.testing.assert_allclose(found.x, (state.vertical_shift, state.roll), rtol=0.0, atol=5e-8)
 
@@ -216,20 +246,19 @@ def test_compliant_loads_are_the_elastic_ones_with_other_models(case, model, tol
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=tolerance)
 
 
-def test_where_the_load_jumps_the_stand_is_at_the_jump():
-    """With the vertical load of a wheel that hangs between flange and root no height carries it: a hair higher it carries
-    less, a hair lower more; the other wheel carries its own, and the mirror image stands there too."""
-    shift, yaw, force = 6.335600903793679e-3, 9.695689595234418e-3, 118219.4299133859
-    state = elastic(load="vertical").evaluate(shift, yaw, force)
-    mirrored = elastic(load="vertical").evaluate(-shift, -yaw, force)
+@pytest.mark.parametrize("shift", [6.283e-3, 6.287e-3, 6.293e-3])
+def test_where_the_load_jumps_the_stand_is_at_the_jump(shift):
+    """Hertz's wheel between root and flange has the curvature of one or the other, and no height carries the load: 10 nm higher
+    it carries less, 10 nm lower more; the other wheel carries its own, and the mirror image stands there too."""
+    state = elastic(normal_model="hertz").evaluate(shift)
+    mirrored = elastic(normal_model="hertz").evaluate(-shift)
     assert state.status == mirrored.status == 0
     assert (mirrored.roll, mirrored.vertical_shift) == pytest.approx((-state.roll, state.vertical_shift), abs=1e-11)
-    loads = [[carried(side, "vertical") for side in (at.left, at.right)] for at in
-             (compliant(load="vertical").evaluate(shift, yaw, vertical_shift_input=state.vertical_shift + away,
-                                                  roll_input=state.roll) for away in (-1e-9, 1e-9))]
-    (left_above, right_above), (left_below, right_below) = loads
-    assert right_above < 0.9 * force and 1.1 * force > force > right_above and right_below > force
-    assert left_above == pytest.approx(force, rel=1e-3) and left_below == pytest.approx(force, rel=1e-3)
+    above, below = (compliant(normal_model="hertz").evaluate(shift, vertical_shift_input=state.vertical_shift + away,
+                                                             roll_input=state.roll) for away in (-1e-8, 1e-8))
+    assert above.right.normal_force < 0.9 * FORCE < 1.1 * FORCE < below.right.normal_force
+    assert above.left.normal_force == pytest.approx(FORCE, rel=1e-3)
+    assert below.left.normal_force == pytest.approx(FORCE, rel=1e-3)
 
 
 # --------------------------------------------------------------------------------------------- overlap, by dense search
@@ -329,17 +358,42 @@ def test_a_ball_pressed_down_on_a_slope_is_hertz(sink):
 # ------------------------------------------------------------------------------------------------------------ resultant
 
 
-def forces_of(state):
+@cache
+def placed_rail():
+    """UIC60 1:40 at gauge: the kernel's table of it, and its track coordinate [m]."""
+    placed = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+    return compile_profile(placed.profile), placed.y_track
+
+
+def rail_point_along(start, stations):
+    """Abscissae [m] of the rail at arc lengths ``stations`` from ``start``, by numpy on a dense grid."""
+    table, _ = placed_rail()
+    x = np.linspace(start - 0.02, start + 0.03, 200_001)
+    x = x[(x > table[0]) & (x < table[1])]
+    speed = np.sqrt(1 + evaluate_table(table, x)[1] ** 2)
+    length = np.concatenate(([0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(x))))
+    return np.interp(stations, length - np.interp(start, x, length), x)
+
+
+def rail_slope_along(start, stations):
+    return evaluate_table(placed_rail()[0], rail_point_along(start, stations))[1]
+
+
+def forces_of(state, bent):
     """Contact forces (n, 3) [N] and the places where they act (n, 3) [m] in the track frame, from the patches' outputs.
 
-    A place is the contact point and the patch's centroid along the contact plane; the surface is left by 0.1 mm."""
+    A force acts along the rail's normal at its patch's centroid, which is measured along the rail where ``bent``, else in the
+    contact plane."""
+    table, rail_y = placed_rail()
     for sign, side in ((-1, state.left), (1, state.right)):
         for patch in side.patches:
-            angle = side.contact_angle
-            place = (side.contact.x_track, side.contact.y_track + sign * patch.centroid * math.cos(angle),
-                     side.contact.z_track - patch.centroid * math.sin(angle))
-            force = (0.0, -sign * math.sin(patch.contact_angle), -math.cos(patch.contact_angle))
-            yield patch.normal_force * np.array(force), np.array(place)
+            x = side.contact.y_rail + patch.centroid * math.cos(side.contact_angle)
+            if bent:
+                x = rail_point_along(side.contact.y_rail, patch.centroid)
+            height, slope, _ = evaluate_table(table, x)
+            place = (side.contact.x_track, sign * (rail_y + x), height)
+            force = np.array((0.0, sign * slope, -1.0)) / math.hypot(1.0, slope)
+            yield patch.normal_force * force, np.array(place)
 
 
 @pytest.mark.parametrize("mode", ["elastic", "rigid"])
@@ -347,24 +401,28 @@ def forces_of(state):
 def test_resultant_is_the_sum_of_the_patches(case, mode):
     shift, yaw, transfer = CASES[case]
     state = system(contact_mode=mode).evaluate(shift, yaw, FORCE, transfer)
-    forces, places = map(np.array, zip(*forces_of(state)))
+    apart = any(abs(patch.contact_angle - side.contact_angle) > math.radians(15) for side in (state.left, state.right)
+                for patch in side.patches)
+    forces, places = map(np.array, zip(*forces_of(state, mode == "elastic" or apart)))
     got = np.array([[getattr(of, axis) for axis in "xyz"] for of in (state.force, state.moment)])
-    np.testing.assert_allclose(got[0], forces.sum(axis=0), atol=1e-7 * FORCE)
+    # the mean of the normals is not quite the normal at the centroid, least on the tread with its 17 mm of patch (5e-3); and a
+    # second patch's centroid is not quite on the rail where the contact plane has it
+    several = any(side.patch_count > 1 for side in (state.left, state.right))
+    atol = 6e-3 if mode == "elastic" or apart else 2e-3 if several else 1e-4
+    np.testing.assert_allclose(got[0], forces.sum(axis=0), atol=atol * FORCE)
     centre = np.array([0.0, shift, state.vertical_shift - 0.46])
     moment = np.cross(places - centre, forces).sum(axis=0)
-    # a second patch on a curved rail is up to 10 mm away from the contact point, and a yawed one 17 mm ahead of it: times
-    # its share of the load that is 1 mm about x, and 7 mm about y and z
-    assert abs(got[1] - moment)[0] < 1e-3 * FORCE
+    # levers of half a metre; a yawed second patch is up to 17 mm ahead of the contact point: times its share of the load 7 mm
+    assert abs(got[1] - moment)[0] < 4e-3 * FORCE
     assert np.all(abs(got[1] - moment)[1:] < (7e-3 * FORCE if yaw else 1e-12))
-    if all(side.patch_count == 1 for side in (state.left, state.right)):
-        np.testing.assert_allclose(got[1], moment, atol=5e-6 * FORCE)
 
 
 def test_resultant_of_a_centred_wheelset_is_its_weight():
     for mode in ("elastic", "rigid"):
         state = system(contact_mode=mode).evaluate()
-        assert state.force.z == pytest.approx(-2 * FORCE * math.cos(state.right.contact_angle), rel=1e-12)
-        assert abs(state.force.y) < 1e-7 and abs(state.moment.x) < 1e-7    # [N, N m]
+        forces, _ = map(np.array, zip(*forces_of(state, mode == "elastic")))
+        assert state.force.z == pytest.approx(forces.sum(axis=0)[2], rel=5e-4)
+        assert abs(state.force.y) < 1e-5 and abs(state.moment.x) < 1e-5    # [N, N m]
         assert state.force.x == state.moment.y == state.moment.z == 0.0
 
 
@@ -380,8 +438,9 @@ def test_vertical_load_is_what_the_wheels_carry_vertically(mode):
 def test_forces_nearly_come_from_a_potential():
     """A height's force and a roll's moment are derivatives of one energy if contact conserves it.  ANALYN's nearly does: the
     stiffness's two halves differ by 2.0 % of k_zz times half the distance of the wheels at most, measured; its load follows
-    the deepest point, and its centre of load does not quite stand there."""
-    for case in CASES:
+    the deepest point, and its centre of load does not quite stand there.  Not so at 6.29 mm, where the patch reaches around
+    the flange root and its force along the mean of 30 ... 70 deg, but the load still follows the deepest point: a third."""
+    for case in set(CASES) - {"conformal"}:
         shift, yaw, transfer = CASES[case]
         stand = elastic().evaluate(shift, yaw, FORCE, transfer)
 

@@ -86,7 +86,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
     block = regions.region_block(0)
-    regions.lean_region(tables, work, block)                # one plane: the whole penetration, the whole load
+    regions.lean_region(tables, work, block, 0.0)                # one plane: the whole penetration, the whole load
     spacing = half_width / half_nodes
     last = half_nodes + 2
     work[block + regions.REGION_LOW], work[block + regions.REGION_HIGH] = -1.0, 1.0

@@ -49,7 +49,7 @@ SINGULAR: Final[float] = 0.02
 #: A loaded wheel is laid down by this share of its first estimate at least.
 SHALLOWEST: Final[float] = 0.1
 #: A wheel that stands deeper in its rail than this [m] is off the profile.
-DEEPEST: Final[float] = 5e-3
+DEEPEST: Final[float] = 2e-3
 #: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known, does not touch; 5e-9 N.
 GRAZING: Final[float] = 1e-13
 FOLLOW_STEPS: Final[int] = 8
