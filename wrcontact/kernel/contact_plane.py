@@ -10,8 +10,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from .gap import FOLDED
-from .layout import (LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT,
-                     WORK_CONTACT)
+from .layout import LONGITUDINAL_BASIC, SET_LONGITUDINAL, SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT, WORK_CONTACT
 from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED,
                     around_wheel, outline_jet)
 from .profile_table import START, STOP, height_slope, height_slope_bend

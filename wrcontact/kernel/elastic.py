@@ -29,8 +29,7 @@ from .normal_contact import first_penetration
 from .profile_table import START, STOP, height_slope
 from .roll import ROLL_LIMIT, place_both, search_both, turn_both
 from .search import SHARP
-from .side import (SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever,
-                   side_outputs)
+from .side import SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever, side_outputs
 from .touching import limited
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.

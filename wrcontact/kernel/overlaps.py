@@ -11,8 +11,8 @@ from typing import Final
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_PRESSED, FRAME_RAISE,
                             open_frame, start_tracer)
 from .gap import above_rail
-from .layout import (OVERLAP_LIMIT, REGION_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST_Y, STATE_GAP_COUNT,
-                     WORK_OVERLAP)
+from .layout import (OVERLAP_LIMIT, REGION_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST_Y,
+                     STATE_GAP_COUNT, WORK_OVERLAP)
 from .locus import outline_point
 from .planes import keep_frame, line_up, use_frame
 from .pressed import normal_line, pressed_gap, rail_length, rail_speed

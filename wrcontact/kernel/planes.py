@@ -12,14 +12,14 @@ In the outputs its stations follow those of the contact point, by the length of 
 from math import fabs
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_RAISE, FRAME_SHIFT,
-                            FRAME_SIN, TRACER_RAIL, normal_gap, open_frame, ridge_place, start_tracer)
+from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_RAISE, FRAME_SHIFT, FRAME_SIN,
+                            TRACER_RAIL, normal_gap, open_frame, ridge_place, start_tracer)
 from .layout import CONTACT_BLOCK, REGION_LIMIT, SET_RAIL, WORK_CONTACT, WORK_FRAMES
 from .pressed import rail_length
 from .profile_table import height_slope
-from .regions import (FAR, REGION_ALONG, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW, REGION_OFFSET,
-                      REGION_OWN, REGION_RAIL, REGION_SIN, REGION_STATION, REGION_TURN, REGION_WHEEL, TRACE, lean_region,
-                      region_block)
+from .regions import (FAR, REGION_ALONG, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
+                      REGION_OFFSET, REGION_OWN, REGION_RAIL, REGION_SIN, REGION_STATION, REGION_TURN, REGION_WHEEL,
+                      TRACE, lean_region, region_block)
 from .touching import touching_pair
 
 #: Sine of the angle between the normals from which on a region has its own plane: 15 deg.  S1002 on UIC60 has 9 deg between

@@ -6,9 +6,9 @@ from typing import Final
 from .contact_point import describe_contact
 from .gap import gap_per_roll
 from .layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, NOT_CONVERGED, OFF_PROFILE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK,
-                     SET_ABSENT, SET_DEPTH, SET_PENETRATION_LEFT, SIDE_BEST, SIDE_BEST_Y,
-                     SIDE_BLOCK, SIDE_PATCH_COUNT, SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, SUPPORT_BLOCK,
-                     UNLOADED, VALID, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT)
+                     SET_ABSENT, SET_DEPTH, SET_PENETRATION_LEFT, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK, SIDE_PATCH_COUNT,
+                     SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, SUPPORT_BLOCK, UNLOADED, VALID, WORK_OUTPUTS, WORK_PLACE,
+                     WORK_SIDE, WORK_SUPPORT)
 from .normal_contact import solve_normal
 from .overlaps import (DEEP_DEPTH, DEEP_FIRST, DEEP_SIZE, DEEP_WHEEL, deepest_entry, find_overlaps, press_frame,
                        touching_shift)
