@@ -448,16 +448,16 @@ def test_tolerance_decides_the_grid(system):
 #: Rail, inclination, (lateral shift [m], yaw [rad], force [N]), side, how much deeper ANALYN stands for giving the second
 #: patch its own plane, and of each patch: load [N], centroid [m].
 MISSED = {
-    "flange_ahead": ("60E1", 1 / 40, (-0.006037944, -0.026654101, 8107.57), "left", 0.080, [(5092, 0.0), (3015, -9.54e-3)]),
+    "flange_ahead": ("60E1", 1 / 40, (-0.006037944, -0.026654101, 8107.57), "left", 0.053, [(5092, 0.0), (3015, -9.54e-3)]),
     "three": ("UIC60", 1 / 20, (-0.005960749371552871, 0.0, 6283.808696130702), "left", 0.003,
               [(3810, -0.4e-3), (1828, -22.66e-3), (646, -36.98e-3)]),
-    "inner": ("60E1", 1 / 20, (0.006257170613387163, 0.018450140773861007, 30717.30179453353), "right", 0.033,
+    "inner": ("60E1", 1 / 20, (0.006257170613387163, 0.018450140773861007, 30717.30179453353), "right", 0.000,
               [(22803, -0.2e-3), (7915, -9.05e-3)]),
-    "flange_root": ("54E1", 1 / 40, (0.0058417922877720425, -0.03358323754363793, 60084.7449943978), "right", 0.036,
+    "flange_root": ("54E1", 1 / 40, (0.0058417922877720425, -0.03358323754363793, 60084.7449943978), "right", 0.002,
                     [(46376, -0.1e-3), (13708, -9.91e-3)]),
-    "far_ahead": ("UIC60", 1 / 40, (0.005324708915429254, -0.05511213786185546, 35566.6), "right", 0.044,
+    "far_ahead": ("UIC60", 1 / 40, (0.005324708915429254, -0.05511213786185546, 35566.6), "right", 0.036,
                   [(31005, -0.2e-3), (4562, -20.87e-3)]),
-    "farthest": ("UIC60", 1 / 20, (-0.005033642375874028, 0.07105501647277541, 107146.0), "left", 0.050,
+    "farthest": ("UIC60", 1 / 20, (-0.005033642375874028, 0.07105501647277541, 107146.0), "left", 0.046,
                  [(94981, -1.1e-3), (12165, -45.06e-3)]),
 }
 
@@ -469,7 +469,7 @@ def test_no_patch_is_missed(name, monkeypatch):
 
     The half-space presses both patches along the normal of one plane, the contact point's, and ANALYN in one plane stands
     as deep within 3 %.  By default it gives a patch that leans away its own plane: a flange at 70 deg then gets only the
-    cosine of the wheel's approach, carries 15 to 60 % less, and the wheel stands up to 8 % deeper.
+    cosine of the wheel's approach, and the wheel stands up to 5 % deeper.
     """
     rail, inclination, pose, side, deeper, patches = MISSED[name]
     model = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination, normal_model="halfspace", tolerance=0.02)
@@ -504,7 +504,7 @@ def analyn_in_one_plane(monkeypatch, **parameters):
     return wrcontact.ContactSystem(**parameters)
 
 
-@pytest.mark.parametrize("model, shift", [("analyn", 6.125e-3), ("analyn", 6.14552e-3), ("analyn_strip", 6.125e-3)])
+@pytest.mark.parametrize("model, shift", [("analyn", 6.125e-3), ("analyn", 6.135e-3), ("analyn_strip", 6.125e-3)])
 def test_a_patch_that_leans_away_is_the_half_space_s_in_its_own_plane(model, shift):
     """The flange beside the flange root, 44 deg apart, in rows of the stored run "jumps": under its load the half-space on
     its own tangent plane, without its neighbour, has its pressure (1.7 and 2.2 GPa) and area.  In the contact point's
