@@ -253,7 +253,8 @@ def test_5_9_longitudinal_shift():
     assert numbers["yaw 3 deg at 1 mm [mm]"] < numbers["yaw 2 deg at 1 mm [mm]"]
 
 
-@pytest.mark.parametrize("shift, yaw", [(1.0, 3), (6.5, 1), (8.0, 2)])
+@pytest.mark.parametrize("shift, yaw", [(1.0, 3), pytest.param(6.5, 1, marks=pytest.mark.slow),
+                                        pytest.param(8.0, 2, marks=pytest.mark.slow)])
 def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
     """The search over both parameters of the wheel's surface, which shares no code with the package."""
     found = brute_force.rigid_contact(brute_force.track(), shift / 1e3, math.radians(yaw))

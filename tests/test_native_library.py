@@ -144,7 +144,8 @@ def checked_package(tmp_path_factory):
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
     *MODES,
-    {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
+    pytest.param({"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
+                 marks=pytest.mark.slow),
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):

@@ -454,7 +454,7 @@ def assert_all_valid(rail, shifts, yaws):
         assert np.all(found.right.area > 1e-6) and np.all(found.right.penetration < 1e-3), system
 
 
-@pytest.mark.parametrize("rail", RAILS)
+@pytest.mark.parametrize("rail", [pytest.param(rail, marks=[pytest.mark.slow] * (k > 0)) for k, rail in enumerate(RAILS)])
 def test_every_choice_holds_everywhere(rail):
     assert_all_valid(rail, 17, 5)
 
