@@ -45,6 +45,8 @@ ELASTIC_SHARP: Final[float] = 1e-11
 LONGEST: Final[float] = 2e-4
 #: Smallest determinant of the lacks' derivatives; -(lever_left + lever_right) / arm to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
+#: Smallest sum of both levers [m] for a first stand; flanges of 73 deg have none.
+LEAST_LEVER: Final[float] = 1e-2
 #: A loaded wheel is laid down by this share of its first estimate at least.
 SHALLOWEST: Final[float] = 0.1
 #: A wheel that stands deeper in its rail than this [m] is off the profile.
@@ -158,7 +160,9 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
     # where both would stand if each had sunk as estimated
     lever_left = side_lever(tables, work, 0, 0)
     lever_right = side_lever(tables, work, 1, 0)
-    turn = (work[second + SUPPORT_FIRST] - work[first + SUPPORT_FIRST]) / -(lever_left + lever_right)
+    turn = 0.0
+    if lever_left + lever_right < -LEAST_LEVER:
+        turn = (work[second + SUPPORT_FIRST] - work[first + SUPPORT_FIRST]) / -(lever_left + lever_right)
     turn = limited(turn, LONGEST / tables[SET_ARM])
     # in one order for a wheelset and its mirror image
     height = work[WORK_SIDE + SIDE_BEST] + 0.5 * ((work[first + SUPPORT_FIRST] - lever_left * turn)
@@ -166,7 +170,7 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
     roll += turn
     if turn_to(tables, work, state, roll) == 0:
         return roll, OFF_PROFILE
-    # Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels
+    # Broyden's (1965) method for what both sides lack of the height, over height and roll; the roll in metres at the wheels
     arm = tables[SET_ARM]
     lack_left = 0.0
     lack_right = 0.0
@@ -202,6 +206,8 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
             left_roll = -work[first + SUPPORT_LEVER] / arm
             right_roll = work[second + SUPPORT_LEVER] / arm
             determinant = left_height * right_roll - right_height * left_roll
+            if not fabs(determinant) > SINGULAR:
+                break
         move_height = (lack_right * left_roll - lack_left * right_roll) / determinant
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant
         if fabs(move_height) < ELASTIC_SHARP and fabs(move_roll) < ELASTIC_SHARP:

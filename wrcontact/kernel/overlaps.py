@@ -181,7 +181,7 @@ def keep_deep(work: 'float[:]', x: float, y: float, depth: float):
 
 
 def drop_deep(work: 'float[:]', entry: int):
-    """Take a deepest point off the list; the hump behind it stays if it is the lower one of the two beside it."""
+    """Leave out a deepest point; of the humps beside it the lower one stays."""
     count = int(work[DEEP_COUNT])
     block = DEEP_FIRST + DEEP_SIZE * entry
     if entry > 0 and entry < count - 1:
@@ -189,9 +189,7 @@ def drop_deep(work: 'float[:]', entry: int):
         if work[block + DEEP_BETWEEN] < work[before + DEEP_BETWEEN]:
             work[before + DEEP_BETWEEN] = work[block + DEEP_BETWEEN]
             work[before + DEEP_HUMP] = work[block + DEEP_HUMP]
-    for i in range(block, DEEP_FIRST + DEEP_SIZE * (count - 1)):
-        work[i] = work[i + DEEP_SIZE]
-    work[DEEP_COUNT] = float(count - 1)
+    remove_deep(work, entry)
     return 0
 
 

@@ -219,7 +219,11 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     /* where both would stand if each had sunk as estimated */
     lever_left = side__side_lever(tables, work, INT64_C(0), INT64_C(0));
     lever_right = side__side_lever(tables, work, INT64_C(1), INT64_C(0));
-    turn = ((*cspan_at(&work, second + side__SUPPORT_FIRST)) - (*cspan_at(&work, first + side__SUPPORT_FIRST))) / (-(lever_left + lever_right));
+    turn = 0.0;
+    if (lever_left + lever_right < -elastic__LEAST_LEVER)
+    {
+        turn = ((*cspan_at(&work, second + side__SUPPORT_FIRST)) - (*cspan_at(&work, first + side__SUPPORT_FIRST))) / (-(lever_left + lever_right));
+    }
     turn = touching__limited(turn, elastic__LONGEST / (*cspan_at(&tables, layout__SET_ARM)));
     /* in one order for a wheelset and its mirror image */
     height = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST)) + 0.5 * ((*cspan_at(&work, first + side__SUPPORT_FIRST)) - lever_left * turn + ((*cspan_at(&work, second + side__SUPPORT_FIRST)) + lever_right * turn));
@@ -230,7 +234,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         (*result_1) = layout__OFF_PROFILE;
         return 0;
     }
-    /* Broyden's method for what both sides lack of the height, over height and roll; the roll in metres at the wheels */
+    /* Broyden's (1965) method for what both sides lack of the height, over height and roll; the roll in metres at the wheels */
     arm = (*cspan_at(&tables, layout__SET_ARM));
     lack_left = 0.0;
     lack_right = 0.0;
@@ -274,6 +278,10 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
             left_roll = (-(*cspan_at(&work, first + side__SUPPORT_LEVER))) / arm;
             right_roll = (*cspan_at(&work, second + side__SUPPORT_LEVER)) / arm;
             determinant = left_height * right_roll - right_height * left_roll;
+            if (!(fabs(determinant) > elastic__SINGULAR))
+            {
+                break;
+            }
         }
         move_height = (lack_right * left_roll - lack_left * right_roll) / determinant;
         move_roll = (lack_left * right_height - lack_right * left_height) / determinant;

@@ -39,6 +39,7 @@ static const double elastic__FIRST_REACH = 2e-05;
 static const double elastic__ELASTIC_SHARP = 1e-11;
 static const double elastic__LONGEST = 0.0002;
 static const double elastic__SINGULAR = 0.02;
+static const double elastic__LEAST_LEVER = 0.01;
 static const double elastic__SHALLOWEST = 0.1;
 static const double elastic__DEEPEST = 0.002;
 static const double elastic__GRAZING = 1e-13;

@@ -242,13 +242,12 @@ static OUT_OF_LINE int64_t overlaps__keep_deep(array_double_1d work, double x, d
     return INT64_C(0);
 }
 
-/* Take a deepest point off the list; the hump behind it stays if it is the lower one of the two beside it. */
+/* Leave out a deepest point; of the humps beside it the lower one stays. */
 static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry)
 {
     int64_t count;
     int64_t block;
     int64_t before;
-    int64_t i;
     count = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * entry;
     if ((entry > INT64_C(0)) && (entry < count - INT64_C(1)))
@@ -260,11 +259,7 @@ static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t ent
             (*cspan_at(&work, before + overlaps__DEEP_HUMP)) = (*cspan_at(&work, block + overlaps__DEEP_HUMP));
         }
     }
-    for (i = block; i < overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * (count - INT64_C(1)); i += INT64_C(1))
-    {
-        (*cspan_at(&work, i)) = (*cspan_at(&work, i + overlaps__DEEP_SIZE));
-    }
-    (*cspan_at(&work, overlaps__DEEP_COUNT)) = (double)(count - INT64_C(1));
+    overlaps__remove_deep(work, entry);
     return INT64_C(0);
 }
 

@@ -46,11 +46,11 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
 static OUT_OF_LINE int64_t overlaps__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height, double sign);
 static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t at, double x, double step, double y, double height);
 static OUT_OF_LINE int64_t overlaps__keep_deep(array_double_1d work, double x, double y, double depth);
+static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height);
 static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work);
-static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__merge_deep(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__is_listed(array_double_1d work, double x);
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height);
