@@ -55,10 +55,11 @@ def test_a_share_of_the_combinations(seed):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("rail", "inclination"), PAIRS)
+@pytest.mark.parametrize(("rail", "inclination"), PAIRS[::2] + PAIRS[-1:])
 def test_all_combinations(rail, inclination):
+    """Three quarters of a minute each; the other inclinations have their share above."""
     for chosen in COMBINATIONS:
-        check(rail, inclination, chosen, 17)
+        check(rail, inclination, chosen, 9)
 
 
 def test_methods_change_only_what_they_should():
