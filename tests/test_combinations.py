@@ -47,10 +47,10 @@ def check(rail, inclination, chosen, count):
         assert np.allclose(table.force.z, -157e3, rtol=1e-9)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(4))
 def test_a_share_of_the_combinations(seed):
     rng = random.Random(seed)
-    for chosen in rng.sample(COMBINATIONS, 8):
+    for chosen in rng.sample(COMBINATIONS, 6):
         check(*rng.choice(PAIRS), chosen, 11)
 
 

@@ -300,7 +300,8 @@ def test_true_gap_is_that_of_the_independent_program(system, track, name):
     assert np.min(theirs[np.isinf(ours)], initial=1.0) > 2.5e-4
 
 
-@pytest.mark.parametrize("name", POSES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in ("flange", "light", "left")))
+                                  for name in POSES])
 def test_the_independent_program_agrees(system, track, name):
     """On its grid of 100 or so cells: 3e-4 in penetration, 0.2 % in peak pressure, 0.8 % in area, whose edge it counts
     without the correction for the cells."""

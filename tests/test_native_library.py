@@ -98,6 +98,8 @@ MODES = [{"contact_mode": "elastic", "normal_model": "analyn"},
          {"load": "vertical"},
          {"load": "vertical", "normal_model": "hertz"},
          {"contact_mode": "elastic", "load": "vertical", "separation": "equidistant", "lateral_curvature": "smooth"}]
+QUICK = ("elastic-analyn", "compliant-analyn_strip", "vertical-hertz")
+SHARE = [pytest.param(mode, marks=[pytest.mark.slow] * ("-".join(mode.values()) not in QUICK)) for mode in MODES]
 
 
 @needs_library
@@ -110,7 +112,7 @@ MODES = [{"contact_mode": "elastic", "normal_model": "analyn"},
     {"separation": "equidistant", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "lateral_curvature": "smooth"},
     {"lateral_curvature": "rough", "normal_model": "hertz", "curvature_step": 1e-3},
-    *MODES,
+    *SHARE,
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
     rows = poses(80 if parameters.get("contact_mode") != "elastic" else 30)      # a dozen times the work
@@ -143,7 +145,7 @@ def checked_package(tmp_path_factory):
     {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
-    *MODES,
+    *SHARE,
     pytest.param({"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
                  marks=pytest.mark.slow),
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
