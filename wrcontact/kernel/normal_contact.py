@@ -12,7 +12,8 @@ from math import isfinite, log, pi, sqrt
 from typing import Final
 
 from .analyn import FORCE_SHARP, solve_levels
-from .contact_plane import FRAME_BLUR, FRAME_COS, FRAME_DEPTH, FRAME_PRESSED, FRAME_SIN, FRAME_WHEEL_COS, TRACER_STATION, TRACER_WHEEL, is_yawed, ridge_place
+from .contact_plane import (FRAME_BLUR, FRAME_COS, FRAME_DEPTH, FRAME_PRESSED, FRAME_SIN, FRAME_WHEEL_COS, TRACER_STATION,
+                            TRACER_WHEEL, is_yawed, ridge_place)
 from .hertz import hertz_coefficients, hertz_stiffness, table_value
 from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, LOAD_VERTICAL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA,
                      PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE,
