@@ -1,4 +1,4 @@
-"""Compile the kernel's one translation unit into the library that the package loads.
+"""Compile the kernel's two translation units into the library that the package loads.
 
 Standard library only.  Used by the build backend beside this file, by tools/compile_kernel.py and by tests.
 """
@@ -16,6 +16,9 @@ from pathlib import Path
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 LIBRARY_NAME = runpy.run_path(str(KERNEL / "files.py"))["LIBRARY_NAME"]
+
+#: What steps, and what prepares: units of their own, so that the second takes nothing from the optimising of the first.
+SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c")]
 
 # No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
@@ -39,7 +42,7 @@ def compile_library(target_folder, *, compiler=None, extra_flags=()):
         raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were tried")
     with tempfile.TemporaryDirectory() as scratch:
         built = Path(scratch, LIBRARY_NAME)
-        run = run_compiler(compiler, KERNEL / "native" / "wrcontact_kernel.c", built, extra_flags)
+        run = run_compiler(compiler, SOURCES, built, extra_flags)
         if run.returncode:
             raise CompilerProblem(f"{' '.join(compiler)} failed on the kernel:\n{run.stdout}")
         return place(built, target_folder)
@@ -73,13 +76,13 @@ def makes_library(command):
     with tempfile.TemporaryDirectory() as scratch:
         source = Path(scratch, "probe.c")
         source.write_text(PROBE)
-        return run_compiler(command, source, Path(scratch, LIBRARY_NAME)).returncode == 0
+        return run_compiler(command, [source], Path(scratch, LIBRARY_NAME)).returncode == 0
 
 
-def run_compiler(command, source, library, extra_flags=()):
+def run_compiler(command, sources, library, extra_flags=()):
     """Run the compiler; zig keeps its cache beside ``library``, so that nothing is left behind."""
     cache = str(library.parent / "cache")
-    return subprocess.run([*command, *FLAGS, *extra_flags, str(source), "-o", str(library), "-lm"], text=True, errors="replace",
+    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True, errors="replace",
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           env={**os.environ, "ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache})
 

@@ -16,11 +16,10 @@ import numpy as np
 from .kernel import layout
 from .kernel.library import default_kernel
 from .profiles.files import find_profile
-from .profiles.placement import place_rail, readable_wheel
 from .resolution import resolve
 from .state import WheelsetState
 from .status import Status
-from .tables import build_tables
+from .tables import prepare_tables_of
 
 #: Permitted range and unit of every numeric parameter; ends included.
 RANGES = {
@@ -135,14 +134,8 @@ class ContactSystem:
 
     def _prepare(self):
         chosen = self.parameters
-        placed = place_rail(self.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
-                            gauge_depth=chosen["gauge_depth"])
-        return build_tables(readable_wheel(self.wheel), placed, nominal_radius=chosen["nominal_radius"],
-                            running_circle_distance=chosen["running_circle_distance"],
-                            contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
-                            methods={name: numbers[chosen[name]] for name, numbers in METHOD_NUMBERS.items()},
-                            resolution=self.resolution, curvature_step=chosen["curvature_step"],
-                            curvature_reach=chosen["curvature_reach"])
+        methods = {name: numbers[chosen[name]] for name, numbers in METHOD_NUMBERS.items()}
+        return prepare_tables_of(self.wheel, self.rail, parameters=chosen, methods=methods, resolution=self.resolution)
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)

@@ -20,7 +20,12 @@ from pathlib import Path
 import numpy as np
 
 from .files import HERE, LIBRARY_NAME, fingerprint
-from .layout import INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
+from .layout import INPUT_COUNT, IN_LATERAL_SHIFT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
+from .prepare_tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
+from .starts import START_ROW
+
+#: How many numbers the tables get room for at first, and at most.
+TABLE_ROOM, MOST_ROOM = 100_000, 10_000_000
 
 CHOICES = ("auto", "compiled", "python")
 
@@ -63,6 +68,41 @@ class Kernel:
                   checked("outputs", outputs, OUTPUT_COUNT, written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
+    def prepare(self, setup, wheel, rail, hertz, influence):
+        """Outcome, tables and report of prepare_tables.py for these arrays: a setup, two definitions, two tables."""
+        given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
+                                                          ("hertz", hertz), ("influence", influence))]
+        outcome, room = TABLES_FULL, TABLE_ROOM
+        while outcome == TABLES_FULL and room <= MOST_ROOM:
+            tables, report = np.zeros(room), np.zeros(REPORT_COUNT)
+            work = np.zeros(max(WORK_SIZE + 4 * OUTPUT_COUNT, len(wheel) + len(rail) + room + 1000))
+            outcome = self._prepare([*given, tables, work, report])
+            room *= 4
+        return outcome, tables[:int(report[REPORT_SIZE])].copy(), report
+
+    def _prepare(self, arrays):
+        """One attempt with arrays of this size; the outcome."""
+        if self.compiled:
+            return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
+        source = import_module(".prepare_tables", __package__)
+        views = list(map(view, arrays))
+        outcome = source.prepare(*views)
+        if outcome == source.PREPARED:
+            fill_starts(source, view(arrays[-3][:int(arrays[-1][REPORT_SIZE])]))
+            source.write_methods(views[0], views[-3])
+        return outcome
+
+
+def fill_starts(source, tables):
+    """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
+    step = import_module(".step", __package__).step
+    state, workspace, inputs, outputs = ([0.0] * size for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
+    rows = [0.0] * (START_ROW * source.START_ROW_COUNT)
+    for row in range(source.START_ROW_COUNT):
+        inputs[IN_LATERAL_SHIFT] = source.start_shift(tables, row)
+        source.note_start(rows, row, step(tables, state, workspace, inputs, outputs), outputs)
+    source.keep_starts(tables, rows)
+
 
 class CompiledKernel:
     """The library with its arrays.  ``step()`` makes one step and returns the status."""
@@ -104,6 +144,12 @@ class Span(ctypes.Structure):
     _fields_ = [("data", ctypes.c_void_p), ("length", ctypes.c_int64)]
 
 
+class Preparation(ctypes.Structure):
+    """wrcontact_preparation in native/wrcontact_prepare.h."""
+
+    _fields_ = [(name, Span) for name in ("setup", "wheel", "rail", "hertz", "influence", "tables", "work", "report")]
+
+
 class Handle(ctypes.Structure):
     """wrcontact_handle in native/wrcontact_kernel.h."""
 
@@ -132,6 +178,7 @@ def declare(library):
     library.wrcontact_step.argtypes, library.wrcontact_step.restype = [address], ctypes.c_int
     library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
     library.wrcontact_step_many.restype = ctypes.c_int
+    library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
 
 
 def span(array):

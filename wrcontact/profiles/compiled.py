@@ -111,9 +111,10 @@ def _quintic(low, high, at_low, at_high):
     rest = at_high[0] - (c0 + h * (c1 + h * c2))
     slope = (at_high[1] - (c1 + 2 * h * c2)) * h
     bend = (at_high[2] - 2 * c2) * h * h
-    c3 = (10 * rest - 4 * slope + 0.5 * bend) / h**3
-    c4 = (-15 * rest + 7 * slope - bend) / h**4
-    c5 = (6 * rest - 3 * slope + 0.5 * bend) / h**5
+    cube = h * h * h
+    c3 = (10 * rest - 4 * slope + 0.5 * bend) / cube
+    c4 = (-15 * rest + 7 * slope - bend) / (cube * h)
+    c5 = (6 * rest - 3 * slope + 0.5 * bend) / (cube * h * h)
     return low, (c0, c1, c2, c3, c4, c5)
 
 

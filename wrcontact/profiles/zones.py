@@ -42,9 +42,10 @@ class Arc:
 
     def __call__(self, y):
         u = np.asarray(y, dtype=float) - self.y_centre
-        root = np.sqrt(np.maximum(self.radius**2 - u**2, 0.0))
+        root = np.sqrt(np.maximum(self.radius * self.radius - u * u, 0.0))
         with np.errstate(divide="ignore"):
-            return (self.z_centre + self.side * root, -self.side * u / root, -self.side * self.radius**2 / root**3)
+            return (self.z_centre + self.side * root, -self.side * u / root,
+                    -self.side * (self.radius * self.radius) / (root * root * root))
 
 
 @dataclass(frozen=True)
@@ -86,7 +87,7 @@ class Moved:
                 break
         z, slope, bend = self.zone(t)
         stretch = c - s * slope
-        return s * t + c * z + self.z_shift, (s + c * slope) / stretch, bend / stretch**3
+        return s * t + c * z + self.z_shift, (s + c * slope) / stretch, bend / (stretch * stretch * stretch)
 
 
 def move_zone(zone, angle, y_shift=0.0, z_shift=0.0):

@@ -1,0 +1,335 @@
+/* Generated from prepare_scan.py by tools/transpile_kernel.py; change that one.
+ *
+ * The search's raster over the wheel, with the bounds that certify it: wrcontact/profiles/scan.py in scalars.
+ *
+ * Layout in search.py.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
+ * largest absolute slope of its samples.
+ */
+
+#include "prepare_scan.h"
+
+/* Offset of a profile's first piece. */
+static inline int64_t prepare_scan__first_piece(array_double_1d tables, int64_t base)
+{
+    int64_t result;
+    result = base + (int64_t)((*cspan_at(&tables, base + profile_table__PIECE_OFFSET)));
+    return result;
+}
+
+/* How many pieces a profile has. */
+static inline int64_t prepare_scan__piece_count(array_double_1d tables, int64_t base)
+{
+    int64_t result;
+    result = py_floor_div_int64_t((profile_table__find_piece(tables, base, (*cspan_at(&tables, base + profile_table__STOP))) - prepare_scan__first_piece(tables, base)), profile_table__PIECE_SIZE) + INT64_C(1);
+    return result;
+}
+
+/* Width of the piece at ``at`` [m]. */
+static inline double prepare_scan__piece_width(array_double_1d tables, int64_t base, int64_t at)
+{
+    double stop;
+    double result;
+    stop = (*cspan_at(&tables, at + profile_table__PIECE_SIZE));
+    if (!(stop < (*cspan_at(&tables, base + profile_table__STOP))))
+    {
+        stop = (*cspan_at(&tables, base + profile_table__STOP));
+    }
+    result = stop - (*cspan_at(&tables, at));
+    return result;
+}
+
+/* Slope [-] and second derivative [1/m] of the piece at ``at``, ``u`` [m] from its start. */
+static inline int64_t prepare_scan__slope_bend(double* slope, double* bend, array_double_1d tables, int64_t at, double u)
+{
+    double c1;
+    double c2;
+    double c3;
+    double c4;
+    double c5;
+    c1 = (*cspan_at(&tables, at + INT64_C(2)));
+    c2 = (*cspan_at(&tables, at + INT64_C(3)));
+    c3 = (*cspan_at(&tables, at + INT64_C(4)));
+    c4 = (*cspan_at(&tables, at + INT64_C(5)));
+    c5 = (*cspan_at(&tables, at + INT64_C(6)));
+    (*slope) = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)));
+    (*bend) = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5));
+    return 0;
+}
+
+/* Smallest and largest second derivative and largest absolute slope of a piece's samples between ``low`` and ``high``. */
+static inline int64_t prepare_scan__piece_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t at, double width, double low, double high)
+{
+    int64_t k;
+    double u;
+    double y;
+    double slope;
+    double bend;
+    (*least) = prepare_scan__FAR;
+    (*most) = -prepare_scan__FAR;
+    (*steepest) = 0.0;
+    for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE + INT64_C(1); k += INT64_C(1))
+    {
+        u = width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
+        y = (*cspan_at(&tables, at)) + u;
+        if ((low <= y) && (y <= high))
+        {
+            prepare_scan__slope_bend(&slope, &bend, tables, at, u);
+            (*least) = double_min(2, (*least), bend);
+            (*most) = double_max(2, (*most), bend);
+            (*steepest) = double_max(2, (*steepest), fabs(slope));
+        }
+    }
+    return 0;
+}
+
+/* The ranges of all pieces of a profile into scratch. */
+static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch)
+{
+    int64_t first;
+    int64_t i;
+    int64_t at;
+    double least;
+    double most;
+    double steepest;
+    first = prepare_scan__first_piece(tables, base);
+    for (i = INT64_C(0); i < prepare_scan__piece_count(tables, base); i += INT64_C(1))
+    {
+        at = first + profile_table__PIECE_SIZE * i;
+        prepare_scan__piece_range(&least, &most, &steepest, tables, at, prepare_scan__piece_width(tables, base, at), -prepare_scan__FAR, prepare_scan__FAR);
+        (*cspan_at(&work, scratch + INT64_C(3) * i)) = least;
+        (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(1))) = most;
+        (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(2))) = steepest;
+    }
+    return INT64_C(0);
+}
+
+/* Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and ``high`` [m], clipped to
+ * the profile; every piece counts with both its ends, so that a jump of curvature counts with both its sides.
+ */
+static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high)
+{
+    double start;
+    double stop;
+    double z;
+    double slope;
+    double other;
+    double bend;
+    int64_t first;
+    int64_t last;
+    int64_t begin;
+    int64_t at;
+    double piece_least;
+    double piece_most;
+    double piece_steepest;
+    int64_t i;
+    start = (*cspan_at(&tables, base + profile_table__START));
+    stop = (*cspan_at(&tables, base + profile_table__STOP));
+    low = double_min(2, double_max(2, low, start), stop);
+    high = double_min(2, double_max(2, high, start), stop);
+    profile_table__height_slope_bend(&z, &slope, least, tables, base, low);
+    profile_table__height_slope_bend(&z, &other, most, tables, base, high);
+    (*steepest) = double_max(2, fabs(slope), fabs(other));
+    if ((*most) < (*least))
+    {
+        bend = (*least);
+        (*least) = (*most);
+        (*most) = bend;
+    }
+    first = prepare_scan__first_piece(tables, base);
+    last = profile_table__find_piece(tables, base, high);
+    begin = profile_table__find_piece(tables, base, low);
+    at = int64_t_max(2, begin - profile_table__PIECE_SIZE, first);
+    while(at <= last)
+    {
+        piece_least = prepare_scan__FAR;
+        piece_most = -prepare_scan__FAR;
+        piece_steepest = 0.0;
+        if ((at > begin) && (at < last - profile_table__PIECE_SIZE))
+        {
+            i = py_floor_div_int64_t((at - first), profile_table__PIECE_SIZE);
+            piece_least = (*cspan_at(&work, scratch + INT64_C(3) * i));
+            piece_most = (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(1)));
+            piece_steepest = (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(2)));
+        }
+        else
+        {
+            prepare_scan__piece_range(&piece_least, &piece_most, &piece_steepest, tables, at, prepare_scan__piece_width(tables, base, at), low, high);
+        }
+        (*least) = double_min(2, (*least), piece_least);
+        (*most) = double_max(2, (*most), piece_most);
+        (*steepest) = double_max(2, (*steepest), piece_steepest);
+        at += profile_table__PIECE_SIZE;
+    }
+    return 0;
+}
+
+/* Abscissae of the scan nodes, COARSE_STEP apart where the wheel is nearly straight, else FINE_STEP; the number of the
+ * first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes, or TOO_WIDE or FULL.
+ */
+static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t base, int64_t wheel, array_double_1d work, int64_t scratch, int64_t firsts)
+{
+    double start;
+    double stop;
+    int64_t count;
+    double edge;
+    int64_t node;
+    int64_t i;
+    double y;
+    double least;
+    double most;
+    double steepest;
+    start = (*cspan_at(&tables, wheel + profile_table__START));
+    stop = (*cspan_at(&tables, wheel + profile_table__STOP));
+    count = (int64_t)((stop - start) / prepare_scan__COARSE_STEP);
+    edge = start + 0.5 * (stop - start - (double)(count) * prepare_scan__COARSE_STEP);
+    if (base + search__SCAN_NODES + search__SCAN_ROW * (INT64_C(2) * count + INT64_C(1)) > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    node = INT64_C(0);
+    for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
+    {
+        y = edge + prepare_scan__COARSE_STEP * (double)(i);
+        (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y;
+        (*cspan_at(&work, firsts + i)) = (double)(node);
+        node += INT64_C(1);
+        if (i < count)
+        {
+            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, edge + prepare_scan__COARSE_STEP * (double)(i + INT64_C(1)));
+            if (double_max(2, fabs(least), fabs(most)) > prepare_scan__STRAIGHT)
+            {
+                (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y + prepare_scan__FINE_STEP;
+                node += INT64_C(1);
+            }
+        }
+    }
+    if (node > layout__SCAN_LIMIT)
+    {
+        node = prepare_scan__TOO_WIDE;
+    }
+    return node;
+}
+
+/* Height, slope and bounds of the nodes; stretches end with the table.
+ *
+ * Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
+ */
+static inline int64_t prepare_scan__write_wheel_rows(array_double_1d tables, int64_t base, int64_t wheel, int64_t count, array_double_1d work, int64_t scratch)
+{
+    int64_t node;
+    int64_t row;
+    double y;
+    double z;
+    double slope;
+    int64_t cells;
+    int64_t level;
+    int64_t end;
+    double least;
+    double most;
+    double steepest;
+    for (node = INT64_C(0); node < count; node += INT64_C(1))
+    {
+        row = base + search__SCAN_NODES + search__SCAN_ROW * node;
+        y = (*cspan_at(&tables, row + search__ROW_Y));
+        profile_table__height_slope(&z, &slope, tables, wheel, y);
+        (*cspan_at(&tables, row + search__ROW_HEIGHT)) = z;
+        (*cspan_at(&tables, row + search__ROW_SLOPE)) = slope;
+        cells = INT64_C(1);
+        for (level = INT64_C(0); level < search__LEVELS; level += INT64_C(1))
+        {
+            end = int64_t_min(2, node + cells, count - INT64_C(1));
+            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * end + search__ROW_Y)));
+            (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level)) = double_max(2, fabs(least), fabs(most));
+            if (!(steepest < search__STEEP))
+            {
+                most = prepare_scan__TOO_STEEP;
+            }
+            (*cspan_at(&tables, row + search__ROW_MOST_BENDS + level)) = most;
+            if (level == INT64_C(0))
+            {
+                (*cspan_at(&tables, row + search__ROW_LEAST_BEND)) = least;
+            }
+            cells += cells;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Bounds of the rail's raster at offset ``at``.
+ *
+ * A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
+ */
+static inline int64_t prepare_scan__write_rail_rows(array_double_1d tables, int64_t at, int64_t rail, int64_t count, array_double_1d work, int64_t scratch)
+{
+    int64_t cell;
+    int64_t row;
+    double edge;
+    double least;
+    double most;
+    double steepest;
+    double cells;
+    int64_t level;
+    double length;
+    for (cell = INT64_C(0); cell < count; cell += INT64_C(1))
+    {
+        row = at + search__RAIL_ROW * cell;
+        edge = (*cspan_at(&tables, rail + profile_table__START)) + prepare_scan__FINE_STEP * (double)(cell);
+        prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - prepare_scan__FINE_STEP, edge + prepare_scan__FINE_STEP + 1.5 * prepare_scan__COARSE_STEP);
+        (*cspan_at(&tables, row + search__RAIL_LEAST_BEND)) = least;
+        (*cspan_at(&tables, row + search__RAIL_MOST_BEND)) = most;
+        cells = 1.0;
+        for (level = INT64_C(0); level < search__LEVELS + INT64_C(1); level += INT64_C(1))
+        {
+            length = prepare_scan__FINE_STEP * (1.01 + (1.0 + search__WIDEST) * 1.01 * cells);
+            prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - 0.01 * prepare_scan__FINE_STEP, edge + length);
+            (*cspan_at(&tables, row + search__RAIL_LEAST_BENDS + level)) = least;
+            cells += cells;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* The scan table at ``base`` from the profile tables ``wheel`` and ``rail``; the offset after it, or TOO_WIDE or FULL. */
+static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t base, int64_t wheel, int64_t rail, array_double_1d work, int64_t scratch)
+{
+    int64_t pieces;
+    int64_t firsts;
+    int64_t count;
+    int64_t bins;
+    int64_t cells;
+    int64_t rail_offset;
+    int64_t bin_offset;
+    int64_t i;
+    pieces = int64_t_max(2, prepare_scan__piece_count(tables, wheel), prepare_scan__piece_count(tables, rail));
+    firsts = scratch + INT64_C(3) * pieces;
+    prepare_scan__sample_pieces(tables, wheel, work, scratch);
+    count = prepare_scan__write_raster(tables, base, wheel, work, scratch, firsts);
+    if (count < INT64_C(0))
+    {
+        return count;
+    }
+    bins = (int64_t)(((*cspan_at(&tables, wheel + profile_table__STOP)) - (*cspan_at(&tables, wheel + profile_table__START))) / prepare_scan__COARSE_STEP);
+    cells = (int64_t)((int64_t)ceil(((*cspan_at(&tables, rail + profile_table__STOP)) - (*cspan_at(&tables, rail + profile_table__START))) / prepare_scan__FINE_STEP));
+    rail_offset = search__SCAN_NODES + search__SCAN_ROW * count;
+    bin_offset = rail_offset + search__RAIL_ROW * cells;
+    if (base + bin_offset + bins > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    prepare_scan__write_wheel_rows(tables, base, wheel, count, work, scratch);
+    prepare_scan__sample_pieces(tables, rail, work, scratch);
+    prepare_scan__write_rail_rows(tables, base + rail_offset, rail, cells, work, scratch);
+    (*cspan_at(&tables, base + search__SCAN_COUNT)) = (double)(count);
+    (*cspan_at(&tables, base + search__SCAN_RAIL_COUNT)) = (double)(cells);
+    (*cspan_at(&tables, base + search__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + profile_table__START));
+    (*cspan_at(&tables, base + search__SCAN_RAIL_PER_METRE)) = 1.0 / prepare_scan__FINE_STEP;
+    (*cspan_at(&tables, base + search__SCAN_RAIL_OFFSET)) = (double)(rail_offset);
+    (*cspan_at(&tables, base + search__SCAN_BIN_OFFSET)) = (double)(bin_offset);
+    (*cspan_at(&tables, base + search__SCAN_BIN_COUNT)) = (double)(bins);
+    (*cspan_at(&tables, base + search__SCAN_BINS_PER_METRE)) = 1.0 / prepare_scan__COARSE_STEP;
+    for (i = INT64_C(0); i < bins; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, base + bin_offset + i)) = (*cspan_at(&work, firsts + i));
+    }
+    return base + bin_offset + bins;
+}

@@ -1,0 +1,239 @@
+/* Generated from prepare_tables.py by tools/transpile_kernel.py; change that one.
+ *
+ * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
+ * do at the start, outside the hot unit.
+ *
+ * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then the kernel itself fills
+ * the table of starts (``start_shift`` and ``keep_start``), and last come the methods (``write_methods``).
+ */
+
+#include "prepare_tables.h"
+
+/* Copy a definition into the workspace; the offset after it. */
+static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at)
+{
+    int64_t size;
+    int64_t i;
+    size = prepare_zones__DEFINITION_ZONES + (int64_t)((*cspan_at(&definition, prepare_zones__DEFINITION_COUNT))) * (int64_t)((*cspan_at(&definition, prepare_zones__DEFINITION_ROW)));
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&work, at + i)) = (*cspan_at(&definition, i));
+    }
+    return at + size;
+}
+
+/* Cut the wheel's and place the rail's definition in the workspace, and note where the rail stands; the outcome. */
+static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report)
+{
+    double angle;
+    double y_top;
+    double z_top;
+    double depth;
+    double y_gauge;
+    double reached;
+    angle = -atan((*cspan_at(&setup, prepare_tables__SETUP_INCLINATION)));
+    prepare_placement__highest_point(&y_top, &z_top, work, rail, angle);
+    depth = z_top + (*cspan_at(&setup, prepare_tables__SETUP_GAUGE_DEPTH)) / prepare_pieces__MM;
+    prepare_placement__inner_face(&y_gauge, &reached, work, rail, angle, depth);
+    if (reached < depth)
+    {
+        (*cspan_at(&report, prepare_tables__REPORT_DEEPEST)) = reached * prepare_pieces__MM;
+        (*cspan_at(&report, prepare_tables__REPORT_DEPTH)) = depth * prepare_pieces__MM;
+        return prepare_tables__GAUGE_TOO_DEEP;
+    }
+    (*cspan_at(&tables, layout__SET_RAIL_Y)) = (*cspan_at(&setup, prepare_tables__SETUP_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    prepare_placement__turn_zones(work, rail, angle, -y_top, -z_top);
+    prepare_placement__turn_zones(work, wheel, 0.0, 0.0, 0.0);
+    if ((prepare_placement__keep_around_top(work, rail) == INT64_C(0)) || (prepare_placement__keep_around_top(work, wheel) == INT64_C(0)))
+    {
+        return prepare_tables__WITHOUT_HEAD;
+    }
+    return prepare_tables__PREPARED;
+}
+
+/* The settings that are known from the beginning, with each method's first choice. */
+static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables)
+{
+    double nu;
+    (*cspan_at(&tables, layout__SET_RADIUS)) = (*cspan_at(&setup, prepare_tables__SETUP_RADIUS));
+    (*cspan_at(&tables, layout__SET_ARM)) = 0.5 * (*cspan_at(&setup, prepare_tables__SETUP_CIRCLE_DISTANCE));
+    nu = (*cspan_at(&setup, prepare_tables__SETUP_POISSON_RATIO));
+    (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) = (*cspan_at(&setup, prepare_tables__SETUP_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
+    (*cspan_at(&tables, layout__SET_LATERAL_LIMIT)) = prepare_tables__LATERAL_LIMIT;
+    (*cspan_at(&tables, layout__SET_YAW_LIMIT)) = prepare_tables__YAW_LIMIT;
+    (*cspan_at(&tables, layout__SET_NODES)) = (*cspan_at(&setup, prepare_tables__SETUP_NODES));
+    (*cspan_at(&tables, layout__SET_STRIDE)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIDE));
+    (*cspan_at(&tables, layout__SET_STRIPS)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIPS));
+    (*cspan_at(&tables, layout__SET_SWEEPS)) = (*cspan_at(&setup, prepare_tables__SETUP_SWEEPS));
+    (*cspan_at(&tables, layout__SET_PENETRATION_LEFT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__SET_PENETRATION_RIGHT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__SET_SIDES)) = (double)(layout__SIDES_BOTH);
+    (*cspan_at(&tables, layout__SET_DEPTH)) = (double)(layout__DEPTH_ALL);
+    (*cspan_at(&tables, layout__SET_ABSENT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    return INT64_C(0);
+}
+
+/* The chosen methods. */
+static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables)
+{
+    (*cspan_at(&tables, layout__SET_MODE)) = (*cspan_at(&setup, prepare_tables__SETUP_MODE));
+    (*cspan_at(&tables, layout__SET_LOAD)) = (*cspan_at(&setup, prepare_tables__SETUP_LOAD));
+    (*cspan_at(&tables, layout__SET_NORMAL_MODEL)) = (*cspan_at(&setup, prepare_tables__SETUP_NORMAL_MODEL));
+    (*cspan_at(&tables, layout__SET_SEPARATION)) = (*cspan_at(&setup, prepare_tables__SETUP_SEPARATION));
+    (*cspan_at(&tables, layout__SET_LONGITUDINAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LONGITUDINAL));
+    (*cspan_at(&tables, layout__SET_LATERAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LATERAL));
+    return INT64_C(0);
+}
+
+/* Copy a whole table to ``at`` and note that; the offset after it, or FULL. */
+static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at, int64_t setting, array_double_1d table)
+{
+    int64_t size;
+    int64_t i;
+    size = (int64_t)table.shape[INT64_C(0)];
+    if (at + size > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    (*cspan_at(&tables, setting)) = (double)(at);
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, at + i)) = (*cspan_at(&table, i));
+    }
+    return at + size;
+}
+
+/* A table of starts with nothing known at ``at``; the offset after it, or FULL. */
+static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at)
+{
+    int64_t size;
+    int64_t i;
+    size = starts__START_ROWS + starts__START_ROW * prepare_tables__START_ROW_COUNT;
+    if (at + size > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    (*cspan_at(&tables, layout__SET_STARTS)) = (double)(at);
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, at + i)) = 0.0;
+    }
+    (*cspan_at(&tables, at + starts__START_COUNT)) = (double)(prepare_tables__START_ROW_COUNT);
+    (*cspan_at(&tables, at + starts__START_FIRST)) = -prepare_tables__LATERAL_LIMIT;
+    (*cspan_at(&tables, at + starts__START_PER_METRE)) = prepare_tables__STARTS_EACH_METRE;
+    return at + size;
+}
+
+/* Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
+ * as the tables.
+ */
+static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report)
+{
+    int64_t kind;
+    int64_t i;
+    int64_t rail_zones;
+    int64_t scratch;
+    int64_t outcome;
+    int64_t wheel;
+    int64_t rail;
+    int64_t at;
+    kind = (int64_t)((*cspan_at(&setup, prepare_tables__SETUP_LATERAL)));
+    for (i = INT64_C(0); i < layout__SETTING_COUNT; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, i)) = 0.0;
+    }
+    rail_zones = prepare_tables__copy_definition(wheel_definition, work, INT64_C(0));
+    scratch = prepare_tables__copy_definition(rail_definition, work, rail_zones);
+    outcome = prepare_tables__place_zones(setup, work, INT64_C(0), rail_zones, tables, report);
+    if (outcome != prepare_tables__PREPARED)
+    {
+        return outcome;
+    }
+    prepare_tables__write_settings(setup, tables);
+    wheel = layout__SETTING_COUNT;
+    (*cspan_at(&tables, layout__SET_WHEEL)) = (double)(wheel);
+    rail = prepare_pieces__write_profile(tables, wheel, work, INT64_C(0), (*cspan_at(&setup, prepare_tables__SETUP_NAN)), work, scratch);
+    if (rail == prepare_pieces__FULL)
+    {
+        return prepare_tables__TABLES_FULL;
+    }
+    (*cspan_at(&tables, layout__SET_RAIL)) = (double)(rail);
+    at = prepare_pieces__write_profile(tables, rail, work, rail_zones, (*cspan_at(&setup, prepare_tables__SETUP_NAN)), work, scratch);
+    if (at == prepare_pieces__FULL)
+    {
+        return prepare_tables__TABLES_FULL;
+    }
+    (*cspan_at(&tables, layout__SET_SCAN)) = (double)(at);
+    at = prepare_scan__write_scan(tables, at, wheel, rail, work, scratch);
+    if (at == prepare_scan__TOO_WIDE)
+    {
+        (*cspan_at(&report, prepare_tables__REPORT_WIDTH)) = (*cspan_at(&tables, wheel + profile_table__STOP)) - (*cspan_at(&tables, wheel + profile_table__START));
+        return prepare_tables__WHEEL_TOO_WIDE;
+    }
+    if (at != prepare_pieces__FULL)
+    {
+        at = prepare_tables__append(tables, at, layout__SET_HERTZ, hertz);
+    }
+    if (at != prepare_pieces__FULL)
+    {
+        at = prepare_tables__append(tables, at, layout__SET_INFLUENCE, influence);
+    }
+    if (at != prepare_pieces__FULL)
+    {
+        at = prepare_tables__append_starts(tables, at);
+    }
+    if (at != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, layout__SET_WHEEL_CURVATURE)) = (double)(at);
+        at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, kind, (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_STEP)), (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_REACH)), work, scratch);
+    }
+    if (at != prepare_pieces__FULL)
+    {
+        (*cspan_at(&tables, layout__SET_RAIL_CURVATURE)) = (double)(at);
+        at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, kind, (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_STEP)), (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_REACH)), work, scratch);
+    }
+    if (at == prepare_pieces__FULL)
+    {
+        return prepare_tables__TABLES_FULL;
+    }
+    (*cspan_at(&report, prepare_tables__REPORT_SIZE)) = (double)(at);
+    return prepare_tables__PREPARED;
+}
+
+/* Lateral shift [m] of a row of the table of starts. */
+static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row)
+{
+    int64_t base;
+    double result;
+    base = (int64_t)((*cspan_at(&tables, layout__SET_STARTS)));
+    result = (*cspan_at(&tables, base + starts__START_FIRST)) + (double)(row) / (*cspan_at(&tables, base + starts__START_PER_METRE));
+    return result;
+}
+
+/* Note in ``rows`` where the wheelset of a row stands, if it does. */
+static inline int64_t prepare_tables__note_start(array_double_1d rows, int64_t row, int64_t status, array_double_1d outputs)
+{
+    int64_t at;
+    at = starts__START_ROW * row;
+    if (status <= layout__UNLOADED)
+    {
+        (*cspan_at(&rows, at + starts__START_KNOWN)) = 1.0;
+        (*cspan_at(&rows, at + starts__START_ROLL)) = (*cspan_at(&outputs, layout__OUT_ROLL));
+        (*cspan_at(&rows, at + starts__START_LEFT)) = (*cspan_at(&outputs, layout__OUT_LEFT + layout__SIDE_Y_WHEEL));
+        (*cspan_at(&rows, at + starts__START_RIGHT)) = (*cspan_at(&outputs, layout__OUT_RIGHT + layout__SIDE_Y_WHEEL));
+    }
+    return INT64_C(0);
+}
+
+/* Put all rows in their place; not before the last one is known, as the kernel reads them. */
+static inline int64_t prepare_tables__keep_starts(array_double_1d tables, array_double_1d rows)
+{
+    int64_t base;
+    int64_t i;
+    base = (int64_t)((*cspan_at(&tables, layout__SET_STARTS))) + starts__START_ROWS;
+    for (i = INT64_C(0); i < starts__START_ROW * prepare_tables__START_ROW_COUNT; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, base + i)) = (*cspan_at(&rows, i));
+    }
+    return INT64_C(0);
+}

@@ -1,0 +1,71 @@
+/* Generated from prepare_tables.py by tools/transpile_kernel.py; change that one.
+ *
+ * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
+ * do at the start, outside the hot unit.
+ *
+ * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then the kernel itself fills
+ * the table of starts (``start_shift`` and ``keep_start``), and last come the methods (``write_methods``).
+ */
+
+#ifndef WRCONTACT_KERNEL_PREPARE_TABLES_H
+#define WRCONTACT_KERNEL_PREPARE_TABLES_H
+
+#include "../native/spans.h"
+#include "layout.h"
+#include "prepare_curvatures.h"
+#include "prepare_pieces.h"
+#include "prepare_placement.h"
+#include "prepare_scan.h"
+#include "prepare_zones.h"
+#include "profile_table.h"
+#include "starts.h"
+
+static const int64_t prepare_tables__SETUP_INCLINATION = INT64_C(0);
+static const int64_t prepare_tables__SETUP_GAUGE = INT64_C(1);
+static const int64_t prepare_tables__SETUP_GAUGE_DEPTH = INT64_C(2);
+static const int64_t prepare_tables__SETUP_CIRCLE_DISTANCE = INT64_C(3);
+static const int64_t prepare_tables__SETUP_RADIUS = INT64_C(4);
+static const int64_t prepare_tables__SETUP_YOUNGS_MODULUS = INT64_C(5);
+static const int64_t prepare_tables__SETUP_POISSON_RATIO = INT64_C(6);
+static const int64_t prepare_tables__SETUP_CURVATURE_STEP = INT64_C(7);
+static const int64_t prepare_tables__SETUP_CURVATURE_REACH = INT64_C(8);
+static const int64_t prepare_tables__SETUP_NODES = INT64_C(9);
+static const int64_t prepare_tables__SETUP_STRIDE = INT64_C(10);
+static const int64_t prepare_tables__SETUP_STRIPS = INT64_C(11);
+static const int64_t prepare_tables__SETUP_SWEEPS = INT64_C(12);
+static const int64_t prepare_tables__SETUP_MODE = INT64_C(13);
+static const int64_t prepare_tables__SETUP_LOAD = INT64_C(14);
+static const int64_t prepare_tables__SETUP_NORMAL_MODEL = INT64_C(15);
+static const int64_t prepare_tables__SETUP_SEPARATION = INT64_C(16);
+static const int64_t prepare_tables__SETUP_LONGITUDINAL = INT64_C(17);
+static const int64_t prepare_tables__SETUP_LATERAL = INT64_C(18);
+static const int64_t prepare_tables__SETUP_NAN = INT64_C(19);
+static const int64_t prepare_tables__SETUP_SIZE = INT64_C(20);
+static const int64_t prepare_tables__PREPARED = INT64_C(0);
+static const int64_t prepare_tables__TABLES_FULL = INT64_C(1);
+static const int64_t prepare_tables__GAUGE_TOO_DEEP = INT64_C(2);
+static const int64_t prepare_tables__WITHOUT_HEAD = INT64_C(3);
+static const int64_t prepare_tables__WHEEL_TOO_WIDE = INT64_C(4);
+static const int64_t prepare_tables__REPORT_SIZE = INT64_C(0);
+static const int64_t prepare_tables__REPORT_DEEPEST = INT64_C(1);
+static const int64_t prepare_tables__REPORT_WIDTH = INT64_C(2);
+static const int64_t prepare_tables__REPORT_DEPTH = INT64_C(3);
+static const int64_t prepare_tables__REPORT_COUNT = INT64_C(4);
+static const double prepare_tables__LATERAL_LIMIT = 0.015;
+static const double prepare_tables__YAW_LIMIT = 0.12;
+static const double prepare_tables__START_STEP = 0.0005;
+static const int64_t prepare_tables__START_ROW_COUNT = INT64_C(61);
+static const double prepare_tables__STARTS_EACH_METRE = 2000.0;
+
+static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at);
+static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report);
+static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables);
+static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables);
+static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at, int64_t setting, array_double_1d table);
+static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at);
+static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report);
+static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
+static inline int64_t prepare_tables__note_start(array_double_1d rows, int64_t row, int64_t status, array_double_1d outputs);
+static inline int64_t prepare_tables__keep_starts(array_double_1d tables, array_double_1d rows);
+
+#endif

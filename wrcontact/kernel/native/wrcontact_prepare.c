@@ -1,0 +1,53 @@
+/* The second translation unit: what prepares the tables.  It stands apart so that the compiler spends nothing on it that it
+ * would take from the steps.
+ */
+#include "wrcontact_prepare.h"
+
+#include <string.h>
+
+#include "../generated/prepare_unit.c"
+
+enum {
+    ROWS = 61 * 4       /* numbers of the table of starts, as in prepare_tables.py */
+};
+
+/* Where the wheelset stands without load at the shifts of the table of starts, from the kernel itself. */
+static void fill_starts(array_double_1d tables, double *work)
+{
+    const int64_t sizes[] = {layout__STATE_SIZE, layout__WORK_SIZE, layout__INPUT_COUNT, layout__OUTPUT_COUNT, ROWS};
+    array_double_1d parts[5];
+    for (int i = 0; i < 5; i += 1)
+    {
+        parts[i] = span_of(work, sizes[i]);
+        memset(work, 0, (size_t)sizes[i] * sizeof *work);
+        work += sizes[i];
+    }
+    const wrcontact_handle handle = {tables, parts[0], parts[1], parts[2], parts[3]};
+    for (int64_t row = 0; row < prepare_tables__START_ROW_COUNT; row += 1)
+    {
+        parts[2].data[layout__IN_LATERAL_SHIFT] = prepare_tables__start_shift(tables, row);
+        prepare_tables__note_start(parts[4], row, wrcontact_step(&handle), parts[3]);
+    }
+    prepare_tables__keep_starts(tables, parts[4]);
+}
+
+int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation)
+{
+    const int64_t zones = preparation->wheel.shape[0] + preparation->rail.shape[0];
+    const int64_t starts = layout__STATE_SIZE + layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT + ROWS;
+    const int64_t needed = zones + preparation->tables.shape[0] + 1000;
+    return needed > starts ? needed : starts;
+}
+
+int wrcontact_prepare(const wrcontact_preparation *p)
+{
+    const int outcome = (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->hertz, p->influence, p->tables, p->work,
+                                                     p->report);
+    if (outcome == prepare_tables__PREPARED)
+    {
+        const int64_t size = (int64_t)p->report.data[prepare_tables__REPORT_SIZE];
+        fill_starts(span_of(p->tables.data, size), p->work.data);
+        prepare_tables__write_methods(p->setup, p->tables);
+    }
+    return outcome;
+}

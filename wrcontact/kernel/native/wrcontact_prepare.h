@@ -1,0 +1,28 @@
+/* What a simulation needs at its start: the kernel's tables from definitions of the profiles and the parameters.
+ *
+ * The arrays are told by generated/prepare_tables.h (setup, report, outcome) and generated/prepare_zones.h (definitions).
+ * The caller owns all memory; nothing is allocated.
+ */
+#ifndef WRCONTACT_PREPARE_H
+#define WRCONTACT_PREPARE_H
+
+#include "wrcontact_kernel.h"
+
+typedef struct {
+    array_double_1d setup;
+    array_double_1d wheel;
+    array_double_1d rail;
+    array_double_1d hertz;
+    array_double_1d influence;
+    array_double_1d tables;         /* are written, as far as report tells */
+    array_double_1d work;           /* at least wrcontact_prepare_room(preparation) numbers */
+    array_double_1d report;
+} wrcontact_preparation;
+
+/* How long the work array has to be for these definitions and this length of the tables. */
+WRCONTACT_EXPORT int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation);
+
+/* Fill the tables; the outcome.  Where they are too short it says so, and a longer array is the remedy. */
+WRCONTACT_EXPORT int wrcontact_prepare(const wrcontact_preparation *preparation);
+
+#endif
