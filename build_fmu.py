@@ -1,4 +1,4 @@
-"""Pack the FMU and print its path: ``python build_fmu.py [--output DIR] [--wheel FILE] [--rail FILE]``.
+"""Pack the FMU and print its path: ``python build_fmu.py [--native] [--output DIR] [--wheel FILE] [--rail FILE]``.
 
 The door to ``wrcontact.fmu``.  Where an installed wrcontact is the one of this folder it is taken, because it has the
 compiled kernel; otherwise the source here, compiled or not.

@@ -38,7 +38,7 @@ def model_description(guid, tool, version, starts):
         variableNamingConvention="structured",
     )
     SubElement(root, "CoSimulation", CAPABILITIES)
-    _units(SubElement(root, "UnitDefinitions"))
+    unit_definitions(SubElement(root, "UnitDefinitions"))
     categories = SubElement(root, "LogCategories")
     for name, meaning in LOG_CATEGORIES.items():
         SubElement(categories, "Category", name=name, description=meaning)
@@ -49,13 +49,13 @@ def model_description(guid, tool, version, starts):
     return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
 
 
-def _units(parent):
+def unit_definitions(parent):
     """Units by their SI exponents, each with the unit to show."""
     for unit in UNITS.values():
         element = SubElement(parent, "Unit", name=unit.name)
         SubElement(element, "BaseUnit", {base: str(exponent) for base, exponent in unit.base.items()})
         if unit.display:
-            SubElement(element, "DisplayUnit", name=unit.display, factor=_number(unit.display_factor))
+            SubElement(element, "DisplayUnit", name=unit.display, factor=number_text(unit.display_factor))
 
 
 def _variables(parent, starts):
@@ -72,10 +72,10 @@ def _variables(parent, starts):
         )
         if variable.causality != INPUT:
             element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
-        SubElement(element, variable.type, _type_attributes(variable, starts))
+        SubElement(element, variable.type, attributes_of(variable, starts))
 
 
-def _type_attributes(variable, starts):
+def attributes_of(variable, starts):
     """Start, unit and limits of one variable, as text."""
     unit = UNITS.get(variable.unit)
     attributes = {
@@ -87,10 +87,10 @@ def _type_attributes(variable, starts):
         "max": variable.maximum,
         "nominal": variable.nominal,
     }
-    return {name: _number(value) for name, value in attributes.items() if value not in (None, "")}
+    return {name: number_text(value) for name, value in attributes.items() if value not in (None, "")}
 
 
-def _number(value):
+def number_text(value):
     """A number so that it is read back exactly; text as it is."""
     return repr(value) if isinstance(value, float) else str(value)
 

@@ -20,6 +20,7 @@ import pythonfmu
 from .. import ContactSystem, __version__
 from ..profiles.files import prepared_text
 from . import SOURCES
+from .compilers import PLATFORMS
 from .description import MODEL, model_description
 from .documentation import documentation_page
 from .online import PACKAGE, online_files
@@ -169,8 +170,21 @@ def main(arguments=None):
     for kind in ("wheel", "rail"):
         meaning = f"{kind} profile to pack and use by default: a file of points in mm, or a built-in name"
         parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
+    parser.add_argument("--native", action="store_true", help="pack FMUs that need no Python, for FMI 2.0 and FMI 3.0")
+    parser.add_argument("--platforms", metavar="NAME[,NAME]", help="of the native FMUs: this machine's by default, or "
+                        f"{', '.join(PLATFORMS)}, or all; others than this machine's take ziglang")
+    chosen = vars(parser.parse_args(arguments))
+    native, platforms = chosen.pop("native"), chosen.pop("platforms")
+    if platforms and not native:
+        parser.error("--platforms belongs to --native")
     try:
-        print(build_fmu(**vars(parser.parse_args(arguments))))
+        if native:
+            from .native import build_native_fmus
+
+            names = list(PLATFORMS) if platforms == "all" else platforms and platforms.split(",")
+            print(*build_native_fmus(**chosen, platforms=names), sep="\n")
+        else:
+            print(build_fmu(**chosen))
     except (ValueError, OSError) as problem:
         print(f"build_fmu.py: {problem}", file=sys.stderr)
         return 1

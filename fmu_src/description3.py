@@ -1,0 +1,97 @@
+"""The modelDescription.xml of FMI 3.0, from the one table of variables; outlines are arrays there."""
+
+import re
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
+
+from ..interface.variables import INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
+from ..kernel.layout import STATION_COUNT
+from .description import DESCRIPTION, LOG_CATEGORIES, MODEL, attributes_of, number_text, unit_definitions
+
+CAPABILITIES = {
+    "modelIdentifier": MODEL,
+    "needsExecutionTool": "false",
+    "canBeInstantiatedOnlyOncePerProcess": "false",
+    "canGetAndSetFMUState": "true",
+    "canSerializeFMUState": "true",
+    "providesDirectionalDerivatives": "false",
+    "canHandleVariableCommunicationStepSize": "true",
+}
+
+TYPES = {REAL: "Float64", INTEGER: "Int32", STRING: "String"}
+FIRST_STATION = re.compile(r"(.*\.(?:station|half_length|pressure))\[1\]")
+TIME = -1
+
+
+def variable_blocks():
+    """(name, first, count) of every FMI 3 variable: where its values lie in the table; the time's are at TIME.
+
+    Its value reference is its place in this list, counted from 1.
+    """
+    blocks, reference = [("time", TIME, 1)], 0
+    while reference < len(VARIABLES):
+        name = VARIABLES[reference].name
+        array = FIRST_STATION.fullmatch(name)
+        blocks.append((array[1], reference, STATION_COUNT) if array else (name, reference, 1))
+        reference += blocks[-1][2]
+    return blocks
+
+
+def model_description(token, tool, version, starts):
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's."""
+    root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token, description=DESCRIPTION,
+                   version=version, generationTool=tool, variableNamingConvention="structured")
+    SubElement(root, "CoSimulation", CAPABILITIES)
+    unit_definitions(SubElement(root, "UnitDefinitions"))
+    categories = SubElement(root, "LogCategories")
+    for name, meaning in LOG_CATEGORIES.items():
+        SubElement(categories, "Category", name=name, description=meaning)
+    SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
+    blocks = variable_blocks()
+    variables = SubElement(root, "ModelVariables")
+    for reference, block in enumerate(blocks, 1):
+        _variable(variables, reference, *block, starts)
+    _structure(SubElement(root, "ModelStructure"), blocks)
+    indent(root)
+    return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+
+
+def _variable(parent, reference, name, first, count, starts):
+    """One variable, or one array of them."""
+    if first == TIME:
+        SubElement(parent, "Float64", name=name, valueReference=str(reference), causality="independent",
+                   variability="continuous", description="Simulation time")
+        return
+    variable = VARIABLES[first]
+    element = SubElement(parent, TYPES[variable.type], name=name, valueReference=str(reference),
+                         description=variable.description if count == 1 else _of_all(variable),
+                         causality=variable.causality, variability=variable.variability)
+    if variable.causality != INPUT:
+        element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
+    attributes = attributes_of(variable, starts)
+    start = attributes.pop("start", None)
+    for key, value in attributes.items():
+        element.set(key, value)
+    if variable.type == STRING:
+        SubElement(element, "Start", value=start)
+    elif start is not None:
+        element.set("start", start)
+    if count > 1:
+        SubElement(element, "Dimension", start=number_text(count))
+
+
+def _of_all(variable):
+    """What an array means: its first value's meaning without the place of that."""
+    return f"{variable.place.split(',')[0]}: {variable.meaning}"
+
+
+def _structure(parent, blocks):
+    """Which inputs each output follows, and what is computed in initialisation from which inputs and parameters."""
+    known = {name: reference for reference, (name, _, _) in enumerate(blocks, 1)}
+    numeric = [known[v.name] for v in VARIABLES if v.causality == PARAMETER and v.type != STRING]
+    for section, extra in (("Output", []), ("InitialUnknown", numeric)):
+        for reference, (_, first, _) in enumerate(blocks, 1):
+            if first == TIME or VARIABLES[first].causality != OUTPUT:
+                continue
+            follows = sorted([known[name] for name in VARIABLES[first].depends_on] + extra)
+            SubElement(parent, section, valueReference=str(reference), dependencies=" ".join(map(str, follows)),
+                       dependenciesKind=" ".join("dependent" for _ in follows))

@@ -1,0 +1,439 @@
+/* FMI 3.0 co-simulation: hands values to a wheelset and takes them back.
+ *
+ * A variable of FMI 3 is a block of neighbouring values of the wheelset: one value, or an outline's array.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "fmi3Functions.h"
+#include "wheelset.h"
+
+typedef struct {
+    wheelset *wheelset;
+    fmi3InstanceEnvironment environment;
+    fmi3LogMessageCallback log;
+    bool warnings, errors;          /* log categories that are on */
+} instance;
+
+typedef const fmi3ValueReference *reference_list;
+
+static void tell_warning(void *owner, const char *sentence)
+{
+    const instance *self = owner;
+    if (self->warnings && self->log)
+        self->log(self->environment, fmi3Warning, "logStatusWarning", sentence);
+}
+
+/* What an action's outcome is to the host. */
+static fmi3Status answer(const instance *self, int refused)
+{
+    if (!refused)
+        return fmi3OK;
+    if (self->errors && self->log)
+        self->log(self->environment, fmi3Error, "logStatusError", self->wheelset->sentence);
+    return fmi3Error;
+}
+
+static fmi3Status refuse(const instance *self, const char *function, const char *reason)
+{
+    return self ? answer(self, wheelset_refuse(self->wheelset, "%s: %s", function, reason)) : fmi3Error;
+}
+
+/* --- creation ------------------------------------------------------------------------------------------ */
+
+const char *fmi3GetVersion(void) { return fmi3Version; }
+
+static fmi3Instance refuse_instance(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, const char *sentence)
+{
+    if (log)
+        log(environment, fmi3Error, "logStatusError", sentence);
+    return NULL;
+}
+
+fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                         fmi3Boolean logging, fmi3Boolean events, fmi3Boolean early_return,
+                                         const fmi3ValueReference intermediate[], size_t intermediate_count,
+                                         fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+                                         fmi3IntermediateUpdateCallback update)
+{
+    (void)resources, (void)visible, (void)early_return, (void)intermediate, (void)update;   /* everything is in this library */
+    if (!name || !*name)
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: the instance name is empty; permitted are names");
+    if (!token || strcmp(token, MODEL_TOKEN) != 0)
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: the instantiation token is not the one of this "
+                               "library, " MODEL_TOKEN);
+    if (events)
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there is no event mode");
+    if (intermediate_count > 0)
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there are no intermediate values");
+    instance *self = calloc(1, sizeof *self);
+    if (self)
+        self->wheelset = wheelset_new(tell_warning, self);
+    if (!self || !self->wheelset)
+    {
+        free(self);
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there is no memory");
+    }
+    self->environment = environment;
+    self->log = log;
+    self->warnings = self->errors = logging;
+    return self;
+}
+
+fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                          fmi3Boolean logging, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
+{
+    (void)name, (void)token, (void)resources, (void)visible, (void)logging;
+    return refuse_instance(environment, log, "fmi3InstantiateModelExchange: permitted is co-simulation only");
+}
+
+fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                               fmi3Boolean logging, fmi3InstanceEnvironment environment,
+                                               fmi3LogMessageCallback log, fmi3ClockUpdateCallback update,
+                                               fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock)
+{
+    (void)name, (void)token, (void)resources, (void)visible, (void)logging, (void)update, (void)lock, (void)unlock;
+    return refuse_instance(environment, log, "fmi3InstantiateScheduledExecution: permitted is co-simulation only");
+}
+
+void fmi3FreeInstance(fmi3Instance component)
+{
+    instance *self = component;
+    if (!self)
+        return;
+    wheelset_free(self->wheelset);
+    free(self);
+}
+
+fmi3Status fmi3SetDebugLogging(fmi3Instance component, fmi3Boolean on, size_t count, const fmi3String categories[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (count > 0 && !categories)
+        return refuse(self, "fmi3SetDebugLogging", "categories is a NULL pointer");
+    for (size_t i = 0; i < count; i += 1)
+        if (!categories[i] || (strcmp(categories[i], "logStatusWarning") != 0 && strcmp(categories[i], "logStatusError") != 0))
+            return refuse(self, "fmi3SetDebugLogging", "permitted categories are logStatusWarning, logStatusError");
+    if (count == 0)
+        self->warnings = self->errors = on;
+    for (size_t i = 0; i < count; i += 1)
+        *(strcmp(categories[i], "logStatusWarning") == 0 ? &self->warnings : &self->errors) = on;
+    return fmi3OK;
+}
+
+/* --- life ------------------------------------------------------------------------------------------------ */
+
+fmi3Status fmi3EnterInitializationMode(fmi3Instance component, fmi3Boolean tolerance_defined, fmi3Float64 tolerance,
+                                       fmi3Float64 start, fmi3Boolean stop_defined, fmi3Float64 stop)
+{
+    instance *self = component;
+    (void)tolerance_defined, (void)tolerance;       /* an algebraic model */
+    if (!self)
+        return fmi3Error;
+    if (!isfinite(start) || (stop_defined && !(stop >= start)))
+        return refuse(self, "fmi3EnterInitializationMode", "permitted are a finite start and a stop after it");
+    if (wheelset_enter(self->wheelset))
+        return answer(self, 1);
+    self->wheelset->core.time = start;
+    return fmi3OK;
+}
+
+fmi3Status fmi3ExitInitializationMode(fmi3Instance component)
+{
+    instance *self = component;
+    return self ? answer(self, wheelset_exit(self->wheelset)) : fmi3Error;
+}
+
+fmi3Status fmi3Terminate(fmi3Instance component)
+{
+    instance *self = component;
+    return self ? answer(self, wheelset_terminate(self->wheelset)) : fmi3Error;
+}
+
+fmi3Status fmi3Reset(fmi3Instance component)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    wheelset_reset(self->wheelset);
+    return fmi3OK;
+}
+
+fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 size, fmi3Boolean never_back, fmi3Boolean *event,
+                      fmi3Boolean *terminate, fmi3Boolean *early_return, fmi3Float64 *last)
+{
+    instance *self = component;
+    (void)never_back;
+    if (!self)
+        return fmi3Error;
+    if (!event || !terminate || !early_return || !last)
+        return refuse(self, "fmi3DoStep", "a result is a NULL pointer");
+    *event = *terminate = *early_return = fmi3False;
+    *last = self->wheelset->core.time;
+    if (wheelset_step(self->wheelset, time, size))
+        return answer(self, 1);
+    *last = self->wheelset->core.time;
+    return fmi3OK;
+}
+
+/* --- values ---------------------------------------------------------------------------------------------- */
+
+/* Whether a list of variables can be read or written, all known and of this type, with as many values as they hold. */
+static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
+                      size_t value_count, model_type type)
+{
+    size_t needed = 0;
+    if (count > 0 && (!references || !values))
+        return wheelset_refuse(self->wheelset, "%s: %s is a NULL pointer", function, references ? "values" : "valueReferences");
+    for (size_t i = 0; i < count; i += 1)
+    {
+        if (references[i] < 1 || references[i] > MODEL_BLOCKS)
+            return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
+                                   (unsigned long)references[i], MODEL_BLOCKS);
+        const model_block *block = model_blocks + references[i];
+        if (block->first < 0 ? type != MODEL_REAL : wheelset_check(self->wheelset, (uint32_t)block->first, type))
+            return block->first < 0 ? wheelset_refuse(self->wheelset, "time is of type Real, not of this function's") : 1;
+        needed += (size_t)block->count;
+    }
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
+fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Float64 values[],
+                          size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetFloat64", references, count, values, value_count, MODEL_REAL) || wheelset_refresh(self->wheelset))
+        return answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+    {
+        const model_block *block = model_blocks + references[i];
+        const double *from = block->first < 0 ? &self->wheelset->core.time : self->wheelset->core.values + block->first;
+        for (int k = 0; k < block->count; k += 1)
+            *values++ = from[k];
+    }
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetInt32(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Int32 values[],
+                        size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetInt32", references, count, values, value_count, MODEL_INTEGER) || wheelset_refresh(self->wheelset))
+        return answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = (fmi3Int32)self->wheelset->core.values[model_blocks[references[i]].first];
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetString(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3String values[],
+                         size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetString", references, count, values, value_count, MODEL_STRING))
+        return answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = self->wheelset->core.text[model_variables[model_blocks[references[i]].first].slot];
+    return fmi3OK;
+}
+
+fmi3Status fmi3SetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count,
+                          const fmi3Float64 values[], size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL);
+    for (size_t i = 0; i < count && !refused; i += 1)
+    {
+        const model_block *block = model_blocks + references[i];
+        if (block->first < 0)
+            refused = wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set");
+        for (int k = 0; k < block->count && !refused; k += 1)
+            refused = wheelset_set_real(self->wheelset, (uint32_t)(block->first + k), *values++);
+    }
+    return answer(self, refused);
+}
+
+fmi3Status fmi3SetInt32(fmi3Instance component, const fmi3ValueReference references[], size_t count, const fmi3Int32 values[],
+                        size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetInt32", references, count, values, value_count, MODEL_INTEGER);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_set_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
+    return answer(self, refused);
+}
+
+fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference references[], size_t count, const fmi3String values[],
+                         size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetString", references, count, values, value_count, MODEL_STRING);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
+    return answer(self, refused);
+}
+
+/* --- saved states ---------------------------------------------------------------------------------------- */
+
+fmi3Status fmi3GetFMUState(fmi3Instance component, fmi3FMUState *state)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (!state)
+        return refuse(self, "fmi3GetFMUState", "FMUState is a NULL pointer");
+    if (!*state)
+        *state = malloc(sizeof(wheelset_saved));
+    if (!*state)
+        return refuse(self, "fmi3GetFMUState", "there is no memory");
+    wheelset_save(self->wheelset, *state);
+    return fmi3OK;
+}
+
+fmi3Status fmi3SetFMUState(fmi3Instance component, fmi3FMUState state)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (!state)
+        return refuse(self, "fmi3SetFMUState", "FMUState is a NULL pointer");
+    return answer(self, wheelset_restore(self->wheelset, state, sizeof(wheelset_saved)));
+}
+
+fmi3Status fmi3FreeFMUState(fmi3Instance component, fmi3FMUState *state)
+{
+    if (!component)
+        return fmi3Error;
+    if (state)
+    {
+        free(*state);
+        *state = NULL;
+    }
+    return fmi3OK;
+}
+
+fmi3Status fmi3SerializedFMUStateSize(fmi3Instance component, fmi3FMUState state, size_t *size)
+{
+    if (!component || !state || !size)
+        return refuse(component, "fmi3SerializedFMUStateSize", "FMUState or size is a NULL pointer");
+    *size = sizeof(wheelset_saved);
+    return fmi3OK;
+}
+
+fmi3Status fmi3SerializeFMUState(fmi3Instance component, fmi3FMUState state, fmi3Byte bytes[], size_t size)
+{
+    if (!component || !state || !bytes)
+        return refuse(component, "fmi3SerializeFMUState", "FMUState or serializedState is a NULL pointer");
+    if (size < sizeof(wheelset_saved))
+        return refuse(component, "fmi3SerializeFMUState", "the array is too short; ask fmi3SerializedFMUStateSize");
+    memcpy(bytes, state, sizeof(wheelset_saved));
+    return fmi3OK;
+}
+
+fmi3Status fmi3DeserializeFMUState(fmi3Instance component, const fmi3Byte bytes[], size_t size, fmi3FMUState *state)
+{
+    if (!component || !state || (!bytes && size > 0))
+        return refuse(component, "fmi3DeserializeFMUState", "FMUState or serializedState is a NULL pointer");
+    if (size != sizeof(wheelset_saved))
+        return refuse(component, "fmi3DeserializeFMUState", "the saved state has another length than those of this FMU");
+    if (!*state)
+        *state = malloc(sizeof(wheelset_saved));
+    if (!*state)
+        return refuse(component, "fmi3DeserializeFMUState", "there is no memory");
+    memcpy(*state, bytes, size);
+    return fmi3OK;
+}
+
+/* --- what there is not ------------------------------------------------------------------------------------- */
+
+#define NO_VALUES(TYPE, C_TYPE)                                                                                             \
+    fmi3Status fmi3Get##TYPE(fmi3Instance self, const fmi3ValueReference references[], size_t count, C_TYPE values[],       \
+                             size_t value_count)                                                                            \
+    {                                                                                                                       \
+        (void)references, (void)values, (void)value_count;                                                                  \
+        return self && count == 0 ? fmi3OK : refuse(self, "fmi3Get" #TYPE, "there are no variables of this type");          \
+    }                                                                                                                       \
+    fmi3Status fmi3Set##TYPE(fmi3Instance self, const fmi3ValueReference references[], size_t count, const C_TYPE values[], \
+                             size_t value_count)                                                                            \
+    {                                                                                                                       \
+        (void)references, (void)values, (void)value_count;                                                                  \
+        return self && count == 0 ? fmi3OK : refuse(self, "fmi3Set" #TYPE, "there are no variables of this type");          \
+    }
+
+NO_VALUES(Float32, fmi3Float32)
+NO_VALUES(Int8, fmi3Int8)
+NO_VALUES(UInt8, fmi3UInt8)
+NO_VALUES(Int16, fmi3Int16)
+NO_VALUES(UInt16, fmi3UInt16)
+NO_VALUES(UInt32, fmi3UInt32)
+NO_VALUES(Int64, fmi3Int64)
+NO_VALUES(UInt64, fmi3UInt64)
+NO_VALUES(Boolean, fmi3Boolean)
+
+/* A function of FMI 3 that this FMU declares no capability for. */
+#define NOT_HERE(NAME, REASON, ...)                                 \
+    fmi3Status NAME(fmi3Instance self, ##__VA_ARGS__)               \
+    {                                                               \
+        return refuse(self, #NAME, REASON);                         \
+    }
+
+#define TYPELESS "there are no variables of this type"
+#define CLOCKLESS "there are no clocks"
+#define EVENTLESS "there is no event mode"
+#define NO_EXCHANGE "permitted is co-simulation only"
+
+NOT_HERE(fmi3GetBinary, TYPELESS, reference_list r, size_t n, size_t sizes[], fmi3Binary values[], size_t m)
+NOT_HERE(fmi3SetBinary, TYPELESS, reference_list r, size_t n, const size_t sizes[], const fmi3Binary values[], size_t m)
+NOT_HERE(fmi3GetClock, CLOCKLESS, reference_list r, size_t n, fmi3Clock values[])
+NOT_HERE(fmi3SetClock, CLOCKLESS, reference_list r, size_t n, const fmi3Clock values[])
+NOT_HERE(fmi3GetIntervalDecimal, CLOCKLESS, reference_list r, size_t n, fmi3Float64 i[], fmi3IntervalQualifier q[])
+NOT_HERE(fmi3GetIntervalFraction, CLOCKLESS, reference_list r, size_t n, fmi3UInt64 c[], fmi3UInt64 d[],
+         fmi3IntervalQualifier q[])
+NOT_HERE(fmi3GetShiftDecimal, CLOCKLESS, reference_list r, size_t n, fmi3Float64 s[])
+NOT_HERE(fmi3GetShiftFraction, CLOCKLESS, reference_list r, size_t n, fmi3UInt64 c[], fmi3UInt64 d[])
+NOT_HERE(fmi3SetIntervalDecimal, CLOCKLESS, reference_list r, size_t n, const fmi3Float64 i[])
+NOT_HERE(fmi3SetIntervalFraction, CLOCKLESS, reference_list r, size_t n, const fmi3UInt64 c[], const fmi3UInt64 d[])
+NOT_HERE(fmi3SetShiftDecimal, CLOCKLESS, reference_list r, size_t n, const fmi3Float64 s[])
+NOT_HERE(fmi3SetShiftFraction, CLOCKLESS, reference_list r, size_t n, const fmi3UInt64 c[], const fmi3UInt64 d[])
+NOT_HERE(fmi3ActivateModelPartition, CLOCKLESS, fmi3ValueReference clock, fmi3Float64 time)
+NOT_HERE(fmi3GetNumberOfVariableDependencies, "dependencies are in the model description", fmi3ValueReference r, size_t *n)
+NOT_HERE(fmi3GetVariableDependencies, "dependencies are in the model description", fmi3ValueReference r, size_t e[],
+         fmi3ValueReference i[], size_t f[], fmi3DependencyKind k[], size_t n)
+NOT_HERE(fmi3GetDirectionalDerivative, "there are no directional derivatives", reference_list u, size_t n, reference_list k,
+         size_t m, const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
+NOT_HERE(fmi3GetAdjointDerivative, "there are no adjoint derivatives", reference_list u, size_t n, reference_list k, size_t m,
+         const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
+NOT_HERE(fmi3GetOutputDerivatives, "there are no output derivatives", reference_list r, size_t n, const fmi3Int32 orders[],
+         fmi3Float64 values[], size_t m)
+NOT_HERE(fmi3EnterConfigurationMode, "there are no structural parameters")
+NOT_HERE(fmi3ExitConfigurationMode, "there are no structural parameters")
+NOT_HERE(fmi3EnterEventMode, EVENTLESS)
+NOT_HERE(fmi3EnterStepMode, EVENTLESS)
+NOT_HERE(fmi3EvaluateDiscreteStates, EVENTLESS)
+NOT_HERE(fmi3UpdateDiscreteStates, EVENTLESS, fmi3Boolean *a, fmi3Boolean *b, fmi3Boolean *c, fmi3Boolean *d, fmi3Boolean *e,
+         fmi3Float64 *time)
+NOT_HERE(fmi3EnterContinuousTimeMode, NO_EXCHANGE)
+NOT_HERE(fmi3CompletedIntegratorStep, NO_EXCHANGE, fmi3Boolean never_back, fmi3Boolean *event, fmi3Boolean *terminate)
+NOT_HERE(fmi3SetTime, NO_EXCHANGE, fmi3Float64 time)
+NOT_HERE(fmi3SetContinuousStates, NO_EXCHANGE, const fmi3Float64 states[], size_t n)
+NOT_HERE(fmi3GetContinuousStateDerivatives, NO_EXCHANGE, fmi3Float64 derivatives[], size_t n)
+NOT_HERE(fmi3GetEventIndicators, NO_EXCHANGE, fmi3Float64 indicators[], size_t n)
+NOT_HERE(fmi3GetContinuousStates, NO_EXCHANGE, fmi3Float64 states[], size_t n)
+NOT_HERE(fmi3GetNominalsOfContinuousStates, NO_EXCHANGE, fmi3Float64 nominals[], size_t n)
+NOT_HERE(fmi3GetNumberOfEventIndicators, NO_EXCHANGE, size_t *n)
+NOT_HERE(fmi3GetNumberOfContinuousStates, NO_EXCHANGE, size_t *n)

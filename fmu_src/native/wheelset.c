@@ -1,0 +1,540 @@
+#include "wheelset.h"
+
+#include <float.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/generated/layout.h"
+#include "kernel/generated/prepare_tables.h"
+
+static const char FORMAT[16] = "wrcontact 1";
+static const char KEPT[] = "the outputs keep their last valid values";
+enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
+
+/* --- sentences ------------------------------------------------------------------------------------ */
+
+int wheelset_refuse(wheelset *self, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(self->sentence, sizeof self->sentence, format, arguments);
+    va_end(arguments);
+    return 1;
+}
+
+/* A number in the fewest digits that give it back, as Python writes it. */
+static const char *shortest(double value, char *text, size_t size)
+{
+    if (!isfinite(value))
+    {
+        snprintf(text, size, "%s", isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf");
+        return text;
+    }
+    int digits = 0;
+    do
+        snprintf(text, size, "%.*e", digits, value);
+    while (strtod(text, NULL) != value && ++digits < 17);
+    const char *power = strchr(text, 'e');
+    const int exponent = power ? atoi(power + 1) : 0;
+    if (-4 <= exponent && exponent < 16)
+        snprintf(text, size, "%.*f", digits - exponent > 1 ? digits - exponent : 1, value);
+    return text;
+}
+
+/* `text` in quotes, as Python writes it, with a mark in place of control characters. */
+static const char *quoted(const char *text, char *result, size_t size)
+{
+    const char quote = strchr(text, '\'') && !strchr(text, '"') ? '"' : '\'';
+    size_t at = 0;
+    result[at++] = quote;
+    for (; *text && at + 2 < size; text += 1)
+        result[at++] = (unsigned char)*text < 32 ? '?' : *text;
+    result[at++] = quote;
+    result[at] = 0;
+    return result;
+}
+
+/* The first input that is not permitted, in a clause. */
+static void invalid_input(const double *inputs, char *text, size_t size)
+{
+    char number[40];
+    for (int i = 0; i < MODEL_INPUTS; i += 1)
+        if (!isfinite(inputs[i]))
+        {
+            snprintf(text, size, "%s is %s %s; permitted are finite numbers", model_variables[i].name,
+                     shortest(inputs[i], number, sizeof number), model_variables[i].unit);
+            return;
+        }
+    if (inputs[layout__IN_NORMAL_FORCE] < 0.0)
+        snprintf(text, size, "normal_force is %g N; permitted is normal_force >= 0 N", inputs[layout__IN_NORMAL_FORCE]);
+    else
+        snprintf(text, size, "load_transfer is %g; permitted is -1 <= load_transfer <= 1", inputs[layout__IN_LOAD_TRANSFER]);
+}
+
+/* One sentence on a status that is not 0, as wrcontact/status.py words it. */
+static void explain(int status, const double *inputs, bool compliant, char *text, size_t size)
+{
+    const double shift = inputs[layout__IN_LATERAL_SHIFT], yaw = inputs[layout__IN_YAW];
+    const double force = inputs[layout__IN_NORMAL_FORCE], transfer = inputs[layout__IN_LOAD_TRANSFER];
+    const double height = inputs[layout__IN_VERTICAL_SHIFT], roll = inputs[layout__IN_ROLL];
+    char clause[200];
+    if (status == layout__INVALID_INPUT)
+    {
+        invalid_input(inputs, clause, sizeof clause);
+        snprintf(text, size, "%s; %s", clause, KEPT);
+    }
+    else if (status == layout__UNLOADED && compliant)
+        snprintf(text, size, "vertical_shift_input is %g m at roll_input %g rad, so a wheel is lifted and carries no load; its "
+                 "patch is empty (a load needs a height below the rail's)", height, roll);
+    else if (status == layout__UNLOADED && force == 0.0)
+        snprintf(text, size, "normal_force is %g N, so a wheel carries no load; its patch is empty (a load needs normal_force > "
+                 "0 N and |load_transfer| < 1)", force);
+    else if (status == layout__UNLOADED)
+        snprintf(text, size, "load_transfer is %g, so a wheel carries no load; its patch is empty (a load needs normal_force > "
+                 "0 N and |load_transfer| < 1)", transfer);
+    else if (status != layout__OFF_PROFILE)
+        snprintf(text, size, "no solution at lateral_shift %g m, yaw %g rad, normal_force %g N, load_transfer %g within the "
+                 "iteration limit; %s", shift, yaw, force, transfer, KEPT);
+    else if (fabs(shift) <= MODEL_LATERAL_LIMIT && fabs(yaw) > MODEL_YAW_LIMIT)
+        snprintf(text, size, "yaw is %g rad, beyond the profiles; permitted is |yaw| <= %g rad; %s", yaw, MODEL_YAW_LIMIT, KEPT);
+    else if (fabs(shift) > MODEL_LATERAL_LIMIT)
+        snprintf(text, size, "lateral_shift is %g m, beyond the profiles; permitted is |lateral_shift| <= %g m; %s", shift,
+                 MODEL_LATERAL_LIMIT, KEPT);
+    else if (compliant && fabs(roll) > MODEL_ROLL_LIMIT)
+        snprintf(text, size, "roll_input is %g rad; permitted is |roll_input| <= %g rad; %s", roll, MODEL_ROLL_LIMIT, KEPT);
+    else if (compliant)
+        snprintf(text, size, "vertical_shift_input is %g m and roll_input %g rad at lateral_shift %g m: a wheel is off its rail "
+                 "or deeper in it than %g m; %s", height, roll, shift, MODEL_DEEPEST, KEPT);
+    else
+        snprintf(text, size, "lateral_shift is %g m at yaw %g rad: the smallest gap lies at the end of a profile, where there is "
+                 "no contact; permitted are shifts that keep the contact on both profiles; %s", shift, yaw, KEPT);
+}
+
+static void tell_status(wheelset *self)
+{
+    char sentence[MODEL_SENTENCE];
+    const bool compliant = strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
+    explain((int)self->core.values[MODEL_STATUS], self->core.values, compliant, sentence, sizeof sentence);
+    self->tell(self->owner, sentence);
+    self->core.told = 1;
+}
+
+/* --- from parameters to tables -------------------------------------------------------------------- */
+
+/* The kernel's setup from the parameters. */
+static int fill_setup(wheelset *self, double *setup)
+{
+    char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
+    for (int i = 0; i < MODEL_VARIABLES; i += 1)
+    {
+        const model_variable *variable = model_variables + i;
+        if (variable->choice_count == 0)
+            continue;
+        const char *chosen = self->core.text[variable->slot];
+        bool found = false;
+        size_t length = 0;
+        for (int k = 0; k < variable->choice_count; k += 1)
+        {
+            const model_choice *choice = variable->choices + k;
+            length += (size_t)snprintf(list + length, sizeof list - length, "%s'%s'", k ? ", " : "", choice->name);
+            if (strcmp(chosen, choice->name) == 0)
+            {
+                setup[variable->setup] = choice->number;
+                found = true;
+            }
+        }
+        if (!found)
+            return wheelset_refuse(self, "%s is %s; permitted %s %s", variable->name, quoted(chosen, value, sizeof value),
+                                   variable->choice_count > 1 ? "are" : "is", list);
+    }
+    for (int i = 0; i < MODEL_VARIABLES; i += 1)
+    {
+        const model_variable *variable = model_variables + i;
+        const double number = self->core.values[i];
+        if (variable->causality != MODEL_PARAMETER || variable->type != MODEL_REAL)
+            continue;
+        if (!(variable->low <= number && number <= variable->high))
+            return wheelset_refuse(self, "%s is %s; permitted is %g ... %g %s", variable->name,
+                                   shortest(number, value, sizeof value), variable->low, variable->high, variable->unit);
+        if (variable->setup >= 0)
+            setup[variable->setup] = number;
+    }
+    setup[prepare_tables__SETUP_NAN] = NAN;
+    return 0;
+}
+
+/* Nodes and strips for the tolerance that is asked for. */
+static int fill_resolution(wheelset *self, double *setup)
+{
+    const double tolerance = self->core.values[MODEL_TOLERANCE];
+    const char *model = self->core.text[MODEL_NORMAL_MODEL_SLOT];
+    for (int i = 0; i < MODEL_LADDERS; i += 1)
+    {
+        const model_ladder *ladder = model_ladders + i;
+        if (strcmp(model, ladder->model) != 0)
+            continue;
+        if (tolerance < ladder->finest)
+            return wheelset_refuse(self, "tolerance is %g; permitted with the normal_model '%s' is %g ... 0.1 1", tolerance, model,
+                                   ladder->finest);
+        int k = 0;
+        while (k + 1 < ladder->count && ladder->steps[k].tolerance > tolerance)
+            k += 1;
+        memcpy(setup + prepare_tables__SETUP_NODES, ladder->steps[k].numbers, sizeof ladder->steps[k].numbers);
+        return 0;
+    }
+    return wheelset_refuse(self, "normal_model is '%s', which has no resolution", model);
+}
+
+/* The profile that a String names. */
+static int find_profile(wheelset *self, const char *kind, int slot, array_double_1d *definition)
+{
+    char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
+    size_t length = 0;
+    const char *other = "";
+    for (int i = 0; i < MODEL_PROFILES; i += 1)
+    {
+        const model_profile *profile = model_profiles + i;
+        const bool named = strcmp(self->core.text[slot], profile->name) == 0;
+        if (strcmp(profile->kind, kind) != 0)
+        {
+            if (named)
+                other = " (that is the name of the other kind)";
+            continue;
+        }
+        if (named)
+        {
+            *definition = span_of((double *)profile->definition, profile->size);
+            return 0;
+        }
+        if (length < sizeof list)
+            length += (size_t)snprintf(list + length, sizeof list - length, "%s%s", length ? ", " : "", profile->name);
+    }
+    return wheelset_refuse(self, "%s is %s%s; permitted are %s", kind, quoted(self->core.text[slot], value, sizeof value), other,
+                           list);
+}
+
+/* Why the kernel could not prepare its tables. */
+static int refuse_preparation(wheelset *self, int outcome, const double *report)
+{
+    const char *wheel = self->core.text[MODEL_WHEEL_SLOT], *rail = self->core.text[MODEL_RAIL_SLOT];
+    if (outcome == prepare_tables__GAUGE_TOO_DEEP)
+        return wheelset_refuse(self, "gauge_depth reaches %.6g m, but the inner side of the rail profile %s ends at %.6g m; "
+                               "permitted are smaller depths", report[prepare_tables__REPORT_DEPTH], rail,
+                               report[prepare_tables__REPORT_DEEPEST]);
+    if (outcome == prepare_tables__WHEEL_TOO_WIDE)
+        return wheelset_refuse(self, "the wheel profile is %.4g m wide; permitted are at most %.4g m",
+                               report[prepare_tables__REPORT_WIDTH], MODEL_WIDEST);
+    if (outcome == prepare_tables__WITHOUT_HEAD)
+        return wheelset_refuse(self, "the profiles %s and %s are too steep at y = 0 m, the running circle and the rail's highest "
+                               "point; permitted are profiles that can be read there", wheel, rail);
+    if (outcome == prepare_tables__TABLES_FULL)
+        return wheelset_refuse(self, "the profiles %s and %s have too many points for the kernel's tables; permitted are profiles "
+                               "with fewer points", wheel, rail);
+    return wheelset_refuse(self, "there is no memory for the kernel's tables");
+}
+
+/* One attempt with room for `room` numbers; the outcome, -1 for no memory. */
+static int prepare_in(wheelset *self, wrcontact_preparation *preparation, int64_t room)
+{
+    preparation->tables = span_of(calloc((size_t)room, sizeof(double)), room);
+    const int64_t needed = wrcontact_prepare_room(preparation);
+    preparation->work = span_of(calloc((size_t)needed, sizeof(double)), needed);
+    int outcome = -1;
+    if (preparation->tables.data && preparation->work.data)
+        outcome = wrcontact_prepare(preparation);
+    double *fitting = NULL;
+    if (outcome == prepare_tables__PREPARED)
+    {
+        self->table_size = (int64_t)preparation->report.data[prepare_tables__REPORT_SIZE];
+        fitting = realloc(preparation->tables.data, (size_t)self->table_size * sizeof(double));
+        free(self->tables);
+        self->tables = fitting ? fitting : preparation->tables.data;
+    }
+    else
+        free(preparation->tables.data);
+    free(preparation->work.data);
+    return outcome;
+}
+
+/* Whether the tables are those of the present parameters. */
+static bool is_built(const wheelset *self)
+{
+    if (!self->tables || memcmp(self->built_text, self->core.text, sizeof self->built_text) != 0)
+        return false;
+    for (int i = 0; i < MODEL_VARIABLES; i += 1)
+        if (model_variables[i].causality == MODEL_PARAMETER && self->built_values[i] != self->core.values[i])
+            return false;
+    return true;
+}
+
+/* The tables for the present parameters. */
+static int build(wheelset *self)
+{
+    double setup[MODEL_SETUP] = {0.0}, report[MODEL_REPORT] = {0.0};
+    wrcontact_preparation preparation = {0};
+    if (is_built(self))
+        return 0;
+    if (fill_setup(self, setup) || fill_resolution(self, setup)
+        || find_profile(self, "wheel", MODEL_WHEEL_SLOT, &preparation.wheel)
+        || find_profile(self, "rail", MODEL_RAIL_SLOT, &preparation.rail))
+        return 1;
+    preparation.setup = span_of(setup, MODEL_SETUP);
+    preparation.report = span_of(report, MODEL_REPORT);
+    preparation.hertz = span_of((double *)model_hertz, MODEL_HERTZ_SIZE);
+    preparation.influence = span_of((double *)model_influence, MODEL_INFLUENCE_SIZE);
+    int outcome = prepare_tables__TABLES_FULL;
+    for (int64_t room = TABLE_ROOM; outcome == prepare_tables__TABLES_FULL && room <= MOST_ROOM; room *= 4)
+        outcome = prepare_in(self, &preparation, room);
+    if (outcome != prepare_tables__PREPARED)
+        return refuse_preparation(self, outcome, report);
+    memcpy(self->built_values, self->core.values, sizeof self->built_values);
+    memcpy(self->built_text, self->core.text, sizeof self->built_text);
+    return 0;
+}
+
+/* Build the tables where the parameters have changed, and begin with an empty memory. */
+static int initialise(wheelset *self)
+{
+    if (self->core.built && is_built(self))
+        return 0;
+    if (build(self))
+        return 1;
+    memset(self->core.memory, 0, sizeof self->core.memory);
+    memset(self->workspace, 0, MODEL_WORK * sizeof(double));
+    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, (MODEL_STATUS - MODEL_FIRST_OUTPUT) * sizeof(double));
+    self->core.built = self->core.stale = 1;
+    return 0;
+}
+
+/* --- life ------------------------------------------------------------------------------------------- */
+
+wheelset *wheelset_new(wheelset_tell *tell, void *owner)
+{
+    wheelset *self = calloc(1, sizeof *self);
+    if (!self)
+        return NULL;
+    self->tell = tell;
+    self->owner = owner;
+    self->workspace = calloc(MODEL_WORK, sizeof(double));
+    if (!self->workspace)
+    {
+        free(self);
+        return NULL;
+    }
+    wheelset_reset(self);
+    return self;
+}
+
+void wheelset_free(wheelset *self)
+{
+    free(self->tables);
+    free(self->workspace);
+    free(self);
+}
+
+void wheelset_reset(wheelset *self)
+{
+    memset(&self->core, 0, sizeof self->core);
+    memset(self->workspace, 0, MODEL_WORK * sizeof(double));
+    for (int i = 0; i < MODEL_VARIABLES; i += 1)
+    {
+        self->core.values[i] = model_variables[i].start;
+        if (model_variables[i].slot >= 0)
+            snprintf(self->core.text[model_variables[i].slot], MODEL_TEXT, "%s", model_variables[i].text);
+    }
+    self->core.phase = PHASE_INSTANTIATED;
+    self->core.stale = 1;
+}
+
+int wheelset_enter(wheelset *self)
+{
+    if (self->core.phase != PHASE_INSTANTIATED)
+        return wheelset_refuse(self, "initialisation mode can be entered once, after instantiation or a reset");
+    if (initialise(self))
+        return 1;
+    self->core.phase = PHASE_INITIALISING;
+    return 0;
+}
+
+int wheelset_exit(wheelset *self)
+{
+    if (self->core.phase != PHASE_INITIALISING)
+        return wheelset_refuse(self, "initialisation mode can be left only where it was entered");
+    if (initialise(self))
+        return 1;
+    self->core.locked = 1;
+    self->core.phase = PHASE_RUNNING;
+    wheelset_refresh(self);
+    self->core.told = 0;
+    return 0;
+}
+
+int wheelset_terminate(wheelset *self)
+{
+    if (self->core.phase != PHASE_RUNNING)
+        return wheelset_refuse(self, "only a simulation that runs can be terminated");
+    self->core.phase = PHASE_TERMINATED;
+    return 0;
+}
+
+/* --- values ----------------------------------------------------------------------------------------- */
+
+int wheelset_check(wheelset *self, uint32_t reference, model_type type)
+{
+    static const char *const NAMES[] = {"Real", "Integer", "String"};
+    if (reference >= MODEL_VARIABLES)
+        return wheelset_refuse(self, "value reference %lu does not exist; they run from 0 to %d", (unsigned long)reference,
+                               MODEL_VARIABLES - 1);
+    const model_variable *variable = model_variables + reference;
+    if (variable->type != type)
+        return wheelset_refuse(self, "%s is of type %s, not %s", variable->name, NAMES[variable->type], NAMES[type]);
+    return 0;
+}
+
+/* Whether a variable can be set at all. */
+static int check_settable(wheelset *self, const model_variable *variable)
+{
+    if (self->core.phase == PHASE_TERMINATED)
+        return wheelset_refuse(self, "%s cannot be set: the simulation has been terminated", variable->name);
+    if (variable->causality == MODEL_OUTPUT)
+        return wheelset_refuse(self, "%s is an output and cannot be set", variable->name);
+    return 0;
+}
+
+int wheelset_set_real(wheelset *self, uint32_t reference, double value)
+{
+    char present[40], wanted[40];
+    if (wheelset_check(self, reference, MODEL_REAL) || check_settable(self, model_variables + reference))
+        return 1;
+    if (self->core.values[reference] == value)
+        return 0;
+    if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked)
+        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s",
+                               model_variables[reference].name,
+                               shortest(self->core.values[reference], present, sizeof present),
+                               shortest(value, wanted, sizeof wanted));
+    self->core.values[reference] = value;
+    self->core.stale = 1;
+    return 0;
+}
+
+int wheelset_set_string(wheelset *self, uint32_t reference, const char *value)
+{
+    char present[2 * MODEL_TEXT], wanted[2 * MODEL_TEXT];
+    if (wheelset_check(self, reference, MODEL_STRING) || check_settable(self, model_variables + reference))
+        return 1;
+    const model_variable *variable = model_variables + reference;
+    if (!value)
+        return wheelset_refuse(self, "%s is a NULL pointer; permitted are texts", variable->name);
+    if (strlen(value) >= MODEL_TEXT)
+        return wheelset_refuse(self, "%s has %lu bytes; permitted are at most %d", variable->name, (unsigned long)strlen(value),
+                               MODEL_TEXT - 1);
+    char *held = self->core.text[variable->slot];
+    if (strcmp(held, value) == 0)
+        return 0;
+    if (self->core.locked)
+        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s", variable->name,
+                               quoted(held, present, sizeof present), quoted(value, wanted, sizeof wanted));
+    memset(held, 0, MODEL_TEXT);
+    memcpy(held, value, strlen(value));
+    self->core.stale = 1;
+    return 0;
+}
+
+int wheelset_set_integer(wheelset *self, uint32_t reference)
+{
+    return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
+}
+
+/* One step of the kernel, and its outcome. */
+static void evaluate(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const wrcontact_handle handle = {
+        span_of(self->tables, self->table_size), span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
+        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, MODEL_STATUS - MODEL_FIRST_OUTPUT)};
+    const int status = wrcontact_step(&handle);
+    core->values[MODEL_STATUS] = status;
+    core->stale = 0;
+    if (status)
+        tell_status(self);
+}
+
+int wheelset_refresh(wheelset *self)
+{
+    if (!self->core.stale || !(self->core.built || self->core.phase == PHASE_INITIALISING))
+        return 0;
+    if (!self->core.locked && initialise(self))
+        return 1;
+    evaluate(self);
+    return 0;
+}
+
+int wheelset_step(wheelset *self, double time, double size)
+{
+    char first[40], second[40];
+    if (self->core.phase != PHASE_RUNNING)
+        return wheelset_refuse(self, "the wheelset cannot step: it %s", self->core.phase == PHASE_TERMINATED
+                               ? "has been terminated" : "has not been initialised");
+    if (!isfinite(time) || !isfinite(size) || size < 0.0)
+        return wheelset_refuse(self, "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
+                               shortest(size, first, sizeof first), shortest(time, second, sizeof second));
+    wheelset_refresh(self);
+    if (self->core.values[MODEL_STATUS] != 0.0 && !self->core.told)
+        tell_status(self);
+    self->core.told = 0;
+    self->core.time = time + size;
+    return 0;
+}
+
+/* --- saved states ------------------------------------------------------------------------------------ */
+
+/* Fowler, Noll and Vo's hash, 64 bits. */
+static uint64_t checksum(const void *bytes, size_t size)
+{
+    const unsigned char *byte = bytes;
+    uint64_t hash = UINT64_C(14695981039346656037);
+    for (size_t i = 0; i < size; i += 1)
+        hash = (hash ^ byte[i]) * UINT64_C(1099511628211);
+    return hash;
+}
+
+void wheelset_save(const wheelset *self, wheelset_saved *saved)
+{
+    memset(saved, 0, sizeof *saved);
+    memcpy(saved->format, FORMAT, sizeof FORMAT);
+    memcpy(saved->token, MODEL_TOKEN, strlen(MODEL_TOKEN));
+    saved->size = sizeof *saved;
+    saved->core = self->core;
+    memcpy(saved->core.known, self->workspace, sizeof saved->core.known);
+    saved->checksum = checksum(&saved->core, sizeof saved->core);
+}
+
+int wheelset_restore(wheelset *self, const wheelset_saved *saved, size_t size)
+{
+    if (size < sizeof saved->format || memcmp(saved->format, FORMAT, sizeof FORMAT) != 0)
+        return wheelset_refuse(self, "the saved state is not one of this version; the present state is kept");
+    if (size != sizeof *saved || saved->size != sizeof *saved)
+        return wheelset_refuse(self, "the saved state holds %lu bytes, expected are %lu; the present state is kept",
+                               (unsigned long)size, (unsigned long)sizeof *saved);
+    if (saved->checksum != checksum(&saved->core, sizeof saved->core))
+        return wheelset_refuse(self, "the saved state is damaged (its checksum differs); the present state is kept");
+    if (memcmp(saved->token, MODEL_TOKEN, sizeof MODEL_TOKEN) != 0)
+        return wheelset_refuse(self, "the saved state comes from another FMU; the present state is kept");
+    wheelset_core before = self->core;
+    self->core = saved->core;
+    if (self->core.built && build(self))
+    {
+        if (self->core.locked)
+        {
+            self->core = before;
+            return 1;
+        }
+        self->core.built = 0;       /* parameters that were set and not yet tried */
+    }
+    memset(self->workspace, 0, MODEL_WORK * sizeof(double));
+    memcpy(self->workspace, saved->core.known, sizeof saved->core.known);
+    return 0;
+}

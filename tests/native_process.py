@@ -1,0 +1,249 @@
+"""Runs one scenario with an FMU of FMI 3 in a process of its own and prints what it saw as JSON, as fmu_process.py for FMI 2.
+
+    python native_process.py <scenario> <FMU> <folder for unpacking>   (further arguments: JSON on standard input)
+"""
+
+import json
+import math
+import sys
+from ctypes import c_double, c_size_t, c_uint32
+
+import fmpy
+from fmpy.fmi1 import FMICallException
+from fmpy.fmi3 import FMU3Slave
+
+TYPES = {"Float64": ("setFloat64", "getFloat64"), "Int32": ("setInt32", "getInt32"), "String": ("setString", "getString")}
+
+
+class Fmu:
+    """An unpacked FMU: its description and where its variables are."""
+
+    def __init__(self, file, folder):
+        self.folder = str(folder)
+        fmpy.extract(file, unzipdir=self.folder)
+        self.description = fmpy.read_model_description(self.folder)
+        self.variables = {v.name: v for v in self.description.modelVariables}
+
+    def instance(self, logging=True, **changed):
+        return Instance(self, logging, **changed)
+
+    def running(self, **start):
+        """An instance after initialisation with these values."""
+        instance = self.instance()
+        instance.set(**start)
+        instance.slave.enterInitializationMode()
+        instance.slave.exitInitializationMode()
+        return instance
+
+
+class Instance:
+    """One slave with its log, addressed by variable names."""
+
+    def __init__(self, fmu, logging, log=None, token=None, name="instance", **options):
+        self.fmu, self.log, self.time = fmu, [] if log is None else log, 0.0
+        self.slave = FMU3Slave(guid=fmu.description.guid, unzipDirectory=fmu.folder, instanceName=name,
+                               modelIdentifier=fmu.description.coSimulation.modelIdentifier)
+        self.slave.guid = fmu.description.instantiationToken if token is None else token
+        self.slave.instantiate(loggingOn=logging, logMessage=self._note, **options)
+
+    def _note(self, environment, status, category, message):
+        self.log.append([category.decode(), message.decode()])
+
+    def set(self, **values):
+        for name, value in values.items():
+            variable = self.fmu.variables[name]
+            getattr(self.slave, TYPES[variable.type][0])([variable.valueReference], [value])
+
+    def get(self, *names):
+        """Values of the named variables, elements of arrays under their own names; of all outputs if there is no name."""
+        chosen = [self.fmu.variables[n] for n in names] or [v for v in self.fmu.variables.values() if v.causality == "output"]
+        found = {}
+        for v in chosen:
+            count = math.prod(int(d.start) for d in v.dimensions) if v.dimensions else 1
+            values = getattr(self.slave, TYPES[v.type][1])([v.valueReference], nValues=count)
+            values = [value.decode() if isinstance(value, bytes) else value for value in values]
+            found.update({f"{v.name}[{k + 1}]": value for k, value in enumerate(values)} if v.dimensions else {v.name: values[0]})
+        return found
+
+    def step(self, size=1e-3, **inputs):
+        self.set(**inputs)
+        self.slave.doStep(self.time, size)
+        self.time += size
+
+    def told(self):
+        """The log lines since the last call."""
+        lines, self.log[:] = list(self.log), []
+        return lines
+
+
+def refused(call, *arguments):
+    """Whether a call fails with an FMI error."""
+    try:
+        call(*arguments)
+    except FMICallException:
+        return True
+    return False
+
+
+def first_instant(fmu, start=None):
+    """Outputs before any step, at the default inputs and at others."""
+    plain = fmu.running().get()
+    instance = fmu.instance()
+    instance.slave.enterInitializationMode()
+    instance.set(**(start or {}))
+    inside = instance.get()
+    instance.slave.exitInitializationMode()
+    return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get()}
+
+
+def trajectory(fmu, rows, names):
+    """Outputs after a step at every row of inputs."""
+    instance = fmu.running()
+    seen = []
+    for row in rows:
+        instance.step(**row)
+        values = instance.get()
+        seen.append({name: values[name] for name in names})
+    return {"seen": seen}
+
+
+def simulated(fmu, rows, times, names):
+    """The same by simulate_fmu."""
+    import numpy as np
+
+    signals = np.array([(time, *row.values()) for time, row in zip(times, rows)],
+                       dtype=[(name, "f8") for name in ("time", *rows[0])])
+    interval = (times[-1] - times[0]) / (len(times) - 1)
+    result = fmpy.simulate_fmu(fmu.folder, input=signals, output=names, start_time=times[0], stop_time=times[-1],
+                               output_interval=interval)
+    return {"seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
+
+
+def situations(fmu, start, cases):
+    """Each case on a running instance after a valid step: its outputs and its log."""
+    instance = fmu.running(**start)
+    valid = {v.name: float(v.start) for v in fmu.variables.values() if v.causality == "input"}
+    answers = {}
+    for name, case in cases.items():
+        instance.step(**valid)
+        instance.told()
+        instance.step(**case)
+        answers[name] = {"seen": instance.get(), "log": instance.told()}
+    return answers
+
+
+def refusals(fmu, cases):
+    """Wrong parameters: whether initialisation fails, what the log says, and whether the FMU works afterwards."""
+    answers = {}
+    for name, start in cases.items():
+        instance = fmu.instance()
+        instance.set(**start)
+        answers[name] = {"refused": refused(instance.slave.enterInitializationMode), "log": instance.told()}
+        instance.slave.reset()
+        instance.slave.enterInitializationMode()
+        instance.slave.exitInitializationMode()
+        instance.step(lateral_shift=1e-3)
+        answers[name]["after"] = instance.get("roll", "status")
+        instance.slave.freeInstance()
+    return answers
+
+
+def state_again(fmu, rows):
+    """Bits of a run, of the same from a saved state, and of the same in another instance; every input is met twice."""
+    rows = [row for row in rows for _ in range(2)]
+    one, other = fmu.running(), fmu.instance()
+    for row in rows[:11]:
+        one.step(**row)
+    state = one.slave.getFMUState()
+    saved = one.slave.serializeFMUState(state)
+    straight = go_on(one, rows[10:])
+    one.slave.setFMUState(state)
+    back = go_on(one, rows[10:])
+    one.slave.freeFMUState(state)
+    other.slave.setFMUState(other.slave.deserializeFMUState(saved))
+    return {"straight": straight, "back": back, "elsewhere": go_on(other, rows[10:])}
+
+
+def go_on(instance, rows):
+    seen = []
+    for row in rows:
+        instance.step(**row)
+        seen.append({name: value if isinstance(value, str) else float(value).hex() for name, value in instance.get().items()})
+    return seen
+
+
+def misuse(fmu):
+    """What an importer should not do."""
+    instance = fmu.running()
+    reference = {name: v.valueReference for name, v in fmu.variables.items()}
+    slave, fresh = instance.slave, fmu.instance()
+    two, one, values = (c_uint32 * 2)(1, 2), (c_uint32 * 1)(reference["left.station"]), (c_double * 40)()
+
+    def raw(function, *arguments):
+        """A call past fmpy's checks; fmpy's own wrapper raises for its status."""
+        getattr(slave, function)(slave.component, *arguments)
+
+    calls = {
+        "fixed parameter": lambda: instance.set(gauge=1.5),
+        "fixed string": lambda: instance.set(load="vertical"),
+        "output": lambda: instance.set(roll=1.0),
+        "integer output": lambda: instance.set(status=1),
+        "time": lambda: instance.set(time=1.0),
+        "unknown reference": lambda: slave.getFloat64([4711]),
+        "reference zero": lambda: slave.getFloat64([0]),
+        "wrong type": lambda: slave.getFloat64([reference["status"]]),
+        "text as number": lambda: slave.getFloat64([reference["load"]]),
+        "time as integer": lambda: slave.getInt32([1]),
+        "other type": lambda: slave.getInt64([reference["status"]]),
+        "boolean": lambda: slave.setBoolean([1], [True]),
+        "count too small": lambda: raw("fmi3GetFloat64", one, c_size_t(1), values, c_size_t(30)),
+        "count too large": lambda: raw("fmi3GetFloat64", one, c_size_t(1), values, c_size_t(40)),
+        "null values": lambda: raw("fmi3GetFloat64", one, c_size_t(1), None, c_size_t(31)),
+        "null references": lambda: raw("fmi3GetFloat64", None, c_size_t(1), values, c_size_t(1)),
+        "null state": lambda: raw("fmi3GetFMUState", None),
+        "no state": lambda: raw("fmi3SetFMUState", None),
+        "backwards": lambda: slave.doStep(0.0, -1.0),
+        "step nan": lambda: slave.doStep(0.0, math.nan),
+        "time infinite": lambda: slave.doStep(math.inf, 1.0),
+        "initialised twice": lambda: slave.enterInitializationMode(),
+        "left twice": lambda: slave.exitInitializationMode(),
+        "configuration": lambda: raw("fmi3EnterConfigurationMode"),
+        "events": lambda: raw("fmi3EnterEventMode"),
+        "derivative": lambda: raw("fmi3GetDirectionalDerivative", two, c_size_t(1), two, c_size_t(1), values, c_size_t(1),
+                                  values, c_size_t(1)),
+        "category": lambda: slave.setDebugLogging(True, ["everything"]),
+    }
+    instance.told()
+    answers = {name: (refused(call), instance.told()) for name, call in calls.items()}
+    answers["not initialised"] = refused(fresh.slave.doStep, 0.0, 1e-3), fresh.told()
+    answers["long text"] = refused(lambda: fresh.set(load="x" * 300)), fresh.told()
+    instance.slave.terminate()
+    answers["terminated"] = refused(slave.doStep, 0.0, 1e-3), instance.told()
+    answers["set after the end"] = refused(lambda: instance.set(yaw=0.1)), instance.told()
+    answers["terminated twice"] = refused(slave.terminate), instance.told()
+    slave.reset()
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+    instance.step(lateral_shift=1e-3)
+    return {"calls": answers, "after": instance.get("status", "roll"), "not_made": not_made(fmu)}
+
+
+def not_made(fmu):
+    """How many lines each instance that cannot be made leaves in the log."""
+    answers = {}
+    for name, options in {"token": {"token": "{0}"}, "name": {"name": ""}, "events": {"eventModeUsed": True},
+                          "intermediate": {"requiredIntermediateVariables": [1]}}.items():
+        log = []
+        try:
+            Instance(fmu, True, log, **options)
+            log = ["made"] * 9
+        except Exception as refusal:
+            assert "Failed to instantiate" in str(refusal)
+        answers[name] = len(log)
+    return answers
+
+
+if __name__ == "__main__":
+    scenario, file, folder = sys.argv[1:]
+    answer = globals()[scenario](Fmu(file, folder), **json.load(sys.stdin))
+    print(json.dumps(answer), flush=True)

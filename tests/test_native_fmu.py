@@ -1,0 +1,370 @@
+"""The native FMUs as an importer sees them, each in a fresh process, against the package."""
+
+import ctypes
+import json
+import math
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmpy import read_model_description
+from fmpy.validation import validate_fmu
+
+from tests.test_fmu import CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, profile_file, run_scenario, stored
+from wrcontact import ContactSystem
+from wrcontact.fmu import compilers, description3, native
+from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
+from wrcontact.interface import variables
+from wrcontact.interface.session import Refused, Session
+from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, STRING, VARIABLES
+
+HERE = Path(__file__).resolve().parent
+SAME = 1e-12   # [relative] to the package; the same compiler and libm give the same bits
+
+
+def has_compiler():
+    try:
+        return bool(compiler_for(PLATFORMS[host_platform()]))
+    except (CompilerProblem, KeyError):
+        return False
+
+
+pytestmark = pytest.mark.skipif(not has_compiler(), reason="no C compiler here")
+
+
+@pytest.fixture(scope="session")
+def fmus(tmp_path_factory):
+    """The FMUs by version of FMI, built once."""
+    return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"))))
+
+
+@pytest.fixture
+def run(fmus, tmp_path):
+    """Run a scenario of fmu_process.py with the FMU of FMI 2."""
+    return lambda scenario, **arguments: run_scenario(scenario, fmus[2], tmp_path / "unpacked", arguments)
+
+
+@pytest.fixture
+def run3(fmus, tmp_path):
+    """Run a scenario of native_process.py with the FMU of FMI 3."""
+
+    def run3(scenario, **arguments):
+        command = [sys.executable, str(HERE / "native_process.py"), scenario, str(fmus[3]), str(tmp_path / "unpacked3")]
+        done = subprocess.run(command, input=json.dumps(arguments), capture_output=True, text=True, encoding="utf-8", timeout=600)
+        assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
+        return json.loads(done.stdout)
+
+    return run3
+
+
+def session(lines=None, **start):
+    """The session that the Python FMU runs, initialised."""
+    made = Session(tell=(lambda sentence: None) if lines is None else lines.append)
+    for name, value in start.items():
+        (made.set_strings if VARIABLES[REFERENCE[name]].type == STRING else made.set_reals)([REFERENCE[name]], [value])
+    made.start()
+    return made
+
+
+def stepped(made, row):
+    """Outputs by name after a step of a session."""
+    made.set_reals([REFERENCE[name] for name in row], list(row.values()))
+    made.step()
+    reals = [v.name for v in VARIABLES[variables.FIRST_OUTPUT:variables.STATUS]]
+    return {**dict(zip(reals, made._values[variables.FIRST_OUTPUT:variables.STATUS].tolist())), "status": made.status}
+
+
+def assert_same(found, wanted):
+    for name, value in wanted.items():
+        nominal = VARIABLES[REFERENCE[name]].nominal or 1.0
+        assert found[name] == pytest.approx(value, rel=SAME, abs=SAME * nominal), name
+
+
+# --- description --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("version", (2, 3))
+def test_fmpy_finds_no_problem(fmus, version):
+    assert validate_fmu(str(fmus[version])) == []
+
+
+@pytest.mark.parametrize("version", (2, 3))
+def test_archive_needs_no_python(fmus, version):
+    with zipfile.ZipFile(fmus[version]) as archive:
+        names = archive.namelist()
+    assert not [name for name in names if name.startswith("resources/") or name.endswith(".py")]
+    assert {"modelDescription.xml", "documentation/index.html", "documentation/licenses/fmi.txt"} <= set(names)
+    place = PLATFORMS[host_platform()]
+    assert f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}" in names
+
+
+def test_fmi3_variables_are_those_of_the_table(fmus):
+    described = read_model_description(str(fmus[3])).modelVariables
+    assert [v.valueReference for v in described] == list(range(1, len(described) + 1))
+    assert described[0].name == "time" and described[0].causality == "independent"
+    seen = []
+    for v in described[1:]:
+        count = math.prod(int(d.start) for d in v.dimensions) if v.dimensions else 1
+        seen += [f"{v.name}[{k + 1}]" for k in range(count)] if v.dimensions else [v.name]
+    assert seen == [v.name for v in VARIABLES]
+    by_name = {v.name: v for v in described}
+    for variable in VARIABLES:
+        found = by_name.get(variable.name)
+        if found is not None:
+            assert (found.causality, found.variability, found.description) == (
+                variable.causality, variable.variability, variable.description)
+            assert found.unit == (variable.unit or None)
+            if variable.start is not None:
+                assert found.start == (variable.start if variable.type == STRING else repr(variable.start))
+    assert int(by_name["left.station"].dimensions[0].start) == 31
+
+
+def test_fmi3_dependencies_are_those_of_the_table(fmus):
+    described = read_model_description(str(fmus[3]))
+    follows = {u.variable.name: {d.name for d in u.dependencies} for u in described.outputs}
+    for variable in VARIABLES:
+        name = re.sub(r"((?:station|half_length|pressure))\[\d+\]", r"\1", variable.name)
+        if variable.causality == OUTPUT:
+            assert follows[name] == set(variable.depends_on), name
+    initial = {u.variable.name: {d.name for d in u.dependencies} for u in described.initialUnknowns}
+    assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"]
+
+
+@pytest.mark.parametrize("version", (2, 3))
+def test_every_function_of_the_standard_is_exported(fmus, tmp_path, version):
+    import fmpy
+
+    library = ctypes.CDLL(str(unpacked_library(fmus[version], version, tmp_path)))
+    text = Path(fmpy.__file__).parent.joinpath("c-code", f"fmi{version}Functions.h").read_text()
+    names = re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +(fmi{version}\w+);", text, re.MULTILINE)
+    exchange = ("EventMode", "DiscreteStates", "ContinuousTimeMode", "CompletedIntegratorStep", "SetTime", "ContinuousStates",
+                "Derivatives", "EventIndicators")
+    if version == 2:
+        names = [name for name in names if not name.endswith(exchange) or name.endswith(("InputDerivatives", "OutputDerivatives"))]
+    assert len(names) > (30 if version == 2 else 70)
+    assert [name for name in names if not hasattr(library, name)] == []
+    assert not hasattr(library, "wrcontact_step"), "the kernel's own functions stay inside"
+
+
+def unpacked_library(fmu, version, folder):
+    place = PLATFORMS[host_platform()]
+    with zipfile.ZipFile(fmu) as archive:
+        return Path(archive.extract(f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}", folder))
+
+
+# --- values ---------------------------------------------------------------------------------------------------
+
+
+def test_first_instant(run, run3):
+    start = {"lateral_shift": 2e-3, "yaw": 1e-3}
+    wanted, default = stepped(session(**start), {}), stepped(session(), {})
+    for seen in (run("first_instant", start=start), run3("first_instant", start=start)):
+        assert_same(seen["default"], default)
+        assert_same(seen["after_initialisation"], wanted)
+        assert seen["in_initialisation"] == seen["after_initialisation"]
+
+
+@pytest.mark.parametrize("name", TRAJECTORIES)
+def test_trajectory(run, run3, name):
+    """The values of the Python FMU, to the last digits, at the stored inputs."""
+    _, rows, _ = stored(name)
+    seen = run("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"]
+    made = session()
+    for row, found in zip(rows, seen):
+        assert_same(found, stepped(made, row))
+    assert run3("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"] == seen
+
+
+def test_trajectory_by_simulate_fmu(run, run3):
+    times, rows, expected = stored("hunting")
+    rows = [{**dict(zip(INPUT_NAMES, (v.start for v in VARIABLES))), **row} for row in rows]
+    names = list(expected[0])
+    for answer in (run("simulated", rows=rows, times=times, names=names), run3("simulated", rows=rows, times=times, names=names)):
+        made = session()
+        for row, found in zip(rows, answer["seen"][1:]):
+            assert_same(found, {name: value for name, value in stepped(made, row).items() if name in names})
+
+
+PARAMETER_SETS = {
+    "strip, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic", "load": "vertical", "tolerance": 0.02},
+    "hertz, basic": {"normal_model": "hertz", "longitudinal_curvature": "basic", "rail_profile": "54E1", "rail_inclination": 0.05},
+    "rough, vertical": {"lateral_curvature": "rough", "separation": "vertical", "curvature_step": 1e-3, "gauge": 1.43},
+    "smooth, chord": {"lateral_curvature": "smooth", "separation": "equidistant_chord", "curvature_reach": 2e-3},
+    "material": {"youngs_modulus": 2e11, "poisson_ratio": 0.3, "nominal_radius": 0.5, "running_circle_distance": 1.51,
+                 "gauge_depth": 0.012, "tolerance": 0.0015},
+}
+
+
+@pytest.mark.parametrize("case", PARAMETER_SETS)
+def test_parameters_arrive(run, run3, case):
+    start = {"lateral_shift": 3e-3, "yaw": 1e-3, **PARAMETER_SETS[case]}
+    wanted = stepped(session(**start), {})
+    assert_same(run("first_instant", start=start)["after_initialisation"], wanted)
+    assert_same(run3("first_instant", start=start)["after_initialisation"], wanted)
+
+
+def test_own_profiles_are_packed(tmp_path):
+    wheel = profile_file(tmp_path, "wheel")
+    files = native.build_native_fmus(tmp_path / "out", wheel=wheel)
+    start = {"wheel_profile": "S1002"}
+    seen = run_scenario("first_instant", files[0], tmp_path / "unpacked", {"start": start})
+    stepper = ContactSystem(wheel=str(wheel)).stepper()
+    stepper.inputs[:] = [v.start for v in VARIABLES[:len(INPUT_NAMES)]]
+    stepper.step()
+    names = [v.name for v in VARIABLES[variables.FIRST_OUTPUT:variables.STATUS]]
+    assert_same(seen["default"], dict(zip(names, stepper.outputs.tolist())))
+    assert_same(seen["after_initialisation"], stepped(session(), {}))
+
+
+# --- behaviour ------------------------------------------------------------------------------------------------
+
+
+SITUATIONS = {
+    **{name: case for name, (case, *_) in CASES.items()},
+    "far yaw": {"yaw": 0.3}, "end of the profile": {"lateral_shift": 0.0149, "yaw": 0.11},
+    "minus infinity": {"normal_force": -math.inf}, "no load": {"normal_force": 0.0}, "left lifted": {"load_transfer": 1.0},
+}
+
+
+@pytest.mark.parametrize("mode", ["rigid", "compliant"])
+def test_outcomes_and_sentences_are_those_of_the_python_fmu(run3, mode):
+    """The same status, kept values, and sentence, in every situation."""
+    situations = dict(SITUATIONS)
+    if mode == "compliant":
+        situations |= {"lifted": {"vertical_shift_input": -0.01}, "deep": {"vertical_shift_input": 0.05},
+                       "far roll": {"roll_input": 0.6}, "pressed": {"vertical_shift_input": 2e-4}}
+    answers = run3("situations", start={"contact_mode": mode}, cases=situations)
+    lines = []
+    made = session(lines, contact_mode=mode)
+    valid = dict(zip(INPUT_NAMES, (v.start for v in VARIABLES)))
+    for name, case in situations.items():
+        stepped(made, valid)
+        lines.clear()
+        wanted = stepped(made, case)
+        assert_same(answers[name]["seen"], wanted)
+        assert answers[name]["log"] == [["logStatusWarning", line] for line in lines], name
+
+
+def test_outcomes_and_recovery(run):
+    answers = run("outcomes", cases={name: case for name, (case, *_) in CASES.items()})
+    for name, (_, status, variable, value) in CASES.items():
+        answer = answers[name]
+        assert answer["during"].pop("status") == status, name
+        assert answer["during"] == {key: kept for key, kept in answer["before"].items() if key != "status"}, name
+        assert len(answer["log"]) == len(answer["again"]) == 1 and answer["rest"] == [], name
+        category, sentence = answer["log"][0][1:]
+        assert category == "logStatusWarning" and variable in sentence and value in sentence.lower(), sentence
+
+
+REFUSED = {
+    **{name: start for name, (start, _) in WRONG.items()},
+    "other kind": {"rail_profile": "S1002"}, "quote": {"load": "it's"}, "tolerance": {"tolerance": 2e-4},
+    "tolerance of a model": {"tolerance": 0.003, "normal_model": "analyn_strip"}, "infinite": {"youngs_modulus": math.inf},
+    "offline": {"normal_model": "halfspace"}, "tiny": {"rail_inclination": 1e-5 - 1e-3},
+}
+
+
+def test_wrong_parameters_are_refused_with_the_sentences_of_the_python_fmu(run, run3):
+    answers = {2: run("refusals", cases=REFUSED), 3: run3("refusals", cases=REFUSED)}
+    for name, start in REFUSED.items():
+        with pytest.raises(Refused) as wrong:
+            session(**start)
+        wanted = str(wrong.value).split(", the path of a profile file")[0]
+        for version, answer in ((v, a[name]) for v, a in answers.items()):
+            assert answer["refused"] and answer["after"]["status"] == 0, (version, name)
+            sentences = [line[-1] for line in answer["log"]]
+            assert sentences == [wanted], (version, name)
+
+
+def test_saved_states(run):
+    seen = run("saved_states", rows=poses(20), names=OUTPUT_NAMES)
+    assert seen["restored"] == seen["before"]
+    assert seen["straight"] == seen["back"] == seen["elsewhere"]
+    assert seen["refusals"] == [True] * 4 and seen["kept"]
+    assert len(seen["log"]) == 4 and all("saved state" in sentence for *_, sentence in seen["log"])
+    assert seen["after"]["status"] == 0
+
+
+def test_saved_states_at_unchanged_inputs(run3):
+    """Going back to inputs that were known when the state was saved gives the same bits, and so does another way there."""
+    seen = run3("state_again", rows=poses(30))
+    assert seen["straight"] == seen["back"] == seen["elsewhere"]
+
+
+def test_reset(run):
+    start = {"rail_inclination": 0.05, "normal_model": "hertz"}
+    seen = run("reset", start=start)
+    assert seen["first"] == seen["second"] and seen["fresh"] == seen["fresh_instance"]
+    assert seen["values"] == {**{name: VARIABLES[REFERENCE[name]].start for name in start}, "lateral_shift": 0.0}
+
+
+def test_instances_in_turn_and_in_threads(run):
+    parameters = [{}, {"normal_model": "hertz"}, {"rail_profile": "54E1"}, {"nominal_radius": 0.5}]
+    seen = run("instances", parameters=parameters, rows=poses(20))
+    assert seen["together"] == seen["alone"] == seen["parallel"]
+
+
+def test_misuse_ends_in_an_error_with_a_sentence(run3):
+    seen = run3("misuse")
+    for name, (refused, lines) in seen["calls"].items():
+        assert refused, name
+        assert len(lines) == 1 and lines[0][0] == "logStatusError" and len(lines[0][1]) > 20, f"{name}: {lines}"
+    assert seen["after"]["status"] == 0
+    assert seen["not_made"] == {name: 1 for name in seen["not_made"]}, seen["not_made"]
+
+
+def test_misuse_of_fmi_2(run):
+    names = ("fixed parameter", "output", "integer output", "unknown reference", "wrong type")
+    answers = run("illegal", cases=list(names))
+    for name in names:
+        refused, lines = answers["calls"][name]
+        assert refused and len(lines) == 1 and lines[0][1] == "logStatusError", f"{name}: {lines}"
+    assert answers["unready"][0] and "has not been initialised" in answers["unready"][1][0][2]
+    assert answers["after"]["status"] == 0
+
+
+def test_memory_stays_flat(run):
+    assert run("endurance", steps=100_000)["resident"] < 2e6  # [bytes]
+
+
+def test_equal_sources_give_equal_bytes(fmus, tmp_path):
+    for version, again in zip((2, 3), native.build_native_fmus(tmp_path)):
+        assert again.read_bytes() == fmus[version].read_bytes()
+
+
+def test_other_contents_give_another_token(fmus, tmp_path):
+    other = native.build_native_fmus(tmp_path, wheel=profile_file(tmp_path, "wheel"))
+    assert read_model_description(str(other[1])).instantiationToken != read_model_description(str(fmus[3])).instantiationToken
+
+
+# --- building -------------------------------------------------------------------------------------------------
+
+
+def test_unknown_platform_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="platform is 'amiga'; permitted are x86_64-linux"):
+        native.build_native_fmus(tmp_path / "out", platforms=["amiga"])
+    assert not (tmp_path / "out").exists()
+
+
+def test_missing_compiler_is_told(monkeypatch):
+    monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(compilers.shutil, "which", lambda name: None)
+    with pytest.raises(CompilerProblem, match="no compiler for aarch64-darwin; pip install ziglang"):
+        compiler_for(PLATFORMS["aarch64-darwin"])
+
+
+@pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
+def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypatch):
+    """Another compiler, the same bits but for the mathematical library."""
+    monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
+    own = native.build_native_fmus(tmp_path / "own")
+    rows = poses(20)
+    seen = [run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}", {"rows": rows, "names": OUTPUT_NAMES})["seen"]
+            for k, fmu in enumerate((fmus[2], own[0]))]
+    for one, other in zip(*seen):
+        assert_same(one, other)
