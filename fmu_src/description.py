@@ -25,8 +25,9 @@ LOG_CATEGORIES = {
 }
 
 
-def model_description(guid, tool, version, starts):
-    """The whole file as bytes; ``starts`` holds start values that differ from the table's."""
+def model_description(guid, tool, version, starts, units=()):
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C files to compile of
+    an FMU with sources."""
     root = Element(
         "fmiModelDescription",
         fmiVersion="2.0",
@@ -37,7 +38,11 @@ def model_description(guid, tool, version, starts):
         generationTool=tool,
         variableNamingConvention="structured",
     )
-    SubElement(root, "CoSimulation", CAPABILITIES)
+    abilities = SubElement(root, "CoSimulation", CAPABILITIES)
+    if units:
+        files = SubElement(abilities, "SourceFiles")
+        for name in units:
+            SubElement(files, "File", name=name)
     unit_definitions(SubElement(root, "UnitDefinitions"))
     categories = SubElement(root, "LogCategories")
     for name, meaning in LOG_CATEGORIES.items():

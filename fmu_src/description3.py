@@ -36,8 +36,9 @@ def variable_blocks():
     return blocks
 
 
-def model_description(token, tool, version, starts):
-    """The whole file as bytes; ``starts`` holds start values that differ from the table's."""
+def model_description(token, tool, version, starts, units=()):
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's; ``units`` stand in the build
+    description here."""
     root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token, description=DESCRIPTION,
                    version=version, generationTool=tool, variableNamingConvention="structured")
     SubElement(root, "CoSimulation", CAPABILITIES)
@@ -51,6 +52,18 @@ def model_description(token, tool, version, starts):
     for reference, block in enumerate(blocks, 1):
         _variable(variables, reference, *block, starts)
     _structure(SubElement(root, "ModelStructure"), blocks)
+    indent(root)
+    return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
+
+
+def build_description(units):
+    """The file sources/buildDescription.xml as bytes: which C files are compiled, and how."""
+    root = Element("fmiBuildDescription", fmiVersion="3.0")
+    configuration = SubElement(root, "BuildConfiguration", modelIdentifier=MODEL)
+    files = SubElement(configuration, "SourceFileSet", language="C11", compilerOptions="-O3 -ffp-contract=off")
+    for name in units:
+        SubElement(files, "SourceFile", name=name)
+    SubElement(configuration, "Library", name="m", external="true", description="mathematical functions of C")
     indent(root)
     return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
 

@@ -387,7 +387,12 @@ NO_VALUES(Boolean, fmi3Boolean)
 
 /* A function of FMI 3 that this FMU declares no capability for. */
 #define NOT_HERE(NAME, REASON, ...)                                 \
-    fmi3Status NAME(fmi3Instance self, ##__VA_ARGS__)               \
+    fmi3Status NAME(fmi3Instance self, __VA_ARGS__)                 \
+    {                                                               \
+        return refuse(self, #NAME, REASON);                         \
+    }
+#define NO_MODE(NAME, REASON)                                       \
+    fmi3Status NAME(fmi3Instance self)                              \
     {                                                               \
         return refuse(self, #NAME, REASON);                         \
     }
@@ -420,14 +425,14 @@ NOT_HERE(fmi3GetAdjointDerivative, "there are no adjoint derivatives", reference
          const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
 NOT_HERE(fmi3GetOutputDerivatives, "there are no output derivatives", reference_list r, size_t n, const fmi3Int32 orders[],
          fmi3Float64 values[], size_t m)
-NOT_HERE(fmi3EnterConfigurationMode, "there are no structural parameters")
-NOT_HERE(fmi3ExitConfigurationMode, "there are no structural parameters")
-NOT_HERE(fmi3EnterEventMode, EVENTLESS)
-NOT_HERE(fmi3EnterStepMode, EVENTLESS)
-NOT_HERE(fmi3EvaluateDiscreteStates, EVENTLESS)
+NO_MODE(fmi3EnterConfigurationMode, "there are no structural parameters")
+NO_MODE(fmi3ExitConfigurationMode, "there are no structural parameters")
+NO_MODE(fmi3EnterEventMode, EVENTLESS)
+NO_MODE(fmi3EnterStepMode, EVENTLESS)
+NO_MODE(fmi3EvaluateDiscreteStates, EVENTLESS)
 NOT_HERE(fmi3UpdateDiscreteStates, EVENTLESS, fmi3Boolean *a, fmi3Boolean *b, fmi3Boolean *c, fmi3Boolean *d, fmi3Boolean *e,
          fmi3Float64 *time)
-NOT_HERE(fmi3EnterContinuousTimeMode, NO_EXCHANGE)
+NO_MODE(fmi3EnterContinuousTimeMode, NO_EXCHANGE)
 NOT_HERE(fmi3CompletedIntegratorStep, NO_EXCHANGE, fmi3Boolean never_back, fmi3Boolean *event, fmi3Boolean *terminate)
 NOT_HERE(fmi3SetTime, NO_EXCHANGE, fmi3Float64 time)
 NOT_HERE(fmi3SetContinuousStates, NO_EXCHANGE, const fmi3Float64 states[], size_t n)

@@ -47,8 +47,8 @@ def host_platform():
     return f"{machine}-{platform.system().lower()}"
 
 
-def compile_platform(name, folder, sources, identifier):
-    """The library for a platform as bytes, from ``sources`` in ``folder``.
+def compile_platform(name, folder, sources, identifier, cache):
+    """The library for a platform as bytes, from ``sources`` in ``folder``; zig keeps what it made in ``cache``.
 
     The machine's own platform is compiled by its own compiler where no ziglang is installed.
     """
@@ -60,11 +60,10 @@ def compile_platform(name, folder, sources, identifier):
     if chosen.suffix == ".dylib":
         flags.append(f"-Wl,-install_name,@rpath/{identifier}.dylib")
     output = Path(folder, identifier + chosen.suffix)
-    cache = str(Path(folder, "cache"))
-    run = subprocess.run([*command, *flags, "-I.", *sources, "-o", output.name, *([] if chosen.suffix == ".dll" else ["-lm"])],
+    run = subprocess.run([*command, *flags, *sources, "-o", output.name, *([] if chosen.suffix == ".dll" else ["-lm"])],
                          cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                          stderr=subprocess.STDOUT,
-                         env={**os.environ, "ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache})
+                         env={**os.environ, "ZIG_LOCAL_CACHE_DIR": str(cache), "ZIG_GLOBAL_CACHE_DIR": str(cache)})
     if run.returncode:
         raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{run.stdout}")
     return output.read_bytes()

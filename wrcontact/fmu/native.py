@@ -35,7 +35,8 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None):
         when a profile cannot be used or a compiler fails; the sentence says why.
     """
     starts, profiles = packed_profiles(wheel_profile=wheel, rail_profile=rail)
-    made = {version: native_fmu(version, starts, profiles, platforms or [host_platform()]) for version in HEADERS}
+    with tempfile.TemporaryDirectory() as folder:
+        made = {version: native_fmu(version, starts, profiles, platforms or [host_platform()], folder) for version in HEADERS}
     targets = []
     for version, data in made.items():
         targets.append(Path(output, f"{MODEL}_native_fmi{version}.fmu"))
@@ -53,16 +54,16 @@ def packed_profiles(**chosen):
     return starts, {**profiles, **{name: own[parameter] for parameter, name in starts.items()}}
 
 
-def native_fmu(version, starts, profiles, platforms):
-    """The archive of one version of FMI as bytes."""
-    tool = f"wrcontact {__version__}, native"
-    token = f"{{{fingerprint({**sources(version, '', starts, profiles), 'modelDescription.xml': DESCRIPTIONS[version]('', tool, __version__, starts)})[:32]}}}"
-    contents = sources(version, token, starts, profiles)
-    entries = {"modelDescription.xml": DESCRIPTIONS[version](token, tool, __version__, starts),
-               "documentation/index.html": documentation_page(__version__, starts).encode(),
-               "documentation/licenses/license.txt": licence("wrcontact"),
-               "documentation/licenses/fmi.txt": headers_licence(contents[HEADERS[version][0]])}
-    for platform, library in libraries(contents, compiled_units(version), platforms).items():
+def native_fmu(version, starts, profiles, platforms, folder):
+    """The archive of one version of FMI as bytes; ``folder`` is for scratch."""
+    tool, units = f"wrcontact {__version__}, native", compiled_units(version)
+    token = f"{{{fingerprint(described('', version, tool, starts, profiles))[:32]}}}"
+    entries = described(token, version, tool, starts, profiles)
+    contents = {name.removeprefix("sources/"): content for name, content in entries.items() if name.startswith("sources/")}
+    entries["documentation/index.html"] = documentation_page(__version__, starts).encode()
+    entries["documentation/licenses/license.txt"] = licence("wrcontact")
+    entries["documentation/licenses/fmi.txt"] = headers_licence(contents[HEADERS[version][0]])
+    for platform, library in libraries(contents, units, platforms, folder).items():
         place = PLATFORMS[platform]
         entries[f"binaries/{place.fmi2 if version == 2 else place.name}/{MODEL}{place.suffix}"] = library
     data = archive({name: content for name, content in entries.items() if content})
@@ -70,6 +71,15 @@ def native_fmu(version, starts, profiles, platforms):
     if problems:
         raise ValueError(f"the FMU of FMI {version} would not be valid: " + " ".join(problems))
     return data
+
+
+def described(token, version, tool, starts, profiles):
+    """The model description and the sources."""
+    units = compiled_units(version)
+    entries = {f"sources/{name}": content for name, content in sources(version, token, starts, profiles).items()}
+    if version == 3:
+        entries["sources/buildDescription.xml"] = description3.build_description(units)
+    return entries | {"modelDescription.xml": DESCRIPTIONS[version](token, tool, __version__, starts, units)}
 
 
 def sources(version, token, starts, profiles):
@@ -92,11 +102,11 @@ def compiled_units(version):
     return [f"fmi{version}.c", "wheelset.c", "model.c", "kernel/native/wrcontact_kernel.c", "kernel/native/wrcontact_prepare.c"]
 
 
-def libraries(contents, units, platforms):
-    """The library of each platform as bytes."""
-    with tempfile.TemporaryDirectory() as folder:
-        write_sources(contents, folder)
-        return {platform: compile_platform(platform, folder, units, MODEL) for platform in platforms}
+def libraries(contents, units, platforms, folder):
+    """The library of each platform as bytes, made in a scratch folder of its own inside ``folder``."""
+    place = Path(tempfile.mkdtemp(dir=folder))
+    write_sources(contents, place)
+    return {platform: compile_platform(platform, place, units, MODEL, cache=Path(folder, "cache")) for platform in platforms}
 
 
 def write_sources(contents, folder):
