@@ -8,21 +8,24 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
+import timeit
 import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 
 from tests.test_fmu import CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, profile_file, run_scenario, stored
 from wrcontact import ContactSystem
-from wrcontact.fmu import compilers, description3, native
+from wrcontact.fmu import compilers, native
 from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
-from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, STRING, VARIABLES
+from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
 
 HERE = Path(__file__).resolve().parent
 SAME = 1e-12   # [relative] to the package; the same compiler and libm give the same bits
@@ -374,6 +377,90 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version):
     one, other = (json.loads(run.stdout)["seen"] for run in seen)
     for ours, theirs in zip(one, other, strict=True):
         assert_same(theirs, ours)
+
+
+# --- from a C host ---------------------------------------------------------------------------------------------
+
+HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_realloc"]
+SANITIZERS = ["-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all"]
+CALLS = 100_000
+COST = 25.0 / 2.0   # of set 5, do step, get all on the run "hunting", in units of np.sqrt over 2000 numbers
+NOISE = 2.0         # of a shared machine
+
+
+@pytest.fixture(scope="session")
+def host(tmp_path_factory):
+    """Build native_host.c with the FMU's sources, once for each version and flags."""
+    made = {}
+
+    def host(version, *flags):
+        if (version, flags) not in made:
+            folder = tmp_path_factory.mktemp("host")
+            native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), folder)
+            shutil.copy(HERE / "native_host.c", folder)
+            units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
+            units["native_host.c"] = [f"-DFMI={version}"]
+            for number, (unit, extra) in enumerate(units.items()):
+                subprocess.run(["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o", f"{number}.o"],
+                               cwd=folder, check=True)
+            objects = [f"{number}.o" for number in range(len(units))]
+            subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm"], cwd=folder, check=True)
+            made[version, flags] = folder / "host"
+        return made[version, flags]
+
+    return host
+
+
+needs_system_compiler = pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
+
+
+def sanitizers_work():
+    """Whether the system's compiler links and runs a sanitized program."""
+    if not shutil.which("cc"):
+        return False
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "probe.c").write_text("int main(void) { return 0; }\n")
+        made = subprocess.run(["cc", *SANITIZERS, "probe.c", "-o", "probe"], cwd=folder, capture_output=True)
+        return made.returncode == 0 and subprocess.run([str(Path(folder, "probe"))]).returncode == 0
+
+
+def fuzz(program, seed, calls):
+    """Random calls, legal and illegal, with allocations that fail now and then; what the program counted."""
+    done = subprocess.run([str(program), "fuzz", str(seed), str(calls)], text=True, capture_output=True, timeout=1800)
+    assert done.returncode == 0, f"seed {seed}: {done.stdout}\n{done.stderr[-4000:]}"
+    counted = json.loads(done.stdout)
+    assert counted["valid_steps"] > 0.03 * calls and counted["lines"] > 0.1 * calls and counted["odd_lines"] == 0
+    return counted
+
+
+@pytest.mark.skipif(not sanitizers_work(), reason="no sanitizers here")
+@pytest.mark.parametrize("version", (2, 3))
+def test_random_calls_under_sanitizers(host, version):
+    fuzz(host(version, *SANITIZERS), 5, CALLS)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not sanitizers_work(), reason="no sanitizers here")
+@pytest.mark.parametrize("version", (2, 3))
+def test_a_million_random_calls_under_sanitizers(host, version):
+    for seed in range(10):
+        fuzz(host(version, *SANITIZERS), seed, CALLS)
+
+
+@needs_system_compiler
+@pytest.mark.parametrize("version", (2, 3))
+def test_cost_and_allocations(host, version, tmp_path):
+    """Set 5, do step, get all outputs: within its cost, and without an allocation after the initialisation."""
+    _, rows, _ = stored("hunting")
+    names = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
+    (tmp_path / "rows.txt").write_text("".join(" ".join(repr(row[name]) for name in names) + "\n" for row in rows))
+    done = subprocess.run([str(host(version)), "cost", str(tmp_path / "rows.txt")], text=True, capture_output=True, check=True)
+    found = json.loads(done.stdout)
+    assert found["allocations"] == 0 and found["rows"] == len(rows)
+    assert found["outputs"] == len([v for v in VARIABLES if v.causality == OUTPUT and v.type == "Real"])
+    root = np.arange(2000.0)
+    unit = 1e6 * min(timeit.repeat(lambda: np.sqrt(root), number=1, repeat=2000))
+    assert found["microseconds"] <= NOISE * COST * unit, f"{found['microseconds']} us where np.sqrt takes {unit} us"
 
 
 # --- building -------------------------------------------------------------------------------------------------
