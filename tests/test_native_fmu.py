@@ -338,6 +338,28 @@ def test_memory_stays_flat(run):
     assert run("endurance", steps=100_000)["resident"] < 2e6  # [bytes]
 
 
+def test_path_with_spaces_and_other_letters(fmus, tmp_path):
+    folder = tmp_path / "Räder & Schienen 轮轨"
+    folder.mkdir()
+    for version, script in ((2, "fmu_process.py"), (3, "native_process.py")):
+        copy = shutil.copy(fmus[version], folder / f"my FMU ä {version}.fmu")
+        done = subprocess.run([sys.executable, str(HERE / script), "first_instant", str(copy), str(folder / f"entpackt ü {version}")],
+                              input="{}", capture_output=True, text=True, encoding="utf-8", cwd=folder)
+        assert done.returncode == 0, done.stderr
+        assert_same(json.loads(done.stdout)["default"], stepped(session(), {}))
+
+
+def test_command_line_prints_the_paths(fmus, tmp_path):
+    command = [sys.executable, str(HERE.parent / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    printed = list(map(Path, done.stdout.split()))
+    assert printed == [tmp_path / "out" / f"WheelsetContact_native_fmi{version}.fmu" for version in (2, 3)]
+    assert [file.read_bytes() for file in printed] == [file.read_bytes() for file in fmus.values()]
+    wrong = subprocess.run([*command, "--platforms", "x86_64-linux,amiga"], capture_output=True, text=True)
+    assert wrong.returncode == 1 and "platform is 'amiga'; permitted are x86_64-linux" in wrong.stderr
+
+
 def test_equal_sources_give_equal_bytes(fmus, tmp_path):
     for version, again in zip((2, 3), native.build_native_fmus(tmp_path)):
         assert again.read_bytes() == fmus[version].read_bytes()

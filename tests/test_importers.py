@@ -1,0 +1,87 @@
+"""Native FMUs in importers that are independent of fmpy and of each other, each in a process of its own."""
+
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.test_fmu import run_scenario, stored
+from tests.test_native_fmu import HERE, has_compiler, session, stepped
+from wrcontact.fmu import native
+from wrcontact.interface.variables import REFERENCE, VARIABLES
+
+SAME = 1e-9  # [relative]
+NAMES = ["roll", "vertical_shift", "left.contact.y_wheel", "right.contact.y_rail", "left.area", "right.max_pressure",
+         "right.penetration", "left.contact_angle"]
+pytestmark = pytest.mark.skipif(not has_compiler(), reason="no C compiler here")
+
+
+def needs(module):
+    return pytest.mark.skipif(not importlib.util.find_spec(module), reason=f"{module} is not installed")
+
+
+@pytest.fixture(scope="session")
+def fmus(tmp_path_factory):
+    """The FMUs by version of FMI, built once."""
+    return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"))))
+
+
+@pytest.fixture(scope="session")
+def wanted():
+    """Inputs of the stored run, and what the package gives."""
+    _, rows, _ = stored("hunting")
+    made = session()
+    return rows, [[stepped(made, row)[name] for name in NAMES] for row in rows]
+
+
+def assert_same(seen, wanted):
+    for found, expected in zip(seen, wanted, strict=True):
+        for name, value, right in zip(NAMES, found, expected, strict=True):
+            assert value == pytest.approx(right, rel=SAME, abs=SAME * VARIABLES[REFERENCE[name]].nominal), name
+
+
+@pytest.mark.parametrize("importer, version", [pytest.param("libcosimpy", 2, marks=needs("libcosimpy")),
+                                               pytest.param("ecospy", 2, marks=needs("ecospy")),
+                                               pytest.param("ecospy", 3, marks=needs("ecospy"))])
+def test_importer(fmus, wanted, importer, version, tmp_path):
+    rows, expected = wanted
+    libraries = os.pathsep.join(filter(None, [str(Path(sys.prefix, "lib")), os.environ.get("LD_LIBRARY_PATH")]))
+    done = subprocess.run([sys.executable, str(HERE / "importer_process.py"), importer, str(fmus[version])], text=True,
+                          input=json.dumps({"rows": rows, "names": NAMES}), capture_output=True, cwd=tmp_path, timeout=300,
+                          env={**os.environ, "LD_LIBRARY_PATH": libraries})     # Ecos looks for its tbb there
+    assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
+    assert_same(json.loads(done.stdout.strip().splitlines()[-1])["seen"], expected)
+
+
+def tool(name, *arguments, folder):
+    """Run a tool of the FMU Manipulation Toolbox; what it says."""
+    command = shutil.which(name, path=str(Path(sys.executable).parent))
+    done = subprocess.run([command, *arguments], text=True, capture_output=True, cwd=folder, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout + done.stderr
+
+
+@needs("fmu_manipulation_toolbox")
+@pytest.mark.parametrize("version", (2, 3))
+def test_fmutool_finds_nothing(fmus, version, tmp_path):
+    said = tool("fmutool", "-input", str(fmus[version]), "-check", folder=tmp_path)
+    assert f"compliant with FMI-{version}.0" in said and f"No semantic error against the FMI-{version} standard" in said
+
+
+@needs("fmu_manipulation_toolbox")
+@pytest.mark.parametrize("version", (2, 3))
+def test_container(fmus, wanted, version, tmp_path):
+    """The FMU inside a container of FMI 2: the container's C importer drives it, fmpy the container."""
+    rows, expected = wanted
+    shutil.copy(fmus[version], tmp_path)
+    ports = [f"OUTPUT;{fmus[version].name};{name};;{name}" for name in NAMES]
+    (tmp_path / "container.csv").write_text("\n".join(["rule;from_fmu;from_port;to_fmu;to_port", f"FMU;{fmus[version].name};;;",
+                                                       *ports]) + "\n")
+    tool("fmucontainer", "-fmu-directory", ".", "-container", "container.csv:0.001", "-auto-parameter", folder=tmp_path)
+    seen = run_scenario("trajectory", tmp_path / "container.fmu", tmp_path / "unpacked", {"rows": rows, "names": NAMES})["seen"]
+    assert_same([[found[name] for name in NAMES] for found in seen], expected)
