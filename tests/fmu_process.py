@@ -346,6 +346,24 @@ def misuse(fmu):
     return {"refused": answers, "unready": unready.get("status"), "unready_log": unready.told(), "after": after}
 
 
+def illegal(fmu, cases):
+    """Single calls that a native FMU refuses, each with its log; and a step before initialisation."""
+    instance, variables = fmu.running(), fmu.variables
+    calls = {
+        "fixed parameter": lambda: instance.set(gauge=1.5),
+        "output": lambda: instance.slave.setReal([variables["roll"].valueReference], [1.0]),
+        "integer output": lambda: instance.slave.setInteger([variables["status"].valueReference], [1]),
+        "unknown reference": lambda: instance.slave.getReal([4711]),
+        "wrong type": lambda: instance.slave.getReal([variables["status"].valueReference]),
+    }
+    instance.told()
+    answers = {name: (refused(calls[name]), instance.told()) for name in cases}
+    unready = fmu.instance("unready")
+    early = refused(unready.step), unready.told()
+    instance.step(lateral_shift=1e-3)
+    return {"calls": answers, "unready": early, "after": instance.get("status", "roll")}
+
+
 def vanished_folder(fmu, again, elsewhere):
     """An instance is refused, its folder removed, and the FMU unpacked again elsewhere."""
     instance = fmu.instance()
