@@ -19,7 +19,8 @@ import pytest
 from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 
-from tests.test_fmu import CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, profile_file, run_scenario, stored
+from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, pressed_poses, profile_file,
+                            run_scenario, stored)
 from wrcontact import ContactSystem
 from wrcontact.fmu import compilers, native
 from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
@@ -287,8 +288,10 @@ def test_wrong_parameters_are_refused_with_the_sentences_of_the_python_fmu(run, 
             assert sentences == [wanted], (version, name)
 
 
-def test_saved_states(run):
-    seen = run("saved_states", rows=poses(20), names=OUTPUT_NAMES)
+@pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
+def test_saved_states(run, mode):
+    rows = pressed_poses(20) if mode == "compliant" else poses(20)
+    seen = run("saved_states", rows=rows, names=OUTPUT_NAMES, start={"contact_mode": mode})
     assert seen["restored"] == seen["before"]
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
     assert seen["refusals"] == [True] * 4 and seen["kept"]
