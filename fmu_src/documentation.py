@@ -1,18 +1,27 @@
 """The FMU's documentation/index.html: the method's equations, conventions, and the table of variables."""
 
 from html import escape
+from pathlib import Path
+from xml.etree.ElementTree import fromstring
 
-from ..interface.variables import INPUT, OUTPUT, PARAMETER, UNITS, documented
+from ..conventions import SIDES
+from ..interface.variables import folded
+from ..system import CHOICES
+
+ICON = Path(__file__).resolve().parent / "icon.svg"
 
 STYLE = """
-body { font: 16px/1.5 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222; }
-table { border-collapse: collapse; width: 100%; font-size: 90%; }
+body { font: 16px/1.5 sans-serif; max-width: 76em; margin: 2em auto; padding: 0 1em; color: #222; }
+p { max-width: 60em; }
+sub, sup { line-height: 0; }
+table { border-collapse: collapse; font-size: 90%; }
 th, td { text-align: left; vertical-align: top; padding: .2em .6em; border-bottom: 1px solid #ddd; }
 .equation { margin: .6em 2em; font-family: serif; font-size: 110%; }
-code { white-space: nowrap; }
+code, td span { white-space: nowrap; }
+h1 svg { width: 1.6em; height: 1.6em; vertical-align: middle; margin-right: .4em; }
 """
 
-METHOD = """
+USE = """
 <h2>How to use it</h2>
 <p>Set the inputs, step, read the outputs. They follow the inputs at once: the model has no dynamics of its own, any
 step size is right, and outputs are valid before the first step. A step with unchanged inputs costs nothing.
@@ -26,7 +35,9 @@ its value and the limit. The step itself always succeeds, and the next valid inp
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
 <tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td><td>last valid values</td></tr>
 </table>
+"""
 
+METHOD = """
 <h2>Conventions</h2>
 <p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y to
 the right, z down, origin on the track centre line at top of rail. Yaw &psi; is positive clockwise seen from above, roll
@@ -83,42 +94,171 @@ result is that of Hertz. Separate loaded regions are reported as patches, by fal
 """
 
 
-def documentation_page(version, starts):
-    """The page as text; ``starts`` holds start values that differ from the table's."""
-    tables = "".join(_table(title, causality, starts) for causality, title in TABLES.items())
+def documentation_page(version, description, about):
+    """The page as text.
+
+    Parameters
+    ----------
+    version : of wrcontact.
+    description : the FMU's modelDescription.xml, whose variables are listed.
+    about : what holds for this kind of FMU only, as HTML: ``about_python`` or ``about_native``.
+    """
+    root = fromstring(description)
+    tables = "".join(_table(title, causality, root) for causality, title in TABLES.items())
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>WheelsetContact</title>\n'
-        f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>WheelsetContact</h1>\n"
-        f"<p>Wheel-rail contact of one wheelset on track; wrcontact {escape(version)}.</p>\n"
-        f"{METHOD}\n{tables}<p>Licences: <a href=\"licenses/\">licenses</a>.</p>\n</body>\n</html>\n"
+        f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}WheelsetContact</h1>\n"
+        f"<p>Wheel-rail contact of one wheelset on track; FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}.</p>\n"
+        f"{USE}{about}{METHOD}{_abilities(root)}{tables}"
+        '<p>Licences: <a href="licenses/">licenses</a>.</p>\n</body>\n</html>\n'
     )
 
 
+# --- what holds for one kind of FMU ------------------------------------------------------------------
+
+
+def about_python():
+    """Of the FMU that runs in Python."""
+    return """
+<h2>This FMU</h2>
+<p>It carries its program as Python source and runs it inside the host: a Python of 3.10 or newer with numpy must be there. The
+kernel is compiled for the platform on which the FMU was built, and elsewhere runs as Python, about 100 times slower with the same
+results. <code>wheel_profile</code> and <code>rail_profile</code> take a built-in name (S1002; UIC60, 60E1, 54E1) or the name of
+a file in the FMU's <code>resources</code>.</p>
+"""
+
+
+def about_native(version, platforms, profiles):
+    """Of a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by name."""
+    names = {kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
+             for kind in ("wheel", "rail")}
+    listed = {2: "<code>SourceFiles</code> in the model description lists", 3: "<code>sources/buildDescription.xml</code> lists"}[version]
+    return f"""
+<h2>This FMU</h2>
+<p>It is compiled and needs no Python, no file and no other program. Libraries are in it for {", ".join(platforms)}. For other
+machines its <code>sources</code> compile with any C11 compiler; {listed} the files. They want no fused multiply-add
+(<code>-ffp-contract=off</code>), or results change by rounding.</p>
+<p>{OUTLINES[version]}</p>
+<p>Profiles are packed: <code>wheel_profile</code> chooses among {names["wheel"]}, <code>rail_profile</code> among {names["rail"]}.
+These and all other parameters are fixed once initialisation mode is left.</p>
+<p>A call that cannot be done (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of
+order) returns an error with one sentence in the log, changes nothing, and the instance goes on. An input that is not a number
+or off the profile is no error but a <code>status</code>.</p>
+<p>Memory is allocated when an instance is made and initialised, never in a step; a saved state is one block more. Instances share
+nothing that changes, so each may run in a thread of its own; one instance is for one thread at a time.</p>
+<p>A saved state holds inputs, parameters, outputs, the time and what the search remembers. Going on from it gives the same
+bits as going on without it. Its bytes can be read by any instance of this very FMU (same {TOKENS[version]}) on the same kind of
+machine; others refuse them.</p>
+"""
+
+
+OUTLINES = {
+    2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> and "
+       "<code>pressure</code>; the FMU of FMI 3.0 has arrays in their place.",
+    3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and <code>pressure</code>. "
+       "An array has one value reference, and a call needs room for all its values. Value references count from 1, and differ "
+       "from those of the FMU of FMI 2.0.",
+}
+TOKENS = {2: "guid", 3: "instantiation token"}
+
+
+# --- from the model description ----------------------------------------------------------------------
+
+
 TABLES = {
-    INPUT: "Inputs",
-    PARAMETER: "Parameters (fixed after initialisation)",
-    OUTPUT: "Outputs (side is left or right, k = 1 &hellip; 3, j = 1 &hellip; 31)",
+    "input": "Inputs",
+    "structuralParameter": "Structural parameters (sizes of arrays)",
+    "parameter": "Parameters (fixed after initialisation)",
+    "output": "Outputs (side is left or right, k = 1 &hellip; 3 a patch, j = 1 &hellip; 31 a station)",
+    "independent": "Time",
 }
 
 
-def _table(title, causality, starts):
-    """All variables of one causality as a table."""
-    rows = "".join(_row(name, variable, starts) for name, variable in documented() if variable.causality == causality)
-    head = "<tr><th>name</th><th>unit</th><th>shown in</th><th>start</th><th>limits</th><th>meaning</th></tr>\n"
-    return f"<h2>{title}</h2>\n<table>\n{head}{rows}</table>\n"
+def _abilities(root):
+    """Capabilities and log categories, as the model description declares them."""
+    abilities = dict(root.find("CoSimulation").attrib)
+    abilities.pop("modelIdentifier")
+    rows = "".join(f"<tr><td><code>{name}</code></td><td>{value}</td></tr>\n" for name, value in abilities.items())
+    logs = "".join(f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
+                   for category in root.iter("Category"))
+    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
+            f"<h2>Log categories</h2>\n<table>\n<tr><th>category</th><th>lines</th></tr>\n{logs}</table>\n")
 
 
-def _row(name, variable, starts):
-    """One variable as a table row."""
-    unit = UNITS.get(variable.unit)
-    start = starts.get(variable.name, variable.start)
-    limits = (("&ge;", variable.minimum), ("&le;", variable.maximum))
-    cells = [
-        f"<code>{escape(name)}</code>",
-        escape(variable.unit),
-        unit.display if unit else "",
-        "" if start is None else escape(f"{start:.10g}" if isinstance(start, float) else start),
-        " or ".join(variable.choices) or ", ".join(f"{sign} {limit:g}" for sign, limit in limits if limit is not None),
-        escape(variable.meaning),
-    ]
-    return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>\n"
+def _table(title, causality, root):
+    """All variables of one causality as a table, left and right, patches and stations in one row, without empty columns."""
+    groups = {}
+    for variable in root.find("ModelVariables"):
+        if variable.get("causality") == causality:
+            groups.setdefault(folded(variable.get("name")), []).append(variable)
+    if not groups:
+        return ""
+    table = [HEADINGS, *(_row(name, members, root) for name, members in groups.items())]
+    kept = [k for k in range(len(HEADINGS)) if any(row[k] for row in table[1:])]
+    rows = ["".join(f"<{tag}>{row[k]}</{tag}>" for k in kept) for row, tag in zip(table, ["th"] + ["td"] * (len(table) - 1))]
+    return f"<h2>{title}</h2>\n<table>\n" + "".join(f"<tr>{row}</tr>\n" for row in rows) + "</table>\n"
+
+
+HEADINGS = ("name", "reference", "unit", "shown in", "start", "permitted", "meaning")
+
+
+def _row(name, members, root):
+    """The cells of variables that differ by their places only."""
+    first = members[0]
+    attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}     # FMI 2: an element of its own
+    start = attributes.get("start") or next((element.get("value") for element in first.iter("Start")), "")
+    meaning = attributes["description"]
+    return (
+        f"<code>{escape(name + _size(first, root))}</code>",
+        _references(members),
+        escape(attributes.get("unit", "")),
+        escape(attributes.get("displayUnit", "")),
+        escape(_short(start)),
+        ", ".join(CHOICES.get(name, ())) or _limits(attributes.get("min"), attributes.get("max")),
+        escape(meaning.split(": ", 1)[1] if name.startswith("side.") else meaning),
+    )
+
+
+def _size(variable, root):
+    """How many values an array has: a number, or the variable that says so."""
+    sizes = []
+    for dimension in variable.iter("Dimension"):
+        reference = dimension.get("valueReference")
+        named = [v.get("name") for v in root.find("ModelVariables") if v.get("valueReference") == reference]
+        sizes.append(dimension.get("start") or named[0])
+    return f"[{', '.join(sizes)}]" if sizes else ""
+
+
+def _limits(low, high):
+    """A range, open where a limit is None."""
+    if low and high:
+        return f"<span>{float(low):g} &hellip; {float(high):g}</span>"
+    return f"&ge; {float(low):g}" if low else f"&le; {float(high):g}" if high else ""
+
+
+def _short(number):
+    """A number in its fewest digits; other text as it is."""
+    try:
+        return f"{float(number):.10g}"
+    except ValueError:
+        return number
+
+
+def _references(members):
+    """Value references of variables, by side where there are two: "left 28 &hellip; 58; right 162 &hellip; 192"."""
+    sides = {}
+    for variable in members:
+        side = variable.get("name").split(".")[0]
+        sides.setdefault(side if side in SIDES else "", []).append(int(variable.get("valueReference")))
+    return "; ".join(f"{side} {_runs(references)}".strip() for side, references in sides.items())
+
+
+def _runs(numbers):
+    """Rising numbers, neighbours joined: "1, 5 &hellip; 9"."""
+    runs = []
+    for number in numbers:
+        if runs and number == runs[-1][1] + 1:
+            runs[-1][1] = number
+        else:
+            runs.append([number, number])
+    return ", ".join(f"{first}" if first == last else f"{first} &hellip; {last}" for first, last in runs)

@@ -18,12 +18,14 @@ from pathlib import Path
 import pythonfmu
 
 from .. import ContactSystem, __version__
+from ..interface.variables import VARIABLES
 from ..profiles.files import prepared_text
 from . import SOURCES
 from .compilers import PLATFORMS
 from .description import MODEL, model_description
-from .documentation import documentation_page
+from .documentation import about_python, documentation_page
 from .online import PACKAGE, online_files
+from .terminals import terminals_and_icons
 
 SLAVE = "wheelset_contact"
 #: The package's ``__init__`` in an FMU.
@@ -34,6 +36,8 @@ from .kernel import library, step
 
 library.default_kernel()
 '''
+#: What FMI 2.0 wants to be told about that.
+DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
 #: Every entry of the archive carries this time, so that the hour of the build does not show.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
@@ -93,8 +97,10 @@ def package(starts):
 
 
 def documentation(starts):
-    """The page about the model, and the licences."""
-    entries = {"documentation/index.html": documentation_page(__version__, starts).encode()}
+    """The page about the model, the icon and the terminals, what the FMU needs, and the licences."""
+    page = documentation_page(__version__, model_description("", "", __version__, starts), about_python())
+    entries = {"documentation/index.html": page.encode(), "documentation/externalDependencies.txt": DEPENDENCIES,
+               **terminals_and_icons(2, [variable.name for variable in VARIABLES])}
     texts = {"license": licence("wrcontact"), "pythonfmu": licence("pythonfmu")}
     return entries | {f"documentation/licenses/{name}.txt": text for name, text in texts.items() if text}
 

@@ -6,12 +6,14 @@ from pathlib import Path
 import fmpy
 
 from .. import ContactSystem, __version__
+from ..interface.variables import VARIABLES
 from ..profiles.catalogue import BUILDERS, standard_profile
 from . import SOURCES, description, description3, native_model
 from .build import archive, chosen_profiles, fingerprint, licence, problems_of, write_whole
 from .compilers import PLATFORMS, compile_platform, host_platform
-from .documentation import documentation_page
+from .documentation import about_native, documentation_page
 from .online import PACKAGE
+from .terminals import terminals_and_icons
 
 NATIVE = SOURCES / "native"
 MODEL = description.MODEL
@@ -60,7 +62,9 @@ def native_fmu(version, starts, profiles, platforms, folder):
     token = f"{{{fingerprint(described('', version, tool, starts, profiles))[:32]}}}"
     entries = described(token, version, tool, starts, profiles)
     contents = {name.removeprefix("sources/"): content for name, content in entries.items() if name.startswith("sources/")}
-    entries["documentation/index.html"] = documentation_page(__version__, starts).encode()
+    about = about_native(version, platforms, profiles)
+    entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"], about).encode()
+    entries |= terminals_and_icons(version, variable_names(version))
     entries["documentation/licenses/license.txt"] = licence("wrcontact")
     entries["documentation/licenses/fmi.txt"] = headers_licence(contents[HEADERS[version][0]])
     for platform, library in libraries(contents, units, platforms, folder).items():
@@ -95,6 +99,13 @@ def sources(version, token, starts, profiles):
         "model_sizes.h": native_model.sizes_header(token, profiles, blocks).encode(),
         "model.c": native_model.model_code(starts, profiles, blocks).encode(),
     }
+
+
+def variable_names(version):
+    """Names of the variables in one version of FMI."""
+    if version == 2:
+        return [variable.name for variable in VARIABLES]
+    return [name for name, *_ in description3.variable_blocks()]
 
 
 def compiled_units(version):

@@ -145,9 +145,9 @@ def _inputs():
 def _parameters():
     """What stays: profiles, track, material and methods."""
     return [
-        Variable("wheel_profile", PARAMETER, "Wheel profile: a built-in name, or a file in the FMU's resources",
+        Variable("wheel_profile", PARAMETER, "Wheel profile: a built-in name, or the name of a file that is packed in the FMU",
                  STRING, start=STARTS.get("wheel_profile", "S1002"), keyword="wheel"),
-        Variable("rail_profile", PARAMETER, "Rail profile: a built-in name, or a file in the FMU's resources",
+        Variable("rail_profile", PARAMETER, "Rail profile: a built-in name, or the name of a file that is packed in the FMU",
                  STRING, start=STARTS.get("rail_profile", "UIC60"), keyword="rail"),
         _number("rail_inclination", 0.025, 0.025, "Inclination of the rail to the track centre as a slope; 0.025 is 1:40"),
         _number("gauge", 1.435, 1.0, "Track gauge between the gauge faces of the rails"),
@@ -287,7 +287,12 @@ def documented():
     """
     rows = {}
     for variable in VARIABLES:
-        name = re.sub(r"^(left|right)\.", "side.", variable.name)
-        name = re.sub(r"patch\[\d+\]", "patch[k]", name)
-        rows.setdefault(re.sub(r"\[\d+\]", "[j]", name), variable)
+        rows.setdefault(folded(variable.name), variable)
     return list(rows.items())
+
+
+def folded(name):
+    """A variable's name with its side, and its places in arrays, as letters."""
+    name = re.sub(r"^(left|right)\.", "side.", name)
+    name = re.sub(r"patch\[\d+\]", "patch[k]", name)
+    return re.sub(r"\[\d+\]", "[j]", name)
