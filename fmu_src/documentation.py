@@ -30,67 +30,77 @@ its value and the limit. The step itself always succeeds, and the next valid inp
 <table>
 <tr><th>status</th><th>meaning</th><th>outputs</th></tr>
 <tr><td>0</td><td>valid</td><td>valid</td></tr>
-<tr><td>1</td><td>unloaded: a wheel has no normal force, or is lifted in compliant contact</td><td>valid; the patch of that wheel is empty</td></tr>
-<tr><td>2</td><td>off the profile: no contact point within wheel and rail profile, or deeper than 2 mm in it</td><td>last valid values</td></tr>
+<tr><td>1</td><td>unloaded: a wheel has no normal force, or is lifted in compliant contact</td>
+<td>valid; the patch of that wheel is empty</td></tr>
+<tr><td>2</td><td>off the profile: no contact point within wheel and rail profile, or deeper than 2 mm in it</td>
+<td>last valid values</td></tr>
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
-<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td><td>last valid values</td></tr>
+<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td>
+<td>last valid values</td></tr>
 </table>
 """
 
 METHOD = """
 <h2>Conventions</h2>
-<p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y to
-the right, z down, origin on the track centre line at top of rail. Yaw &psi; is positive clockwise seen from above, roll
-&theta; positive with the right wheel down; the attitude of the wheelset is
-R = R<sub>z</sub>(&psi;) R<sub>x</sub>(&theta;). Wheel and rail profile frames have y to the field side and z down, on both
-sides (the left side is the mirror image of the right one): the flange is at negative y, and
-<code>y_wheel</code>, <code>y_rail</code>, stations and centroids of both wheels compare directly. Only
-<code>y_track</code> is not mirrored. The contact angle is positive towards the flange.</p>
-<p><code>force</code> and <code>moment</code> are the resultant of the contact forces of both rails on the wheelset, in the
-axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
-<code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: each patch pushes along its own normal.</p>
+<p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y
+to the right, z down, origin on the track centre line at top of rail. Yaw &psi; is positive clockwise seen from above,
+roll &theta; positive with the right wheel down; the attitude of the wheelset is R = R<sub>z</sub>(&psi;)
+R<sub>x</sub>(&theta;). Wheel and rail profile frames have y to the field side and z down, on both sides (the left side
+is the mirror image of the right one): the flange is at negative y, and <code>y_wheel</code>, <code>y_rail</code>,
+stations and centroids of both wheels compare directly. Only <code>y_track</code> is not mirrored. The contact angle is
+positive towards the flange.</p>
+<p><code>force</code> and <code>moment</code> are the resultant of the contact forces of both rails on the wheelset, in
+the axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
+<code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: each patch pushes along its own
+normal.</p>
 
 <h2>Contact modes</h2>
-<p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each wheel
-is pressed along its normal there. Elastic: the wheels sink in until each carries its load, which gives height and roll; under
-a small load that is the rigid pose. Compliant: height and roll are the inputs <code>vertical_shift_input</code> and
-<code>roll_input</code>, and the loads follow from how deep each wheel stands; <code>normal_force</code> and
-<code>load_transfer</code> are not read, and the outputs <code>force</code> and <code>moment</code> close the loop to a
-wheelset with mass. Inputs that a mode does not read may have any permitted value. <code>load</code> says what
-<code>normal_force</code> prescribes: the total over the patches of a wheel, or the vertical component of their resultant.</p>
+<p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each
+wheel is pressed along its normal there. Elastic: the wheels sink in until each carries its load, which gives height and
+roll; under a small load that is the rigid pose. Compliant: height and roll are the inputs
+<code>vertical_shift_input</code> and <code>roll_input</code>, and the loads follow from how deep each wheel stands;
+<code>normal_force</code> and <code>load_transfer</code> are not read, and the outputs <code>force</code> and
+<code>moment</code> close the loop to a wheelset with mass. Inputs that a mode does not read may have any permitted
+value. <code>load</code> says what <code>normal_force</code> prescribes: the total over the patches of a wheel, or the
+vertical component of their resultant.</p>
 
 <h2>Contact geometry</h2>
-<p>The wheel is a surface of revolution with radius r(y), the rail a cylinder along x: at a contact the common normal has
-no x component. This fixes the angle around the wheel for every point of the profile, the <em>contact locus</em>:</p>
+<p>The wheel is a surface of revolution with radius r(y), the rail a cylinder along x: at a contact the common normal
+has no x component. This fixes the angle around the wheel for every point of the profile, the <em>contact
+locus</em>:</p>
 <p class="equation">&phi;(y) = &minus;arctan t &minus; arcsin w, &nbsp; t = tan &psi; sin &theta;, &nbsp;
 w = &plusmn; tan &psi; cos &theta; r&prime;(y) / &radic;(1 + t&sup2;) &nbsp; (+ right wheel, &minus; left wheel)</p>
 <p>Along it the vertical gap between wheel and rail is a function of one coordinate,</p>
 <p class="equation">g(y) = z<sub>rail</sub>(Y(y)) &minus; Z(y),</p>
-<p>with (Y, Z) the outline of the wheel seen along the track. The contact point is where the gap is smallest; every local
-minimum close to the smallest one is refined, so that the contact does not depend on where the wheelset was before.</p>
+<p>with (Y, Z) the outline of the wheel seen along the track. The contact point is where the gap is smallest; every
+local minimum close to the smallest one is refined, so that the contact does not depend on where the wheelset was
+before.</p>
 <p>Rigid wheelsets roll until the smallest gaps are equal left and right:</p>
 <p class="equation">G(&theta;) = min g<sub>right</sub> &minus; min g<sub>left</sub> = 0.</p>
 <p>The derivative of a minimum is the partial derivative at the fixed place of the minimum (envelope theorem),</p>
-<p class="equation">d(min g) / d&theta; = z&prime;<sub>rail</sub> &part;Y/&part;&theta; &minus; &part;Z/&part;&theta;,</p>
-<p>so that Newton's method inside a bracket finds the roll in a few steps. The vertical shift is the gap that is left.</p>
+<p class="equation">d(min g) / d&theta; = z&prime;<sub>rail</sub> &part;Y/&part;&theta; &minus;
+&part;Z/&part;&theta;,</p>
+<p>so that Newton's method inside a bracket finds the roll in a few steps. The vertical shift is the gap that is
+left.</p>
 
 <h2>Normal contact</h2>
-<p>Hertz: with the relative curvatures of the undeformed distance z = A x&sup2; + B s&sup2; (x rolling direction, s in the
-contact plane), the normal force N and 1/E* = 2 (1 &minus; &nu;&sup2;) / E,</p>
+<p>Hertz: with the relative curvatures of the undeformed distance z = A x&sup2; + B s&sup2; (x rolling direction, s in
+the contact plane), the normal force N and 1/E* = 2 (1 &minus; &nu;&sup2;) / E,</p>
 <p class="equation">c = (3 N / (4 E* (A + B)))<sup>1/3</sup>, &nbsp; a = m c, &nbsp; b = n c, &nbsp;
 &delta; = r ((3 N / (4 E*))&sup2; (A + B))<sup>1/3</sup>, &nbsp; p<sub>0</sub> = 3 N / (2 &pi; a b)</p>
 <p>where m, n, r follow from the complete elliptic integrals K(e) and E(e) of the ellipse with the ratio q of its
-semi-axes and e&sup2; = 1 &minus; q&sup2;: with L = (2 E(e) / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and the
-other q L, r = 2 K(e) / (&pi; L), and the smaller curvature is to the larger as (K(e) &minus; E(e)) to
-(E(e) / q&sup2; &minus; K(e)).</p>
-<p>ANALYN (Sichani, Enblom and Berg) takes the undeformed distance g(s) and the local curvature B(s) across the patch:</p>
+semi-axes and e&sup2; = 1 &minus; q&sup2;: with L = (2 E(e) / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and
+the other q L, r = 2 K(e) / (&pi; L), and the smaller curvature is to the larger as (K(e) &minus; E(e)) to (E(e) /
+q&sup2; &minus; K(e)).</p>
+<p>ANALYN (Sichani, Enblom and Berg) takes the undeformed distance g(s) and the local curvature B(s) across the
+patch:</p>
 <p class="equation">&alpha; = (r / m&sup2;)(1 + B / A) &minus; 1, &nbsp; &beta; = (r / n&sup2;)(1 + A / B) &minus; 1</p>
 <p class="equation">d(s) = &delta;<sub>0</sub> &minus; (1 + &beta;) g(s), &nbsp;
 a(s) = &radic;(d / ((1 + &alpha;) A)), &nbsp; p<sub>0</sub>(s) = (2 E* / &pi;) d / (n r a)</p>
 <p class="equation">p(x, s) = p<sub>0</sub>(s) &radic;(1 &minus; (x / a(s))&sup2;), &nbsp;
 N = &int; (&pi; / 2) a(s) p<sub>0</sub>(s) ds</p>
-<p>&delta;<sub>0</sub> is found from the prescribed N. The factor of p<sub>0</sub> is 2 E*/&pi;; with constant A and B the
-result is that of Hertz. Separate loaded regions are reported as patches, by falling load.</p>
+<p>&delta;<sub>0</sub> is found from the prescribed N. The factor of p<sub>0</sub> is 2 E*/&pi;; with constant A and B
+the result is that of Hertz. Separate loaded regions are reported as patches, by falling load.</p>
 """
 
 
@@ -104,11 +114,12 @@ def documentation_page(version, description, about):
     about : what holds for this kind of FMU only, as HTML: ``about_python`` or ``about_native``.
     """
     root = fromstring(description)
+    versions = f"FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}"
     tables = "".join(_table(title, causality, root) for causality, title in TABLES.items())
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>WheelsetContact</title>\n'
         f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}WheelsetContact</h1>\n"
-        f"<p>Wheel-rail contact of one wheelset on track; FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}.</p>\n"
+        f"<p>Wheel-rail contact of one wheelset on track; {versions}.</p>\n"
         f"{USE}{about}{METHOD}{_abilities(root)}{tables}"
         '<p>Licences: <a href="licenses/">licenses</a>.</p>\n</body>\n</html>\n'
     )
@@ -121,10 +132,10 @@ def about_python():
     """Of the FMU that runs in Python."""
     return """
 <h2>This FMU</h2>
-<p>It carries its program as Python source and runs it inside the host: a Python of 3.10 or newer with numpy must be there. The
-kernel is compiled for the platform on which the FMU was built, and elsewhere runs as Python, about 100 times slower with the same
-results. <code>wheel_profile</code> and <code>rail_profile</code> take a built-in name (S1002; UIC60, 60E1, 54E1) or the name of
-a file in the FMU's <code>resources</code>.</p>
+<p>It carries its program as Python source and runs it inside the host: a Python of 3.10 or newer with numpy must be
+there. On a platform for which it has no compiled kernel it runs that as Python too, about 100 times slower with the
+same results. <code>wheel_profile</code> and <code>rail_profile</code> take a built-in name (S1002; UIC60, 60E1, 54E1)
+or the name of a file in the FMU's <code>resources</code>.</p>
 """
 
 
@@ -132,33 +143,34 @@ def about_native(version, platforms, profiles):
     """Of a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by name."""
     names = {kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
              for kind in ("wheel", "rail")}
-    listed = {2: "<code>SourceFiles</code> in the model description lists", 3: "<code>sources/buildDescription.xml</code> lists"}[version]
     return f"""
 <h2>This FMU</h2>
-<p>It is compiled and needs no Python, no file and no other program. Libraries are in it for {", ".join(platforms)}. For other
-machines its <code>sources</code> compile with any C11 compiler; {listed} the files. They want no fused multiply-add
-(<code>-ffp-contract=off</code>), or results change by rounding.</p>
+<p>It is compiled and needs no Python, no file and no other program. Libraries are in it for {", ".join(platforms)}. For
+other machines its <code>sources</code> compile with any C11 compiler; {LISTS[version]} lists the files. They want no
+fused multiply-add (<code>-ffp-contract=off</code>), or results change by rounding.</p>
 <p>{OUTLINES[version]}</p>
-<p>Profiles are packed: <code>wheel_profile</code> chooses among {names["wheel"]}, <code>rail_profile</code> among {names["rail"]}.
-These and all other parameters are fixed once initialisation mode is left.</p>
-<p>A call that cannot be done (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of
-order) returns an error with one sentence in the log, changes nothing, and the instance goes on. An input that is not a number
-or off the profile is no error but a <code>status</code>.</p>
-<p>Memory is allocated when an instance is made and initialised, never in a step; a saved state is one block more. Instances share
-nothing that changes, so each may run in a thread of its own; one instance is for one thread at a time.</p>
-<p>A saved state holds inputs, parameters, outputs, the time and what the search remembers. Going on from it gives the same
-bits as going on without it. Its bytes can be read by any instance of this very FMU (same {TOKENS[version]}) on the same kind of
-machine; others refuse them.</p>
+<p>Profiles are packed: <code>wheel_profile</code> chooses among {names["wheel"]}, <code>rail_profile</code> among
+{names["rail"]}. These and all other parameters are fixed once initialisation mode is left.</p>
+<p>A call that cannot be done (an unknown value reference, a wrong type, a parameter set after initialisation, a call
+out of order) returns an error with one sentence in the log, changes nothing, and the instance goes on. An input that is
+not a number or off the profile is no error but a <code>status</code>.</p>
+<p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is made and initialised, never in a step; a saved state is one block more.
+Instances share nothing that changes, so each may run in a thread of its own; one instance is for one thread at a
+time.</p>
+<p>A saved state holds inputs, parameters, outputs, the time and what the search remembers. Going on from it gives the
+same bits as going on without it. Its bytes can be read by any instance of this very FMU (same {TOKENS[version]}) on the
+same kind of machine; others refuse them.</p>
 """
 
 
 OUTLINES = {
     2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> and "
        "<code>pressure</code>; the FMU of FMI 3.0 has arrays in their place.",
-    3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and <code>pressure</code>. "
-       "An array has one value reference, and a call needs room for all its values. Value references count from 1, and differ "
-       "from those of the FMU of FMI 2.0.",
+    3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and "
+       "<code>pressure</code>. An array has one value reference, and a call needs room for all its values. Value references "
+       "count from 1, and differ from those of the FMU of FMI 2.0.",
 }
+LISTS = {2: "<code>SourceFiles</code> in the model description", 3: "<code>sources/buildDescription.xml</code>"}
 TOKENS = {2: "guid", 3: "instantiation token"}
 
 
@@ -169,7 +181,7 @@ TABLES = {
     "input": "Inputs",
     "structuralParameter": "Structural parameters (sizes of arrays)",
     "parameter": "Parameters (fixed after initialisation)",
-    "output": "Outputs (side is left or right, k = 1 &hellip; 3 a patch, j = 1 &hellip; 31 a station)",
+    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3, stations j = 1 &hellip; 31)",
     "independent": "Time",
 }
 
@@ -186,7 +198,7 @@ def _abilities(root):
 
 
 def _table(title, causality, root):
-    """All variables of one causality as a table, left and right, patches and stations in one row, without empty columns."""
+    """All variables of one causality as a table: left and right, patches and stations in one row, no empty columns."""
     groups = {}
     for variable in root.find("ModelVariables"):
         if variable.get("causality") == causality:
@@ -205,7 +217,7 @@ HEADINGS = ("name", "reference", "unit", "shown in", "start", "permitted", "mean
 def _row(name, members, root):
     """The cells of variables that differ by their places only."""
     first = members[0]
-    attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}     # FMI 2: an element of its own
+    attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}     # nested in FMI 2
     start = attributes.get("start") or next((element.get("value") for element in first.iter("Start")), "")
     meaning = attributes["description"]
     return (

@@ -22,6 +22,7 @@ from fmpy.validation import validate_fmu
 from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, pressed_poses, profile_file,
                             run_scenario, stored)
 from wrcontact import ContactSystem
+from wrcontact.cli import demo
 from wrcontact.fmu import compilers, native
 from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
 from wrcontact.interface import variables
@@ -103,7 +104,8 @@ def test_archive_needs_no_python(fmus, version):
     with zipfile.ZipFile(fmus[version]) as archive:
         names = archive.namelist()
     assert not [name for name in names if name.startswith("resources/") or name.endswith((".py", ".pyc"))]
-    assert {"modelDescription.xml", "documentation/index.html", "documentation/licenses/fmi.txt"} <= set(names)
+    assert {"modelDescription.xml", "documentation/index.html", "documentation/licenses/fmi.txt",
+            "terminalsAndIcons/terminalsAndIcons.xml"} <= set(names)
     place = PLATFORMS[host_platform()]
     assert f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}" in names
 
@@ -361,6 +363,14 @@ def test_command_line_prints_the_paths(fmus, tmp_path):
     assert [file.read_bytes() for file in printed] == [file.read_bytes() for file in fmus.values()]
     wrong = subprocess.run([*command, "--platforms", "x86_64-linux,amiga"], capture_output=True, text=True)
     assert wrong.returncode == 1 and "platform is 'amiga'; permitted are x86_64-linux" in wrong.stderr
+
+
+def test_demo_runs_a_native_fmu(fmus, tmp_path, monkeypatch, capsys):
+    """As wrcontact demo --native does, without building and drawing."""
+    monkeypatch.setattr(native, "build_native_fmus", lambda folder: list(fmus.values()))
+    monkeypatch.setattr(demo, "draw", lambda *arguments: None)
+    assert demo.run_demo(tmp_path, native=True)
+    assert fmus[2].name in capsys.readouterr().out.replace("\n", "")
 
 
 def test_equal_sources_give_equal_bytes(fmus, tmp_path):

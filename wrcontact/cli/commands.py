@@ -36,7 +36,9 @@ def welcome(context: typer.Context):
 
 @main.command()
 def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the FMU, the table and the picture")]
-         = Path("wrcontact-demo")):
+         = Path("wrcontact-demo"),
+         native: Annotated[bool, typer.Option("--native", help="Build the FMUs that need no Python, run the one of FMI 2.0")]
+         = False):
     """Build the FMU, run it over tread, flange root and flange, and check it.
 
     The FMU steps through a stored run of a hunting wheelset. Its answers are compared with the stored ones: roll and contact
@@ -45,7 +47,7 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
     """
     from .demo import run_demo
 
-    raise typer.Exit(0 if run_demo(output) else 1)
+    raise typer.Exit(0 if run_demo(output, native) else 1)
 
 
 @main.command()

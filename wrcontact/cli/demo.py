@@ -65,18 +65,24 @@ class Check:
         return self.within == self.count
 
 
-def run_demo(folder):
-    """The whole demo into ``folder``; True if every check passes."""
-    from ..fmu import build_fmu
-
+def run_demo(folder, native=False):
+    """The whole demo into ``folder``, with the Python FMU or a native one; True if every check passes."""
     stored = stored_run()
     with sentences():
-        fmu = build_fmu(folder)
+        fmu = built(folder, native)
     answers, seconds = apart(step_through, fmu, stored)
     checks = compare(answers, stored)
     write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
     draw(Path(folder, PICTURE_NAME), answers, stored)
     return tell(folder, fmu, checks, seconds)
+
+
+def built(folder, native):
+    """The FMU to run, built into ``folder``; the native ones come together."""
+    from ..fmu import build_fmu
+    from ..fmu.native import build_native_fmus
+
+    return build_native_fmus(folder)[0] if native else build_fmu(folder)
 
 
 def stored_run():

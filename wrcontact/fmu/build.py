@@ -176,9 +176,11 @@ def main(arguments=None):
     for kind in ("wheel", "rail"):
         meaning = f"{kind} profile to pack and use by default: a file of points in mm, or a built-in name"
         parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
-    parser.add_argument("--native", action="store_true", help="pack FMUs that need no Python, for FMI 2.0 and FMI 3.0")
-    parser.add_argument("--platforms", metavar="NAME[,NAME]", help="of the native FMUs: this machine's by default, or "
-                        f"{', '.join(PLATFORMS)}, or all; others than this machine's take ziglang")
+    parser.add_argument("--native", action="store_true",
+                        help="pack two FMUs that need no Python instead, for FMI 2.0 and FMI 3.0")
+    names = ", ".join(PLATFORMS)
+    parser.add_argument("--platforms", metavar="NAME[,NAME]", help="whose libraries go into the native FMUs: this machine's "
+                        f"by default, or any of {names}, or all; others than this machine's take ziglang")
     chosen = vars(parser.parse_args(arguments))
     native, platforms = chosen.pop("native"), chosen.pop("platforms")
     if platforms and not native:

@@ -1,5 +1,6 @@
 """Pack native FMUs: libraries from the kernel's generated C and the adapters in fmu_src/native, which need no Python."""
 
+import importlib.util
 import tempfile
 from pathlib import Path
 
@@ -58,23 +59,29 @@ def packed_profiles(**chosen):
 
 def native_fmu(version, starts, profiles, platforms, folder):
     """The archive of one version of FMI as bytes; ``folder`` is for scratch."""
-    tool, units = f"wrcontact {__version__}, native", compiled_units(version)
-    token = f"{{{fingerprint(described('', version, tool, starts, profiles))[:32]}}}"
-    entries = described(token, version, tool, starts, profiles)
+    entries = uncompiled(version, starts, profiles, platforms)
     contents = {name.removeprefix("sources/"): content for name, content in entries.items() if name.startswith("sources/")}
-    about = about_native(version, platforms, profiles)
-    entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"], about).encode()
-    entries |= terminals_and_icons(version, variable_names(version))
-    entries["documentation/licenses/license.txt"] = licence("wrcontact")
-    entries["documentation/licenses/fmi.txt"] = headers_licence(contents[HEADERS[version][0]])
-    for platform, library in libraries(contents, units, platforms, folder).items():
+    for platform, library in libraries(contents, compiled_units(version), platforms, folder).items():
         place = PLATFORMS[platform]
         entries[f"binaries/{place.fmi2 if version == 2 else place.name}/{MODEL}{place.suffix}"] = library
-    data = archive({name: content for name, content in entries.items() if content})
+    data = archive(entries)
     problems = problems_of(data)
     if problems:
         raise ValueError(f"the FMU of FMI {version} would not be valid: " + " ".join(problems))
     return data
+
+
+def uncompiled(version, starts, profiles, platforms):
+    """Every entry of the archive but the libraries for ``platforms``."""
+    tool = f"wrcontact {__version__}, native"
+    token = f"{{{fingerprint(described('', version, tool, starts, profiles))[:32]}}}"
+    entries = described(token, version, tool, starts, profiles)
+    about = about_native(version, platforms, profiles)
+    entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"], about).encode()
+    licences = {"license": licence("wrcontact"), "fmi": headers_licence(entries[f"sources/{HEADERS[version][0]}"]),
+                "mingw-w64": windows_licence(platforms)}
+    entries |= {f"documentation/licenses/{name}.txt": text for name, text in licences.items() if text}
+    return entries | terminals_and_icons(version, variable_names(version))
 
 
 def described(token, version, tool, starts, profiles):
@@ -133,3 +140,11 @@ def headers_licence(header):
     text = header.decode()
     start = text.index("Copyright")
     return text[start:text.index("*/", start)].encode()
+
+
+def windows_licence(platforms):
+    """The licence of mingw-w64, whose start-up code ziglang links into libraries for Windows; None where there is none."""
+    compiler = importlib.util.find_spec("ziglang")
+    if "x86_64-windows" not in platforms or not compiler:
+        return None
+    return (Path(compiler.origin).parent / "lib" / "libc" / "mingw" / "COPYING").read_bytes()
