@@ -146,8 +146,9 @@ def about_native(version, platforms, profiles):
     return f"""
 <h2>This FMU</h2>
 <p>It is compiled and needs no Python, no file and no other program. Libraries are in it for {", ".join(platforms)}. For
-other machines its <code>sources</code> compile with any C11 compiler; {LISTS[version]} lists the files. They want no
-fused multiply-add (<code>-ffp-contract=off</code>), or results change by rounding.</p>
+other machines its <code>sources</code> compile with any C11 compiler; {LISTS[version]} lists the files. gcc and clang
+are told there to fuse no multiplication with an addition; another compiler, or another mathematical library, may change
+results by rounding.</p>
 <p>{OUTLINES[version]}</p>
 <p>Profiles are packed: <code>wheel_profile</code> chooses among {names["wheel"]}, <code>rail_profile</code> among
 {names["rail"]}. These and all other parameters are fixed once initialisation mode is left.</p>

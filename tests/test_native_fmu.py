@@ -383,7 +383,7 @@ def test_other_contents_give_another_token(fmus, tmp_path):
     assert read_model_description(str(other[1])).instantiationToken != read_model_description(str(fmus[3])).instantiationToken
 
 
-SOURCE_BUILD = ["-shared", "-fPIC", "-O2"]
+SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that the build description names
 
 
 @pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")

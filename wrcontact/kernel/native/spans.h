@@ -11,6 +11,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+/* Not in strict C11. */
+#ifndef M_PI
+#define M_PI 3.14159265358979323846
+#endif
+
 /* No fused a*b + c, also where the flag -ffp-contract=off is forgotten: the results are those of the Python source. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
