@@ -26,7 +26,7 @@ USE = """
 <p>Set the inputs, step, read the outputs. They follow the inputs at once: the model has no dynamics of its own, any
 step size is right, and outputs are valid before the first step. A step with unchanged inputs costs nothing.
 <code>status</code> tells the outcome of a step; other than 0 it comes with one line in the log that names the variable,
-its value and the limit. The step itself always succeeds, and the next valid input gives a valid result.</p>
+its value and the limit. The step itself succeeds then too, and the next valid input gives a valid result.</p>
 <table>
 <tr><th>status</th><th>meaning</th><th>outputs</th></tr>
 <tr><td>0</td><td>valid</td><td>valid</td></tr>
@@ -146,18 +146,18 @@ def about_native(version, platforms, profiles):
     return f"""
 <h2>This FMU</h2>
 <p>It is compiled and needs no Python, no file and no other program. Libraries are in it for {", ".join(platforms)}. For
-other machines its <code>sources</code> compile with any C11 compiler; {LISTS[version]} lists the files. gcc and clang
-are told there to fuse no multiplication with an addition; another compiler, or another mathematical library, may change
-results by rounding.</p>
+other machines its <code>sources</code> compile with any C11 compiler; {LISTS[version]} lists the files. They tell gcc and
+clang to fuse no multiplication with an addition; another compiler, or another mathematical library, may change results
+by rounding.</p>
 <p>{OUTLINES[version]}</p>
 <p>Profiles are packed: <code>wheel_profile</code> chooses among {names["wheel"]}, <code>rail_profile</code> among
 {names["rail"]}. These and all other parameters are fixed once initialisation mode is left.</p>
 <p>A call that cannot be done (an unknown value reference, a wrong type, a parameter set after initialisation, a call
-out of order) returns an error with one sentence in the log, changes nothing, and the instance goes on. An input that is
-not a number or off the profile is no error but a <code>status</code>.</p>
-<p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is made and initialised, never in a step; a saved state is one block more.
-Instances share nothing that changes, so each may run in a thread of its own; one instance is for one thread at a
-time.</p>
+out of order) returns an error with one sentence in the log, and the instance goes on. An input that is not a number or
+off the profile is no error but a <code>status</code>.</p>
+<p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is made and
+initialised, never in a step; a saved state is one block more. Instances share nothing that changes, so each may run in
+a thread of its own; one instance is for one thread at a time.</p>
 <p>A saved state holds inputs, parameters, outputs, the time and what the search remembers. Going on from it gives the
 same bits as going on without it. Its bytes can be read by any instance of this very FMU (same {TOKENS[version]}) on the
 same kind of machine; others refuse them.</p>
