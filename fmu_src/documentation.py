@@ -27,6 +27,11 @@ its value and the limit. The step itself always succeeds, and the next valid inp
 <tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td><td>last valid values</td></tr>
 </table>
 
+<p>The outline of a wheel's patches, <code>station</code>, <code>half_length</code> and <code>pressure</code>, has 31 evenly
+spaced stations from the first loaded place to the last. In the FMU of FMI 3.0 these are arrays, and their length is the
+structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between fmi3EnterConfigurationMode and
+fmi3ExitConfigurationMode, before the initialisation. No other output depends on it.</p>
+
 <h2>Conventions</h2>
 <p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y to
 the right, z down, origin on the track centre line at top of rail. Yaw &psi; is positive clockwise seen from above, roll
@@ -97,7 +102,7 @@ def documentation_page(version, starts):
 TABLES = {
     INPUT: "Inputs",
     PARAMETER: "Parameters (fixed after initialisation)",
-    OUTPUT: "Outputs (side is left or right, k = 1 &hellip; 3, j = 1 &hellip; 31)",
+    OUTPUT: "Outputs (side is left or right, k = 1 &hellip; 3, j = 1 &hellip; 31; arrays in FMI 3.0)",
 }
 
 
