@@ -25,10 +25,10 @@ SINGLE = -1                 # run of a variable that is no array
 
 
 def variable_blocks():
-    """(name, first, run) of every FMI 3 variable: where its values begin in the table, and which of the arrays it is, or SINGLE.
+    """(name, first, run) of every FMI 3 variable: where its values begin in the table, and which array it is, or SINGLE.
 
-    Its value reference is its place in this list, counted from 1.  Arrays have as many values as there are stations; one that
-    has STATION_COUNT lies in the table.
+    Its value reference is its place in this list, counted from 1.  Arrays have as many values as there are stations; one of
+    STATION_COUNT lies in the table.
     """
     blocks, reference, run = [("time", TIME, SINGLE), ("stations", STATIONS, SINGLE)], 0, 0
     while reference < len(VARIABLES):

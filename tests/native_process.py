@@ -197,8 +197,8 @@ def alone(fmu, stations, rows):
 
 
 def stations_again(fmu, stations, other, rows):
-    """Bits of a run, of the same from a saved state, and of the same in an instance that had another number of stations; and an
-    outline before and after steps that are not possible, and after going back to it."""
+    """Bits of a run, of the same from a saved state, and of the same in an instance that had another number of stations; and
+    an outline before and after a step that is not possible, and after going back to that."""
     one, elsewhere = fmu.running(stations), fmu.running(other)
     for row in rows[:10]:
         one.step(**row)

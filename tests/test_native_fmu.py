@@ -316,7 +316,7 @@ STATIONS = (3, 7, 31, 61, 201)
 
 
 def test_outlines_with_other_numbers_of_stations(run3):
-    """Instances with different numbers in one process, each with the values of the package, which do not disturb each other."""
+    """Instances with different numbers in one process, in turn: each with the values of the package, and as by itself."""
     rows = poses(8)
     answer = run3("outlines", stations=STATIONS, rows=rows)
     assert answer["seen"] == answer["alone"]

@@ -259,7 +259,7 @@ class Stepper:
         """
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, as in :attr:`outputs`) and ``status`` (n,), C-contiguous float64."""
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
     def prescribe(self, penetration):

@@ -215,8 +215,8 @@ def _newton(function, t):
 
 
 def write_side(side, plane, contact, outline=None):
-    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline`` (3, stations) if
-    that is wanted."""
+    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline``
+    (3, stations), if that is wanted."""
     dx = contact.x[1] - contact.x[0]
     patches = split_patches(contact)
     line = contact.pressure.sum(axis=0)
@@ -373,7 +373,7 @@ class HalfspaceStepper(Stepper):
         return resultant(plane, contact, index)
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, as in :attr:`outputs`) and ``status`` (n,)."""
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,)."""
         for row, values in enumerate(inputs):
             self.inputs[:] = values
             status[row] = self.step()

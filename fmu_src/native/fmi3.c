@@ -309,7 +309,7 @@ fmi3Status fmi3SetFloat64(fmi3Instance component, const fmi3ValueReference refer
     int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL);
     for (size_t i = 0; i < count && !refused; i += 1)
     {
-        const model_block *block = model_blocks + references[i];    /* one value: arrays are outputs, and refused at their first */
+        const model_block *block = model_blocks + references[i];    /* one value: arrays are outputs, which are refused */
         if (block->first == BLOCK_TIME)
             refused = wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set");
         else

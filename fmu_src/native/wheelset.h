@@ -21,7 +21,7 @@ typedef struct {
     double status;                          /* whose value reference is MODEL_STATUS */
     uint64_t stations;                      /* of an outline */
     double memory[MODEL_MEMORY];            /* the kernel's state */
-    double known[MODEL_KNOWN];              /* the inputs that the kernel has evaluated last, and whether the outputs are theirs */
+    double known[MODEL_KNOWN];              /* the inputs evaluated last, and whether the outputs are theirs */
     double time;
     char text[MODEL_STRINGS][MODEL_TEXT];   /* the Strings */
     int32_t phase;
