@@ -10,6 +10,7 @@ from wrcontact.kernel import layout
 from wrcontact.kernel.library import Kernel, default_kernel
 
 MODELS = ("analyn", "analyn_strip", "hertz")
+METHODS = {**{model: {"normal_model": model} for model in MODELS}, "elastic": {"contact_mode": "elastic"}}
 NUMBERS = (3, 7, 61, 201)
 RUNS = ("station", "half_length", "pressure")
 SAME = 1e-12        # [relative to the largest]: where a station lies is rounded
@@ -31,11 +32,11 @@ def common_places(number):
 
 
 @pytest.mark.parametrize("pose", [ONE_PATCH, TWO_PATCHES], ids=["one patch", "two patches"])
-@pytest.mark.parametrize("method", [*({"normal_model": model} for model in MODELS), {"contact_mode": "elastic"}], ids=str)
-def test_common_stations_and_all_else_are_equal(method, pose):
-    usual = ContactSystem(**method).evaluate(**pose)
+@pytest.mark.parametrize("name", METHODS)
+def test_common_stations_and_all_else_are_equal(name, pose):
+    usual = ContactSystem(**METHODS[name]).evaluate(**pose)
     for number in NUMBERS:
-        state = ContactSystem(stations=number, **method).evaluate(**pose)
+        state = ContactSystem(stations=number, **METHODS[name]).evaluate(**pose)
         assert (state.values[:layout.OUTPUT_COUNT][SCALARS] == usual.values[SCALARS]).all()
         ours, theirs = common_places(number)
         for side, other in zip(sides(state), sides(usual)):
