@@ -4,8 +4,8 @@ import re
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from ..interface.variables import INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
-from ..kernel.layout import STATION_COUNT
-from .description import DESCRIPTION, LOG_CATEGORIES, MODEL, attributes_of, number_text, unit_definitions
+from ..kernel.layout import STATION_COUNT, STATION_LEAST, STATION_LIMIT
+from .description import DESCRIPTION, LOG_CATEGORIES, MODEL, attributes_of, unit_definitions
 
 CAPABILITIES = {
     "modelIdentifier": MODEL,
@@ -19,20 +19,23 @@ CAPABILITIES = {
 
 TYPES = {REAL: "Float64", INTEGER: "Int32", STRING: "String"}
 FIRST_STATION = re.compile(r"(.*\.(?:station|half_length|pressure))\[1\]")
-TIME = -1
+TIME, STATIONS = -1, -2     # places of the two that are not in the table
+STATIONS_REFERENCE = 2      # its value reference: it stands before the arrays that it sizes
+SINGLE = -1                 # run of a variable that is no array
 
 
 def variable_blocks():
-    """(name, first, count) of every FMI 3 variable: where its values lie in the table; the time's are at TIME.
+    """(name, first, run) of every FMI 3 variable: where its values begin in the table, and which array it is, or SINGLE.
 
-    Its value reference is its place in this list, counted from 1.
+    Its value reference is its place in this list, counted from 1.  Arrays have as many values as there are stations; one of
+    STATION_COUNT lies in the table.
     """
-    blocks, reference = [("time", TIME, 1)], 0
+    blocks, reference, run = [("time", TIME, SINGLE), ("stations", STATIONS, SINGLE)], 0, 0
     while reference < len(VARIABLES):
         name = VARIABLES[reference].name
         array = FIRST_STATION.fullmatch(name)
-        blocks.append((array[1], reference, STATION_COUNT) if array else (name, reference, 1))
-        reference += blocks[-1][2]
+        blocks.append((array[1], reference, run) if array else (name, reference, SINGLE))
+        reference, run = (reference + STATION_COUNT, run + 1) if array else (reference + 1, run)
     return blocks
 
 
@@ -68,15 +71,20 @@ def build_description(units):
     return tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n"
 
 
-def _variable(parent, reference, name, first, count, starts):
+def _variable(parent, reference, name, first, run, starts):
     """One variable, or one array of them."""
     if first == TIME:
         SubElement(parent, "Float64", name=name, valueReference=str(reference), causality="independent",
                    variability="continuous", description="Simulation time")
         return
+    if first == STATIONS:
+        SubElement(parent, "UInt64", name=name, valueReference=str(reference), causality="structuralParameter",
+                   variability="fixed", description="Number of stations of an outline, evenly spaced over the loaded width",
+                   start=str(STATION_COUNT), min=str(STATION_LEAST), max=str(STATION_LIMIT))
+        return
     variable = VARIABLES[first]
     element = SubElement(parent, TYPES[variable.type], name=name, valueReference=str(reference),
-                         description=variable.description if count == 1 else _of_all(variable),
+                         description=variable.description if run == SINGLE else _of_all(variable),
                          causality=variable.causality, variability=variable.variability)
     if variable.causality != INPUT:
         element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
@@ -88,8 +96,8 @@ def _variable(parent, reference, name, first, count, starts):
         SubElement(element, "Start", value=start)
     elif start is not None:
         element.set("start", start)
-    if count > 1:
-        SubElement(element, "Dimension", start=number_text(count))
+    if run != SINGLE:
+        SubElement(element, "Dimension", valueReference=str(STATIONS_REFERENCE))
 
 
 def _of_all(variable):
@@ -102,9 +110,10 @@ def _structure(parent, blocks):
     known = {name: reference for reference, (name, _, _) in enumerate(blocks, 1)}
     numeric = [known[v.name] for v in VARIABLES if v.causality == PARAMETER and v.type != STRING]
     for section, extra in (("Output", []), ("InitialUnknown", numeric)):
-        for reference, (_, first, _) in enumerate(blocks, 1):
-            if first == TIME or VARIABLES[first].causality != OUTPUT:
+        for reference, (_, first, run) in enumerate(blocks, 1):
+            if first < 0 or VARIABLES[first].causality != OUTPUT:
                 continue
-            follows = sorted([known[name] for name in VARIABLES[first].depends_on] + extra)
+            size = [STATIONS_REFERENCE] if extra and run != SINGLE else []
+            follows = sorted([known[name] for name in VARIABLES[first].depends_on] + extra + size)
             SubElement(parent, section, valueReference=str(reference), dependencies=" ".join(map(str, follows)),
                        dependenciesKind=" ".join("dependent" for _ in follows))

@@ -168,8 +168,10 @@ OUTLINES = {
     2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> and "
        "<code>pressure</code>; the FMU of FMI 3.0 has arrays in their place.",
     3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and "
-       "<code>pressure</code>. An array has one value reference, and a call needs room for all its values. Value references "
-       "count from 1, and differ from those of the FMU of FMI 2.0.",
+       "<code>pressure</code>, evenly spaced from the first loaded place to the last. Their length is the structural parameter "
+       "<code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between fmi3EnterConfigurationMode and "
+       "fmi3ExitConfigurationMode, before the initialisation; no other output depends on it. An array has one value reference, "
+       "and a call needs room for all its values. Value references count from 1, and differ from those of the FMU of FMI 2.0.",
 }
 LISTS = {2: "<code>SourceFiles</code> in the model description", 3: "<code>sources/buildDescription.xml</code>"}
 TOKENS = {2: "guid", 3: "instantiation token"}
@@ -182,7 +184,7 @@ TABLES = {
     "input": "Inputs",
     "structuralParameter": "Structural parameters (sizes of arrays)",
     "parameter": "Parameters (fixed after initialisation)",
-    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3, stations j = 1 &hellip; 31)",
+    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 as a rule)",
     "independent": "Time",
 }
 

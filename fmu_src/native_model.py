@@ -30,7 +30,8 @@ def sizes_header(token, profiles, blocks):
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "PROFILES": len(profiles), "LADDERS": len(ladders()), "BLOCKS": len(blocks),
         "HERTZ_SIZE": len(hertz_table()), "INFLUENCE_SIZE": len(influence_table()),
-        "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_PLACE, "WORK": layout.WORK_SIZE,
+        "STATIONS": layout.STATION_COUNT, "OUTLINES": 6 * layout.STATION_LIMIT,
+        "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
         "SETUP": prepare_tables.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
         "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT, "DEEPEST": DEEPEST,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
@@ -42,7 +43,7 @@ def sizes_header(token, profiles, blocks):
 
 def model_code(starts, profiles, blocks):
     """The text of model.c: ``starts`` holds start values that differ from the table's, ``profiles`` all that can be chosen by
-    their names, ``blocks`` the (first, count) of each FMI 3 variable, the time's first being -1."""
+    their names, ``blocks`` the (first, run) of each FMI 3 variable, as in model.h."""
     parts = [BANNER, '#include "model.h"', ""]
     for variable in VARIABLES:
         if variable.choices:
@@ -57,7 +58,7 @@ def model_code(starts, profiles, blocks):
     parts += ["const model_profile model_profiles[MODEL_PROFILES] = {", *rows, "};", "", *ladder_code()]
     parts += numbers("const double model_hertz[MODEL_HERTZ_SIZE]", hertz_table())
     parts += numbers("const double model_influence[MODEL_INFLUENCE_SIZE]", influence_table())
-    rows = [f"    {{{first}, {count}}}," for first, count in blocks]
+    rows = [f"    {{{first}, {run}}}," for first, run in blocks]
     parts += ["const model_block model_blocks[MODEL_BLOCKS + 1] = {", "    {0, 0},", *rows, "};"]
     return "\n".join(parts) + "\n"
 

@@ -77,7 +77,7 @@ static void count_line(const char *message)
 }
 
 enum { OK, LIST = 40, STATES = 4, INSTANCES = 3 };
-static double numbers[64 * LIST];
+static double numbers[(201 + 1) * LIST];      /* room for arrays of as many stations as there can be */
 
 /* --- both versions of the standard behind the same names --------------------------------------------------- */
 
@@ -87,7 +87,7 @@ typedef fmi2Component component;
 typedef fmi2FMUstate saved_state;
 typedef fmi2ValueReference value_reference;
 typedef fmi2Byte byte;
-enum { REFERENCES = MODEL_VARIABLES, FIRST_REFERENCE = 0 };
+enum { REFERENCES = MODEL_VARIABLES, FIRST_REFERENCE = 0, FIRST_INPUT = 0 };
 static void note(fmi2ComponentEnvironment e, fmi2String name, fmi2Status status, fmi2String category, fmi2String message, ...)
 {
     char text[4 * MODEL_SENTENCE];
@@ -142,14 +142,16 @@ static int odd_call(component c, const value_reference *r, size_t n)
     default: return fmi2SetupExperiment(c, fmi2True, some_number(), some_number(), fmi2True, some_number());
     }
 }
-static size_t values_of(value_reference reference) { return (void)reference, 1; }
+static size_t stations_of(component c) { return (void)c, MODEL_STATIONS; }
+static int configure(component c, unsigned long long stations) { return (void)c, (void)stations, OK; }
+static size_t values_of(component c, value_reference reference) { return (void)c, (void)reference, 1; }
 #else
 #include "fmi3Functions.h"
 typedef fmi3Instance component;
 typedef fmi3FMUState saved_state;
 typedef fmi3ValueReference value_reference;
 typedef fmi3Byte byte;
-enum { REFERENCES = MODEL_BLOCKS + 1, FIRST_REFERENCE = 1 };
+enum { REFERENCES = MODEL_BLOCKS + 1, FIRST_REFERENCE = 1, FIRST_INPUT = 3 };
 static void note(fmi3InstanceEnvironment e, fmi3Status status, fmi3String category, fmi3String message)
 {
     (void)e, (void)status, (void)category;
@@ -187,11 +189,35 @@ static int integers(component c, const value_reference *r, size_t n, int *v, int
 {
     return set ? fmi3SetInt32(c, r, n, v, n) : fmi3GetInt32(c, r, n, v, n);
 }
+static size_t stations_of(component c)
+{
+    const value_reference reference = 2;
+    fmi3UInt64 stations = 0;
+    return fmi3GetUInt64(c, &reference, 1, &stations, 1) == fmi3OK ? (size_t)stations : 0;
+}
+static int set_stations(component c, unsigned long long stations)
+{
+    const value_reference reference = 2;
+    const fmi3UInt64 value = stations;
+    return fmi3SetUInt64(c, &reference, 1, &value, 1);
+}
+static int configure(component c, unsigned long long stations)
+{
+    if (fmi3EnterConfigurationMode(c) != fmi3OK)
+        return OK + 1;
+    set_stations(c, stations);
+    return fmi3ExitConfigurationMode(c);
+}
+static unsigned long long some_stations(void)
+{
+    static const unsigned long long ODD[] = {0, 1, 2, 3, 4, 30, 31, 32, 201, 202, 4294967327ULL, 18446744073709551615ULL};
+    return pick(2) ? ODD[pick(sizeof ODD / sizeof *ODD)] : pick(250);
+}
 static int odd_call(component c, const value_reference *r, size_t n)
 {
     bool flag;
     size_t count;
-    switch (pick(10))
+    switch (pick(12))
     {
     case 0: return fmi3GetBoolean(c, r, n, &flag, n);
     case 1: return fmi3GetDirectionalDerivative(c, r, n, r, n, numbers, n, numbers, n);
@@ -202,12 +228,14 @@ static int odd_call(component c, const value_reference *r, size_t n)
     case 6: return fmi3EnterStepMode(c);
     case 7: return fmi3GetNumberOfContinuousStates(c, &count);
     case 8: return fmi3GetClock(c, r, n, &flag);
+    case 9: return set_stations(c, some_stations());
+    case 10: return fmi3SetUInt64(c, r, n, NULL, n);
     default: return fmi3EnterInitializationMode(c, true, some_number(), some_number(), true, some_number());
     }
 }
-static size_t values_of(value_reference reference)
+static size_t values_of(component c, value_reference reference)
 {
-    return reference < 1 || reference > MODEL_BLOCKS ? 1 : (size_t)model_blocks[reference].count;
+    return reference < 1 || reference > MODEL_BLOCKS || model_blocks[reference].run < 0 ? 1 : stations_of(c);
 }
 #endif
 
@@ -218,24 +246,25 @@ static saved_state states[STATES];
 static byte stored[STATES][200000];
 static size_t stored_size[STATES];
 
-static long usual_steps, valid_steps;
+static long usual_steps, valid_steps, other_outlines;
 
 /* What a simulation does: all inputs possible, a step, the status read. */
 static int usual_step(component c)
 {
-    const value_reference first = FMI == 2 ? 0 : 2, status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
+    const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
     const double yaw = pick(3) ? 0.0 : 1e-5 * (pick(2401) - 1200.0);
     const double inputs[MODEL_INPUTS] = {1e-5 * (pick(3001) - 1500.0), yaw, pick(5) ? 0.0 : 1e-5 * pick(1000), 10.0 * pick(20000),
                                          pick(3) ? 0.0 : 1e-2 * (pick(201) - 100.0), 1e-6 * pick(3000), 1e-5 * (pick(201) - 100.0)};
     value_reference references[MODEL_INPUTS];
     int outcome = -1;
     for (int i = 0; i < MODEL_INPUTS; i += 1)
-        references[i] = first + (value_reference)i;
+        references[i] = FIRST_INPUT + (value_reference)i;
     usual_steps += 1;
     if (set_reals(c, references, MODEL_INPUTS, inputs, MODEL_INPUTS) != OK || step(c, 0.0, 1e-3) != OK
         || integers(c, &status, 1, &outcome, 0) != OK)
         return OK + 1;
     valid_steps += outcome == 0 || outcome == 1;
+    other_outlines += stations_of(c) != MODEL_STATIONS;
     return OK;
 }
 
@@ -243,10 +272,12 @@ static int usual_step(component c)
 static int usual_start(component c)
 {
     CALL(Reset)(c);
+    if (pick(2))
+        configure(c, pick(250));
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
     {
         const model_variable *variable = model_variables + i;
-        value_reference reference = (value_reference)i + (FMI == 2 ? 0 : 2);    /* no array stands before the parameters' end */
+        value_reference reference = (value_reference)i + FIRST_INPUT;    /* no array stands before the parameters' end */
         if (variable->choice_count > 0 && pick(3) == 0)
         {
             const char *word = variable->choices[pick((unsigned)variable->choice_count)].name;
@@ -279,10 +310,10 @@ static int some_call(void)
     const unsigned kind = pick(5);      /* mostly inputs, and sometimes anything */
     for (size_t i = 0; i < count; i += 1)
     {
-        references[i] = kind < 3 ? FIRST_REFERENCE + (FMI == 3) + pick(MODEL_INPUTS + 4) : pick(REFERENCES + 3);
+        references[i] = kind < 3 ? FIRST_INPUT + pick(MODEL_INPUTS + 4) : pick(REFERENCES + 3);
         words[i] = some_text();
         numbers[i] = some_number();
-        values += values_of(references[i]);
+        values += values_of(c, references[i]);
     }
     for (size_t i = count; i < values; i += 1)
         numbers[i] = some_number();
@@ -327,7 +358,7 @@ static int some_call(void)
 /* After everything an instance can be reset, initialised and stepped, and then gives the values of a fresh one. */
 static int check_recovery(component c)
 {
-    const value_reference roll = FMI == 2 ? MODEL_FIRST_OUTPUT : MODEL_FIRST_OUTPUT + 2;
+    const value_reference roll = MODEL_FIRST_OUTPUT + FIRST_INPUT;
     component fresh = NULL;
     double values[2] = {1.0, 2.0};
     while (!fresh)
@@ -371,8 +402,8 @@ static int fuzz(long calls)
             free_state(c, states + k);
             CALL(FreeInstance)(c);
         }
-    printf("{\"calls\": %ld, \"ok\": %ld, \"lines\": %ld, \"odd_lines\": %ld, \"usual_steps\": %ld, \"valid_steps\": %ld}\n",
-           made, good, lines, long_lines, usual_steps, valid_steps);
+    printf("{\"calls\": %ld, \"ok\": %ld, \"lines\": %ld, \"odd_lines\": %ld, \"usual_steps\": %ld, \"valid_steps\": %ld, "
+           "\"other_outlines\": %ld}\n", made, good, lines, long_lines, usual_steps, valid_steps, other_outlines);
     return wrong || long_lines > 0;
 }
 
@@ -405,14 +436,14 @@ static int cost(const char *path)
     while (!c)
         c = create("instance", MODEL_TOKEN);
     for (int i = 0; i < 5; i += 1)
-        inputs[i] = FIRST_REFERENCE + (FMI == 3) + i;
+        inputs[i] = FIRST_INPUT + i;
     for (value_reference r = FIRST_REFERENCE; r < REFERENCES; r += 1)
     {
         const int first = FMI == 2 ? (int)r : model_blocks[r].first;
         if (first >= MODEL_FIRST_OUTPUT && model_variables[first].type == MODEL_REAL)
         {
             references[count++] = r;
-            values += values_of(r);
+            values += values_of(c, r);
         }
     }
     if (enter(c) != OK || (int)CALL(ExitInitializationMode)(c) != OK)

@@ -82,6 +82,8 @@ def test_container(fmus, wanted, version, tmp_path):
     ports = [f"OUTPUT;{fmus[version].name};{name};;{name}" for name in NAMES]
     (tmp_path / "container.csv").write_text("\n".join(["rule;from_fmu;from_port;to_fmu;to_port", f"FMU;{fmus[version].name};;;",
                                                        *ports]) + "\n")
-    tool("fmucontainer", "-fmu-directory", ".", "-container", "container.csv:0.001", "-auto-parameter", folder=tmp_path)
+    only = ["-no-auto-output"] if version == 3 else []      # it takes no arrays whose length is a structural parameter
+    tool("fmucontainer", "-fmu-directory", ".", "-container", "container.csv:0.001", "-auto-parameter", *only,
+         folder=tmp_path)
     seen = run_scenario("trajectory", tmp_path / "container.fmu", tmp_path / "unpacked", {"rows": rows, "names": NAMES})["seen"]
     assert_same([[found[name] for name in NAMES] for found in seen], expected)

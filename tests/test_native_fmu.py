@@ -28,6 +28,7 @@ from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, ho
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
+from wrcontact.state import WheelsetState
 
 HERE = Path(__file__).resolve().parent
 SAME = 1e-12   # [relative] to the package; the same compiler and libm give the same bits
@@ -114,10 +115,15 @@ def test_fmi3_variables_are_those_of_the_table(fmus):
     described = read_model_description(str(fmus[3])).modelVariables
     assert [v.valueReference for v in described] == list(range(1, len(described) + 1))
     assert described[0].name == "time" and described[0].causality == "independent"
+    with zipfile.ZipFile(fmus[3]) as archive:
+        stations = ElementTree.fromstring(archive.read("modelDescription.xml")).find("ModelVariables/UInt64").attrib
+    assert stations.pop("description") and stations == {
+        "name": "stations", "valueReference": "2", "causality": "structuralParameter", "variability": "fixed", "start": "31",
+        "min": "3", "max": "201"}
     seen = []
-    for v in described[1:]:
-        count = math.prod(int(d.start) for d in v.dimensions) if v.dimensions else 1
-        seen += [f"{v.name}[{k + 1}]" for k in range(count)] if v.dimensions else [v.name]
+    for v in described[2:]:
+        assert [d.valueReference for d in v.dimensions] in ([], [2])
+        seen += [f"{v.name}[{k + 1}]" for k in range(v.shape[0])] if v.dimensions else [v.name]
     assert seen == [v.name for v in VARIABLES]
     by_name = {v.name: v for v in described}
     for variable in VARIABLES:
@@ -128,7 +134,7 @@ def test_fmi3_variables_are_those_of_the_table(fmus):
             assert found.unit == (variable.unit or None)
             if variable.start is not None:
                 assert found.start == (variable.start if variable.type == STRING else repr(variable.start))
-    assert int(by_name["left.station"].dimensions[0].start) == 31
+    assert by_name["left.station"].shape == (31,)
 
 
 def test_fmi3_dependencies_are_those_of_the_table(fmus):
@@ -139,7 +145,8 @@ def test_fmi3_dependencies_are_those_of_the_table(fmus):
         if variable.causality == OUTPUT:
             assert follows[name] == set(variable.depends_on), name
     initial = {u.variable.name: {d.name for d in u.dependencies} for u in described.initialUnknowns}
-    assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"]
+    assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"] and "stations" not in initial["roll"]
+    assert initial["right.pressure"] == initial["roll"] | {"stations"}
 
 
 @pytest.mark.parametrize("version", (2, 3))
@@ -307,6 +314,69 @@ def test_saved_states_at_unchanged_inputs(run3):
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
 
 
+STATIONS = (3, 7, 31, 61, 201)
+
+
+def test_outlines_with_other_numbers_of_stations(run3):
+    """Instances with different numbers in one process, in turn: each with the values of the package, and as by itself."""
+    rows = poses(8)
+    answer = run3("outlines", stations=STATIONS, rows=rows)
+    assert answer["seen"] == answer["alone"]
+    for number, seen in zip(STATIONS, answer["seen"]):
+        stepper = ContactSystem(stations=number).stepper()
+        stepper.inputs[:] = [v.start for v in VARIABLES[:len(INPUT_NAMES)]]
+        for row, found in zip(rows, seen):
+            stepper.inputs[[REFERENCE[name] for name in row]] = list(row.values())
+            status = stepper.step()
+            wanted = {v.name: value for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.STATUS], stepper.outputs)
+                      if not v.name.endswith("]")}
+            for name, values in outline_of_both(stepper.outputs).items():
+                wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
+            assert len(found) == len(wanted) + 1 and found["status"] == status
+            for name, value in wanted.items():
+                nominal = VARIABLES[REFERENCE[re.sub(r"\[\d+\]$", "[1]", name)]].nominal or 1.0
+                assert found[name] == pytest.approx(value, rel=SAME, abs=SAME * nominal), (number, name)
+
+
+def outline_of_both(values):
+    """Both sides' runs of an outline by the names of FMI 3."""
+    state = WheelsetState(values, 0, None)
+    return {f"{side}.{name}": getattr(getattr(state, side).outline, name).tolist()
+            for side in ("left", "right") for name in ("station", "half_length", "pressure")}
+
+
+def test_saved_states_with_other_numbers_of_stations(run3):
+    """An outline is kept where a step is not possible, and goes on bit by bit from a saved state, elsewhere too."""
+    seen = run3("stations_again", stations=201, other=7, rows=poses(30))
+    assert seen["kept"] == [seen["before"], {"status": 4}] and seen["held"] == seen["before"]
+    assert seen["straight"] == seen["back"] == seen["elsewhere"] and len(seen["straight"][0]) > 6 * 201
+    assert seen["read"] == {"stations": 201}
+
+
+def test_configuration_mode(run3):
+    seen = run3("configuration")
+    for name, (refused, lines) in seen["calls"].items():
+        assert refused, name
+        assert len(lines) == 1 and lines[0][0] == "logStatusError", f"{name}: {lines}"
+    sentences = {name: lines[0][1] for name, (_, lines) in seen["calls"].items()}
+    for wrong in (0, 2, 202, 2**64 - 1):
+        assert sentences[f"{wrong}"] == f"stations is {wrong}; permitted is 3 ... 201"
+    assert sentences["not entered"] == "stations is fixed at 31 outside configuration mode and cannot become 61"
+    assert sentences["31 values"] == "fmi3GetFloat64: there are 31 values; these variables have 7"
+    assert "8 values; these variables have 7" in sentences["8 values"]
+    assert "permitted in configuration mode is stations" in sentences["another parameter"] + sentences["an output"]
+    assert seen["kept"] == {"stations": 31} and seen["after"] == [0.0] * 7 and len(seen["running"]) == 7
+    assert seen["reset"] == {"stations": 31} and seen["again"] == seen["fresh"] and len(seen["twice"]) == 31
+    assert seen["log"] == []
+
+
+def test_outlines_by_simulate_fmu(run3):
+    row = {"lateral_shift": 2e-3, "yaw": 1e-3}
+    wanted = outline_of_both(ContactSystem(stations=61).evaluate(**row).values)
+    for name, values in run3("simulated_stations", stations=61, row=row).items():
+        assert values == pytest.approx(wanted[name], rel=SAME, abs=1e-15), name
+
+
 def test_reset(run):
     start = {"rail_inclination": 0.05, "normal_model": "hertz"}
     seen = run("reset", start=start)
@@ -471,7 +541,8 @@ def fuzz(program, seed, calls):
 @pytest.mark.skipif(not sanitizers_work(), reason="no sanitizers here")
 @pytest.mark.parametrize("version", (2, 3))
 def test_random_calls_under_sanitizers(host, version):
-    fuzz(host(version, *SANITIZERS), 5, CALLS)
+    counted = fuzz(host(version, *SANITIZERS), 5, CALLS)
+    assert (counted["other_outlines"] > 0.01 * CALLS) == (version == 3)
 
 
 @pytest.mark.slow

@@ -108,7 +108,7 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     assert met == 1
     islands = patches.gather_islands(tables, work, 1)
     patches.write_patches(work, 0, islands)
-    patches.write_outline(work, 0, 1, islands)
+    patches.write_outline(work, 0, layout.SIDE_STATION, layout.STATION_COUNT, 1, islands)
     return found, work[:layout.SIDE_SIZE]
 
 

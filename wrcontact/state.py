@@ -6,7 +6,7 @@ from .kernel import layout
 
 
 class _View:
-    """Named places of an output array (276,) or (n, 276), from ``offset`` on."""
+    """Named places of an output array (276,) or (n, 276), longer with outlines behind, from ``offset`` on."""
 
     __slots__ = ("_values", "_offset")
 
@@ -33,14 +33,34 @@ def _place(offset, unit, text):
     return property(read, doc=f"{text} [{unit}].")
 
 
-def _run(offset, unit, text):
-    """A property that reads STATION_COUNT numbers from ``offset`` on: (31,), or (n, 31) of a table."""
+def _run(number, unit, text):
+    """A property that reads run ``number`` of an outline: (stations,), or (n, stations) of a table."""
 
     def read(self):
-        start = self._offset + offset
-        return self._values[..., start:start + layout.STATION_COUNT]
+        stations = station_count(self._values)
+        start = self._offset + number * stations
+        return self._values[..., start:start + stations]
 
-    return property(read, doc=f"{text} [{unit}], (31,).")
+    return property(read, doc=f"{text} [{unit}], one number a station.")
+
+
+def station_count(values):
+    """The number of stations in outlines of this output array."""
+    behind = values.shape[-1] - layout.OUTPUT_COUNT
+    return behind // 6 if behind else layout.STATION_COUNT
+
+
+def outline_of(values, first):
+    """Stations, half-lengths and pressures (3, stations) of the side of one pose whose outputs begin at ``first``."""
+    start, stations = outline_offset(values, first), station_count(values)
+    return values[start:start + 3 * stations].reshape(3, stations)
+
+
+def outline_offset(values, first):
+    """Where the outline of the side whose outputs begin at ``first`` lies, as told in kernel/outline.py."""
+    if values.shape[-1] == layout.OUTPUT_COUNT:
+        return first + layout.SIDE_STATION
+    return layout.OUTPUT_COUNT + (3 * station_count(values) if first == layout.OUT_RIGHT else 0)
 
 
 class Vector(_View):
@@ -81,12 +101,12 @@ class Patch(_View):
 
 
 class Outline(_View):
-    """The patch over the loaded width: 31 stations across, from the first loaded one to the last."""
+    """The patch over the loaded width: evenly spaced stations across, from the first loaded one to the last."""
 
     __slots__ = ()
-    station = _run(layout.SIDE_STATION, "m", "lateral coordinate in the contact plane, positive to the field side")
-    half_length = _run(layout.SIDE_HALF_LENGTH, "m", "half the patch's length along the track")
-    pressure = _run(layout.SIDE_PRESSURE, "Pa", "pressure on the patch's centre line")
+    station = _run(0, "m", "lateral coordinate in the contact plane, positive to the field side")
+    half_length = _run(1, "m", "half the patch's length along the track")
+    pressure = _run(2, "Pa", "pressure on the patch's centre line")
 
 
 class Side(_View):
@@ -128,7 +148,7 @@ class Side(_View):
     @property
     def outline(self):
         """Outline and pressure over the loaded width."""
-        return Outline(self._values, self._offset)
+        return Outline(self._values, outline_offset(self._values, self._offset))
 
 
 class WheelsetState:

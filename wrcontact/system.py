@@ -10,11 +10,13 @@
 import math
 import threading
 from inspect import signature
+from numbers import Integral
 
 import numpy as np
 
 from .kernel import layout
 from .kernel.library import default_kernel
+from .kernel.outline import row_size
 from .profiles.files import find_profile
 from .resolution import resolve
 from .state import WheelsetState
@@ -103,6 +105,7 @@ class ContactSystem:
     tolerance : relative error of the numerics in penetration, area and peak pressure, as told in wrcontact/resolution.py;
         None is each model's own, 0.01, and 0.005 for "halfspace".  "analyn" reaches 0.0015, "analyn_strip" 0.004,
         "halfspace" 0.0003.
+    stations : of a patch's outline, 3 ... 201.
     nodes : per half-width of the interpenetration, 4 ... 38, and
     strips, sweeps : of the strip correction, 16 ... 64 and 1 ... 4, instead of what the tolerance asks for.
 
@@ -116,7 +119,7 @@ class ContactSystem:
                  running_circle_distance=1.5, nominal_radius=0.46, youngs_modulus=210e9, poisson_ratio=0.28,
                  contact_mode="rigid", load="normal", normal_model="analyn", separation="normal",
                  longitudinal_curvature="effective", lateral_curvature="adaptive", curvature_step=0.2e-3,
-                 curvature_reach=3e-3, tolerance=None, nodes=None, strips=None, sweeps=None):
+                 curvature_reach=3e-3, tolerance=None, stations=31, nodes=None, strips=None, sweeps=None):
         given = dict(locals())
         self.parameters = {name: given[name] for name in signature(type(self)).parameters}
         for name, (low, high, unit) in RANGES.items():
@@ -125,6 +128,7 @@ class ContactSystem:
             self.parameters[name] = _checked_number(name, self.parameters[name], low, high, unit)
         for name, choices in CHOICES.items():
             check_choice(name, self.parameters[name], choices + OFFLINE_CHOICES.get(name, ()))
+        self.parameters["stations"] = _checked_stations(stations)
         _check_halfspace(self.parameters)
         self.resolution = resolve(self.parameters["normal_model"], self.parameters["tolerance"], nodes, strips, sweeps)
         self.wheel = find_profile(wheel, "wheel")
@@ -135,7 +139,9 @@ class ContactSystem:
     def _prepare(self):
         chosen = self.parameters
         methods = {name: numbers[chosen[name]] for name, numbers in METHOD_NUMBERS.items()}
-        return prepare_tables_of(self.wheel, self.rail, parameters=chosen, methods=methods, resolution=self.resolution)
+        tables = prepare_tables_of(self.wheel, self.rail, parameters=chosen, methods=methods, resolution=self.resolution)
+        tables[layout.SET_STATIONS] = chosen["stations"]
+        return tables
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)
@@ -213,9 +219,9 @@ class ContactSystem:
         if columns[0].ndim != 1:
             raise ValueError(f"the inputs broadcast to shape {columns[0].shape}; permitted are one-dimensional arrays")
         inputs = np.ascontiguousarray(np.stack(columns, axis=1))
-        values = np.full((len(inputs), layout.OUTPUT_COUNT), math.nan)
-        status = np.zeros(len(inputs))
         stepper = self.stepper(side, outputs)
+        values = np.full((len(inputs), len(stepper.outputs)), math.nan)
+        status = np.zeros(len(inputs))
         stepper.prescribe(penetration)
         stepper.step_many(inputs, values, status)
         return WheelsetState(values, status.astype(int), inputs)
@@ -228,7 +234,8 @@ class Stepper:
     ----------
     inputs : (7,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1],
         vertical_shift_input [m], roll_input [rad].
-    outputs : (276,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.
+    outputs : (276,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.  With n stations other
+        than 31 the outlines follow behind them, (276 + 6 n,), as told in wrcontact/kernel/outline.py.
     state : (11,) where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is at work.
     """
@@ -236,7 +243,7 @@ class Stepper:
     def __init__(self, tables):
         self._tables = tables.copy()
         self.inputs = np.zeros(layout.INPUT_COUNT)
-        self.outputs = np.zeros(layout.OUTPUT_COUNT)
+        self.outputs = np.zeros(row_size(self._tables))
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
         self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)
@@ -252,7 +259,7 @@ class Stepper:
         """
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, 276) and ``status`` (n,), C-contiguous float64."""
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
     def prescribe(self, penetration):
@@ -291,6 +298,14 @@ def _checked_number(name, value, low, high, unit):
     if not low <= number <= high:
         raise ValueError(f"{name} is {value!r}; permitted is {low:g} ... {high:g} {unit}")
     return number
+
+
+def _checked_stations(stations):
+    """``stations`` as an int within its range; ValueError otherwise."""
+    low, high = layout.STATION_LEAST, layout.STATION_LIMIT
+    if isinstance(stations, bool) or not isinstance(stations, Integral) or not low <= stations <= high:
+        raise ValueError(f"stations is {stations!r}; permitted are whole numbers, {low} ... {high}")
+    return int(stations)
 
 
 def _check_halfspace(chosen):

@@ -105,6 +105,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
     settings[layout.SET_SIDES], settings[layout.SET_DEPTH] = layout.SIDES_BOTH, layout.DEPTH_ALL
     settings[layout.SET_ABSENT] = np.nan
+    settings[layout.SET_STATIONS] = layout.STATION_COUNT
     offset = len(settings)
     for setting, table in parts.items():
         settings[setting] = offset

@@ -21,6 +21,7 @@ from .conventions import MIRROR
 from .kernel import layout, profile_table
 from .kernel.library import default_kernel
 from .profiles.compiled import evaluate_table
+from .state import outline_of
 from .status import Status
 from .system import Stepper
 
@@ -213,8 +214,9 @@ def _newton(function, t):
 # --- outputs of a wheel ---------------------------------------------------------------------------------------------------
 
 
-def write_side(side, plane, contact, outline=True):
-    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load, ``outline`` if wanted."""
+def write_side(side, plane, contact, outline=None):
+    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline``
+    (3, stations), if that is wanted."""
     dx = contact.x[1] - contact.x[0]
     patches = split_patches(contact)
     line = contact.pressure.sum(axis=0)
@@ -232,8 +234,8 @@ def write_side(side, plane, contact, outline=True):
     for number, pressure in enumerate(patches[:layout.PATCH_LIMIT]):
         start = layout.SIDE_PATCH + number * layout.PATCH_SIZE
         write_patch(side[start:start + layout.PATCH_SIZE], plane, contact, pressure)
-    if outline:
-        write_outline(side, contact, lengths, low, high)
+    if outline is not None:
+        write_outline(outline, contact, lengths, low, high)
 
 
 def split_patches(contact):
@@ -259,15 +261,14 @@ def write_patch(patch, plane, contact, pressure):
     patch[layout.PATCH_CONTACT_ANGLE] = plane.rail_angle(centroid)
 
 
-def write_outline(side, contact, lengths, low, high):
-    """Half the loaded length and the largest pressure at STATION_COUNT stations from ``low`` to ``high`` [m]."""
-    station = np.linspace(low, high, layout.STATION_COUNT)
+def write_outline(outline, contact, lengths, low, high):
+    """Stations from ``low`` to ``high`` [m], half the loaded length and the largest pressure there, into ``outline``."""
+    station = np.linspace(low, high, outline.shape[1])
     # both are roots at the ends of a Hertzian patch: their squares are straight there
     half = np.sqrt(np.interp(station, contact.s, (0.5 * lengths) ** 2))
     pressure = np.sqrt(np.interp(station, contact.s, contact.pressure.max(axis=0) ** 2))
     half[[0, -1]] = pressure[[0, -1]] = 0.0
-    for start, values in ((layout.SIDE_STATION, station), (layout.SIDE_HALF_LENGTH, half), (layout.SIDE_PRESSURE, pressure)):
-        side[start:start + layout.STATION_COUNT] = values
+    outline[:] = station, half, pressure
 
 
 def chords(edge):
@@ -331,7 +332,7 @@ class HalfspaceStepper(Stepper):
     def __init__(self, tables, tolerance=None):
         super().__init__(tables)
         self.tolerance = halfspace.TOLERANCE if tolerance is None else tolerance
-        self._rigid = np.zeros(layout.OUTPUT_COUNT)
+        self._rigid = np.zeros_like(self.outputs)
         self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self._rigid)
         self.step = self._step
         self._answer, self._status = None, None
@@ -351,7 +352,7 @@ class HalfspaceStepper(Stepper):
             for index, first in enumerate((layout.OUT_LEFT, layout.OUT_RIGHT)):
                 side = answer[first:first + layout.SIDE_SIZE]
                 if side[layout.SIDE_NORMAL_FORCE] > 0.0:
-                    total += self._solve(index, side)
+                    total += self._solve(index, side, outline_of(answer, first))
         except ArithmeticError:
             return int(Status.NOT_CONVERGED)
         if math.isfinite(answer[layout.OUT_FORCE]):     # both sides are wanted
@@ -360,22 +361,19 @@ class HalfspaceStepper(Stepper):
         self._answer, self._status = answer, status
         return status
 
-    def _solve(self, index, side):
-        """Replace the normal contact of one loaded side by the half-space's; its part of the resultant (6,)."""
+    def _solve(self, index, side, outline):
+        """Replace the normal contact and outline of one loaded side by the half-space's; its part of the resultant (6,)."""
         plane = contact_plane(self._tables, self._rigid, self.inputs, index)
         penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
         load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
         contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S), tolerance=self.tolerance,
                                           contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
-        outline = self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL
         side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
-        if outline:
-            side[layout.SIDE_STATION:] = 0.0
-        write_side(side, plane, contact, outline)
+        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
         return resultant(plane, contact, index)
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into ``outputs`` (n, 276) and ``status`` (n,)."""
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,)."""
         for row, values in enumerate(inputs):
             self.inputs[:] = values
             status[row] = self.step()

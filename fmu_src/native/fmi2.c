@@ -204,7 +204,7 @@ fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference refe
     if (check_list(self, "fmi2GetInteger", references, count, values, MODEL_INTEGER) || wheelset_refresh(self->wheelset))
         return answer(self, 1);
     for (size_t i = 0; i < count; i += 1)
-        values[i] = (fmi2Integer)self->wheelset->core.values[references[i]];
+        values[i] = wheelset_integer(self->wheelset, references[i]);
     return fmi2OK;
 }
 

@@ -177,7 +177,47 @@ fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 size
     return fmi3OK;
 }
 
+fmi3Status fmi3EnterConfigurationMode(fmi3Instance component)
+{
+    instance *self = component;
+    return self ? answer(self, wheelset_configure(self->wheelset)) : fmi3Error;
+}
+
+fmi3Status fmi3ExitConfigurationMode(fmi3Instance component)
+{
+    instance *self = component;
+    return self ? answer(self, wheelset_configured(self->wheelset)) : fmi3Error;
+}
+
 /* --- values ---------------------------------------------------------------------------------------------- */
+
+/* How many values a variable has. */
+static size_t block_size(const instance *self, const model_block *block)
+{
+    return block->run < 0 ? 1 : (size_t)self->wheelset->core.stations;
+}
+
+/* The values of a Float64. */
+static const double *block_values(const instance *self, const model_block *block)
+{
+    const wheelset_core *core = &self->wheelset->core;
+    if (block->first == BLOCK_TIME)
+        return &core->time;
+    if (block->run < 0 || core->stations == MODEL_STATIONS)
+        return core->values + block->first;
+    return core->values + MODEL_STATUS + (size_t)block->run * core->stations;
+}
+
+/* Whether a variable is of this type. */
+static int check_type(instance *self, const model_block *block, model_type type)
+{
+    if (block->first >= 0)
+        return wheelset_check(self->wheelset, (uint32_t)block->first, type);
+    if (type == (block->first == BLOCK_TIME ? MODEL_REAL : MODEL_UNSIGNED))
+        return 0;
+    return wheelset_refuse(self->wheelset, "%s, not of this function's",
+                           block->first == BLOCK_TIME ? "time is of type Real" : "stations is of type UInt64");
+}
 
 /* Whether a list of variables can be read or written, all known and of this type, with as many values as they hold. */
 static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
@@ -186,15 +226,16 @@ static int check_list(instance *self, const char *function, reference_list refer
     size_t needed = 0;
     if (count > 0 && (!references || !values))
         return wheelset_refuse(self->wheelset, "%s: %s is a NULL pointer", function, references ? "values" : "valueReferences");
+    if (count > 0 && self->wheelset->core.phase == PHASE_CONFIGURING && type != MODEL_UNSIGNED)
+        return wheelset_refuse(self->wheelset, "%s: permitted in configuration mode is stations", function);
     for (size_t i = 0; i < count; i += 1)
     {
         if (references[i] < 1 || references[i] > MODEL_BLOCKS)
             return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
                                    (unsigned long)references[i], MODEL_BLOCKS);
-        const model_block *block = model_blocks + references[i];
-        if (block->first < 0 ? type != MODEL_REAL : wheelset_check(self->wheelset, (uint32_t)block->first, type))
-            return block->first < 0 ? wheelset_refuse(self->wheelset, "time is of type Real, not of this function's") : 1;
-        needed += (size_t)block->count;
+        if (check_type(self, model_blocks + references[i], type))
+            return 1;
+        needed += block_size(self, model_blocks + references[i]);
     }
     if (needed != value_count)
         return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
@@ -213,9 +254,9 @@ fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference refer
     for (size_t i = 0; i < count; i += 1)
     {
         const model_block *block = model_blocks + references[i];
-        const double *from = block->first < 0 ? &self->wheelset->core.time : self->wheelset->core.values + block->first;
-        for (int k = 0; k < block->count; k += 1)
-            *values++ = from[k];
+        const double *from = block_values(self, block);
+        for (size_t k = block_size(self, block); k > 0; k -= 1)
+            *values++ = *from++;
     }
     return fmi3OK;
 }
@@ -229,7 +270,20 @@ fmi3Status fmi3GetInt32(fmi3Instance component, const fmi3ValueReference referen
     if (check_list(self, "fmi3GetInt32", references, count, values, value_count, MODEL_INTEGER) || wheelset_refresh(self->wheelset))
         return answer(self, 1);
     for (size_t i = 0; i < count; i += 1)
-        values[i] = (fmi3Int32)self->wheelset->core.values[model_blocks[references[i]].first];
+        values[i] = wheelset_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetUInt64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3UInt64 values[],
+                         size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetUInt64", references, count, values, value_count, MODEL_UNSIGNED))
+        return answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = self->wheelset->core.stations;
     return fmi3OK;
 }
 
@@ -255,11 +309,11 @@ fmi3Status fmi3SetFloat64(fmi3Instance component, const fmi3ValueReference refer
     int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL);
     for (size_t i = 0; i < count && !refused; i += 1)
     {
-        const model_block *block = model_blocks + references[i];
-        if (block->first < 0)
+        const model_block *block = model_blocks + references[i];    /* one value: arrays are outputs, which are refused */
+        if (block->first == BLOCK_TIME)
             refused = wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set");
-        for (int k = 0; k < block->count && !refused; k += 1)
-            refused = wheelset_set_real(self->wheelset, (uint32_t)(block->first + k), *values++);
+        else
+            refused = wheelset_set_real(self->wheelset, (uint32_t)block->first, values[i]);
     }
     return answer(self, refused);
 }
@@ -273,6 +327,18 @@ fmi3Status fmi3SetInt32(fmi3Instance component, const fmi3ValueReference referen
     int refused = check_list(self, "fmi3SetInt32", references, count, values, value_count, MODEL_INTEGER);
     for (size_t i = 0; i < count && !refused; i += 1)
         refused = wheelset_set_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
+    return answer(self, refused);
+}
+
+fmi3Status fmi3SetUInt64(fmi3Instance component, const fmi3ValueReference references[], size_t count,
+                         const fmi3UInt64 values[], size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetUInt64", references, count, values, value_count, MODEL_UNSIGNED);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_set_stations(self->wheelset, values[i]);
     return answer(self, refused);
 }
 
@@ -382,7 +448,6 @@ NO_VALUES(Int16, fmi3Int16)
 NO_VALUES(UInt16, fmi3UInt16)
 NO_VALUES(UInt32, fmi3UInt32)
 NO_VALUES(Int64, fmi3Int64)
-NO_VALUES(UInt64, fmi3UInt64)
 NO_VALUES(Boolean, fmi3Boolean)
 
 /* A function of FMI 3 that this FMU declares no capability for. */
@@ -425,8 +490,6 @@ NOT_HERE(fmi3GetAdjointDerivative, "there are no adjoint derivatives", reference
          const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
 NOT_HERE(fmi3GetOutputDerivatives, "there are no output derivatives", reference_list r, size_t n, const fmi3Int32 orders[],
          fmi3Float64 values[], size_t m)
-NO_MODE(fmi3EnterConfigurationMode, "there are no structural parameters")
-NO_MODE(fmi3ExitConfigurationMode, "there are no structural parameters")
 NO_MODE(fmi3EnterEventMode, EVENTLESS)
 NO_MODE(fmi3EnterStepMode, EVENTLESS)
 NO_MODE(fmi3EvaluateDiscreteStates, EVENTLESS)

@@ -7,7 +7,7 @@
 #include "model_sizes.h"
 
 typedef enum { MODEL_INPUT, MODEL_PARAMETER, MODEL_OUTPUT } model_causality;
-typedef enum { MODEL_REAL, MODEL_INTEGER, MODEL_STRING } model_type;
+typedef enum { MODEL_REAL, MODEL_INTEGER, MODEL_STRING, MODEL_UNSIGNED } model_type;     /* the last one in FMI 3 only */
 
 /* A method as the user names it and as the kernel numbers it. */
 typedef struct {
@@ -53,9 +53,11 @@ typedef struct {
 } model_ladder;
 
 /* Where the values of an FMI 3 variable lie among those of FMI 2. */
+enum { BLOCK_TIME = -1, BLOCK_STATIONS = -2 };
+
 typedef struct {
-    int first;                      /* -1: the time */
-    int count;
+    int first;                      /* one of BLOCK_..., or a value reference */
+    int run;                        /* of an array: which of the six, both outlines one after the other; or -1 */
 } model_block;
 
 extern const model_variable model_variables[MODEL_VARIABLES];

@@ -11,7 +11,7 @@
 
 static const char FORMAT[16] = "wrcontact 1";
 static const char KEPT[] = "the outputs keep their last valid values";
-enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
+enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000, OUTPUT_ROOM = MODEL_STATUS + MODEL_OUTLINES - MODEL_FIRST_OUTPUT };
 
 /* --- sentences ------------------------------------------------------------------------------------ */
 
@@ -116,7 +116,7 @@ static void tell_status(wheelset *self)
 {
     char sentence[MODEL_SENTENCE];
     const bool compliant = strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
-    explain((int)self->core.values[MODEL_STATUS], self->core.values, compliant, sentence, sizeof sentence);
+    explain((int)self->core.status, self->core.values, compliant, sentence, sizeof sentence);
     self->tell(self->owner, sentence);
     self->core.told = 1;
 }
@@ -269,13 +269,11 @@ static bool is_built(const wheelset *self)
     return true;
 }
 
-/* The tables for the present parameters. */
-static int build(wheelset *self)
+/* New tables for the present parameters. */
+static int prepare(wheelset *self)
 {
     double setup[MODEL_SETUP] = {0.0}, report[MODEL_REPORT] = {0.0};
     wrcontact_preparation preparation = {0};
-    if (is_built(self))
-        return 0;
     if (fill_setup(self, setup) || fill_resolution(self, setup)
         || find_profile(self, "wheel", MODEL_WHEEL_SLOT, &preparation.wheel)
         || find_profile(self, "rail", MODEL_RAIL_SLOT, &preparation.rail))
@@ -294,6 +292,15 @@ static int build(wheelset *self)
     return 0;
 }
 
+/* The tables for the present parameters and stations. */
+static int build(wheelset *self)
+{
+    if (!is_built(self) && prepare(self))
+        return 1;
+    self->tables[layout__SET_STATIONS] = (double)self->core.stations;
+    return 0;
+}
+
 /* Build the tables where the parameters have changed, and begin with an empty memory. */
 static int initialise(wheelset *self)
 {
@@ -303,7 +310,7 @@ static int initialise(wheelset *self)
         return 1;
     memset(self->core.memory, 0, sizeof self->core.memory);
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
-    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, (MODEL_STATUS - MODEL_FIRST_OUTPUT) * sizeof(double));
+    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, OUTPUT_ROOM * sizeof(double));
     self->core.built = self->core.stale = 1;
     return 0;
 }
@@ -338,18 +345,37 @@ void wheelset_reset(wheelset *self)
 {
     memset(&self->core, 0, sizeof self->core);
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
-    for (int i = 0; i < MODEL_VARIABLES; i += 1)
+    for (int i = 0; i < MODEL_STATUS; i += 1)
     {
         self->core.values[i] = model_variables[i].start;
         if (model_variables[i].slot >= 0)
             snprintf(self->core.text[model_variables[i].slot], MODEL_TEXT, "%s", model_variables[i].text);
     }
+    self->core.stations = MODEL_STATIONS;
     self->core.phase = PHASE_INSTANTIATED;
     self->core.stale = 1;
 }
 
+int wheelset_configure(wheelset *self)
+{
+    if (self->core.phase != PHASE_INSTANTIATED)
+        return wheelset_refuse(self, "configuration mode can be entered only after instantiation or a reset");
+    self->core.phase = PHASE_CONFIGURING;
+    return 0;
+}
+
+int wheelset_configured(wheelset *self)
+{
+    if (self->core.phase != PHASE_CONFIGURING)
+        return wheelset_refuse(self, "configuration mode can be left only where it was entered");
+    self->core.phase = PHASE_INSTANTIATED;
+    return 0;
+}
+
 int wheelset_enter(wheelset *self)
 {
+    if (self->core.phase == PHASE_CONFIGURING)
+        return wheelset_refuse(self, "configuration mode has to be left before initialisation mode is entered");
     if (self->core.phase != PHASE_INSTANTIATED)
         return wheelset_refuse(self, "initialisation mode can be entered once, after instantiation or a reset");
     if (initialise(self))
@@ -383,7 +409,7 @@ int wheelset_terminate(wheelset *self)
 
 int wheelset_check(wheelset *self, uint32_t reference, model_type type)
 {
-    static const char *const NAMES[] = {"Real", "Integer", "String"};
+    static const char *const NAMES[] = {"Real", "Integer", "String", "UInt64"};
     if (reference >= MODEL_VARIABLES)
         return wheelset_refuse(self, "value reference %lu does not exist; they run from 0 to %d", (unsigned long)reference,
                                MODEL_VARIABLES - 1);
@@ -448,15 +474,35 @@ int wheelset_set_integer(wheelset *self, uint32_t reference)
     return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
 }
 
+int wheelset_set_stations(wheelset *self, uint64_t stations)
+{
+    const unsigned long long wanted = stations;
+    if (stations == self->core.stations && self->core.phase != PHASE_TERMINATED)
+        return 0;
+    if (self->core.phase != PHASE_CONFIGURING)
+        return wheelset_refuse(self, "stations is fixed at %d outside configuration mode and cannot become %llu",
+                               (int)self->core.stations, wanted);
+    if (stations < (uint64_t)layout__STATION_LEAST || stations > (uint64_t)layout__STATION_LIMIT)
+        return wheelset_refuse(self, "stations is %llu; permitted is %d ... %d", wanted, (int)layout__STATION_LEAST,
+                               (int)layout__STATION_LIMIT);
+    self->core.stations = stations;
+    return 0;
+}
+
+int32_t wheelset_integer(const wheelset *self, uint32_t reference)
+{
+    return (int32_t)(reference == MODEL_STATUS ? self->core.status : self->core.values[reference]);
+}
+
 /* One step of the kernel, and its outcome. */
 static void evaluate(wheelset *self)
 {
     wheelset_core *core = &self->core;
     const wrcontact_handle handle = {
         span_of(self->tables, self->table_size), span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
-        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, MODEL_STATUS - MODEL_FIRST_OUTPUT)};
+        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, OUTPUT_ROOM)};
     const int status = wrcontact_step(&handle);
-    core->values[MODEL_STATUS] = status;
+    core->status = status;
     core->stale = 0;
     if (status)
         tell_status(self);
@@ -482,7 +528,7 @@ int wheelset_step(wheelset *self, double time, double size)
         return wheelset_refuse(self, "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
                                shortest(size, first, sizeof first), shortest(time, second, sizeof second));
     wheelset_refresh(self);
-    if (self->core.values[MODEL_STATUS] != 0.0 && !self->core.told)
+    if (self->core.status != 0.0 && !self->core.told)
         tell_status(self);
     self->core.told = 0;
     self->core.time = time + size;
@@ -536,5 +582,6 @@ int wheelset_restore(wheelset *self, const wheelset_saved *saved, size_t size)
     }
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
     memcpy(self->workspace, saved->core.known, sizeof saved->core.known);
+    memcpy(self->workspace + MODEL_KNOWN, saved->core.values + MODEL_FIRST_OUTPUT, OUTPUT_ROOM * sizeof(double));
     return 0;
 }

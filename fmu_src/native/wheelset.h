@@ -12,13 +12,16 @@
 #include "kernel/native/wrcontact_prepare.h"
 #include "model.h"
 
-typedef enum { PHASE_INSTANTIATED, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED } wheelset_phase;
+typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED } wheelset_phase;
 
 /* What a simulation goes on from: all that a saved state holds. */
 typedef struct {
-    double values[MODEL_VARIABLES];         /* by value reference */
+    double values[MODEL_STATUS + MODEL_OUTLINES];   /* by value reference; behind them the outlines, if they are of another
+                                               number of stations than MODEL_STATIONS */
+    double status;                          /* whose value reference is MODEL_STATUS */
+    uint64_t stations;                      /* of an outline */
     double memory[MODEL_MEMORY];            /* the kernel's state */
-    double known[MODEL_KNOWN];              /* the inputs and outputs that the kernel has evaluated last */
+    double known[MODEL_KNOWN];              /* the inputs evaluated last, and whether the outputs are theirs */
     double time;
     char text[MODEL_STRINGS][MODEL_TEXT];   /* the Strings */
     int32_t phase;
@@ -62,8 +65,12 @@ int wheelset_check(wheelset *self, uint32_t reference, model_type type);
 int wheelset_set_real(wheelset *self, uint32_t reference, double value);
 int wheelset_set_string(wheelset *self, uint32_t reference, const char *value);
 int wheelset_set_integer(wheelset *self, uint32_t reference);   /* none can be set */
+int32_t wheelset_integer(const wheelset *self, uint32_t reference);
 int wheelset_refresh(wheelset *self);                           /* bring the outputs up to date, before they are read */
 
+int wheelset_configure(wheelset *self);                         /* configuration mode, in which stations can be set */
+int wheelset_set_stations(wheelset *self, uint64_t stations);
+int wheelset_configured(wheelset *self);                        /* and out of it */
 int wheelset_enter(wheelset *self);                             /* initialisation mode */
 int wheelset_exit(wheelset *self);                              /* and out of it */
 int wheelset_step(wheelset *self, double time, double size);

@@ -96,7 +96,7 @@ def described(token, version, tool, starts, profiles):
 def sources(version, token, starts, profiles):
     """Everything that the library is compiled from, by path."""
     headers = Path(fmpy.__file__).parent / "c-code"
-    blocks = [(first, count) for _, first, count in description3.variable_blocks()]
+    blocks = [(first, run) for _, first, run in description3.variable_blocks()]
     kernel = [file for folder in ("native", "generated") for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
     adapters = [NATIVE / name for name in ("model.h", "wheelset.h", "wheelset.c", f"fmi{version}.c")]
     return {

@@ -21,6 +21,7 @@ import numpy as np
 
 from .files import HERE, LIBRARY_NAME, fingerprint
 from .layout import INPUT_COUNT, IN_LATERAL_SHIFT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
+from .outline import row_size
 from .prepare_tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
 from .starts import START_ROW
 
@@ -65,7 +66,7 @@ class Kernel:
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
         arrays = (checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
                   checked("workspace", workspace, WORK_SIZE, written=True), checked("inputs", inputs, INPUT_COUNT),
-                  checked("outputs", outputs, OUTPUT_COUNT, written=True))
+                  checked("outputs", outputs, row_size(tables), written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, hertz, influence):
@@ -110,7 +111,7 @@ class CompiledKernel:
     compiled = True
 
     def __init__(self, library, arrays):
-        self._library = library
+        self._library, self._size = library, row_size(arrays[0])
         handle = Handle(*map(span, arrays))
         handle.arrays = arrays                      # it holds bare addresses: they live as long as it, or a bare ``step``, does
         self._handle = ctypes.byref(handle)
@@ -118,7 +119,7 @@ class CompiledKernel:
 
     def step_many(self, count, inputs, outputs, statuses):
         """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses`` each."""
-        blocks = checked_blocks(count, inputs, outputs, statuses)
+        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
         return self._library.wrcontact_step_many(self._handle, count, *(block.ctypes.data for block in blocks))
 
 
@@ -129,12 +130,13 @@ class PythonKernel:
 
     def __init__(self, arrays):
         self._source = import_module(".step", __package__)      # not before it is needed
+        self._size = row_size(arrays[0])
         self._views = [view(array) for array in arrays]
         self.step = partial(self._source.step, *self._views)
 
     def step_many(self, count, inputs, outputs, statuses):
         """As CompiledKernel.step_many."""
-        blocks = checked_blocks(count, inputs, outputs, statuses)
+        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
         return self._source.step_many(count, *self._views[:3], *map(view, blocks))
 
 
@@ -191,11 +193,11 @@ def view(array):
     return memoryview(array)
 
 
-def checked_blocks(count, inputs, outputs, statuses):
-    """The flat arrays of ``count`` steps."""
+def checked_blocks(count, size, inputs, outputs, statuses):
+    """The flat arrays of ``count`` steps that give ``size`` numbers each."""
     if count < 0:
         raise ValueError(f"count is {count}; it cannot be negative")
-    return (checked("inputs", inputs, count * INPUT_COUNT), checked("outputs", outputs, count * OUTPUT_COUNT, written=True),
+    return (checked("inputs", inputs, count * INPUT_COUNT), checked("outputs", outputs, count * size, written=True),
             checked("statuses", statuses, count, written=True))
 
 

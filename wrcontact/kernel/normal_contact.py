@@ -18,11 +18,12 @@ from .hertz import hertz_coefficients, hertz_stiffness, table_value
 from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, LOAD_VERTICAL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA,
                      PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE,
                      PATCH_WIDTH, REGION_LIMIT, SEPARATION_CHORD, SEPARATION_VERTICAL, SET_CONTACT_MODULUS, SET_DEPTH,
-                     SET_HERTZ, SET_LATERAL, SET_LOAD, SET_NODES, SET_NORMAL_MODEL, SET_RAIL, SET_SEPARATION, SET_STRIDE,
-                     SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_HALF_LENGTH,
-                     SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT,
-                     SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, SIDE_PENETRATION, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT)
+                     SET_HERTZ, SET_LATERAL, SET_LOAD, SET_NODES, SET_NORMAL_MODEL, SET_RAIL, SET_SEPARATION, SET_STATIONS,
+                     SET_STRIDE, SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_MAX_PRESSURE,
+                     SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
+                     SIDE_PATCH_WIDTH, SIDE_PENETRATION)
 from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_field, weigh_nodes
+from .outline import outline_place
 from .overlaps import gather_overlaps
 from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
@@ -405,16 +406,21 @@ def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, p
     work[side + SIDE_PATCH + PATCH_WIDTH] = 2.0 * b
     work[side + SIDE_PATCH + PATCH_CENTROID] = 0.0
     work[side + SIDE_PATCH + PATCH_CONTACT_ANGLE] = work[side + SIDE_CONTACT_ANGLE]
-    stations = 0
     if int(tables[SET_DEPTH]) == DEPTH_ALL:
-        stations = STATION_COUNT
-    for j in range(stations):
-        share = 2.0 * float(j) / float(STATION_COUNT - 1) - 1.0
-        height = sqrt(1.0 - share * share)
-        work[side + SIDE_STATION + j] = share * b
-        work[side + SIDE_HALF_LENGTH + j] = a * height
-        work[side + SIDE_PRESSURE + j] = pressure * height
+        write_ellipse(work, outline_place(tables, side), int(tables[SET_STATIONS]), a, b, pressure)
     return penetration
+
+
+def write_ellipse(work: 'float[:]', place: int, stations: int, a: float, b: float, pressure: float):
+    """Outline and pressure of an ellipse of half-length ``a`` and half-width ``b`` [m] at ``stations`` stations, to
+    ``place``."""
+    for j in range(stations):
+        share = 2.0 * float(j) / float(stations - 1) - 1.0
+        height = sqrt(1.0 - share * share)
+        work[place + j] = share * b
+        work[place + stations + j] = a * height
+        work[place + 2 * stations + j] = pressure * height
+    return 0
 
 
 def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, outputs: int, force: float,
@@ -436,11 +442,11 @@ def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
                 islands = gather_strips(work, strips)
                 write_patches(work, outputs, islands)
                 if int(tables[SET_DEPTH]) == DEPTH_ALL:
-                    write_strip_outline(work, outputs, strips, islands)
+                    write_strip_outline(work, outline_place(tables, outputs), int(tables[SET_STATIONS]), strips, islands)
         elif met == 1:
             islands = gather_islands(tables, work, count)
             write_patches(work, outputs, islands)
             if int(tables[SET_DEPTH]) == DEPTH_ALL:
-                write_outline(work, outputs, count, islands)
+                write_outline(work, outputs, outline_place(tables, outputs), int(tables[SET_STATIONS]), count, islands)
         work[outputs + SIDE_PENETRATION] = penetration
     return count, met

@@ -9,9 +9,8 @@ from typing import Final
 
 from .analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
 from .layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_LIMIT, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SIDE_AREA, SIDE_HALF_LENGTH, SIDE_MAX_PRESSURE,
-                     SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
-                     SIDE_PATCH_WIDTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS)
+                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SIDE_AREA, SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE,
+                     SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, WORK_ISLANDS)
 from .nodes import NODE_LENGTH, NODE_LINE, NODE_LOAD, NODE_PRESSURE, NODE_RISE, NODE_SQUARE, node_field
 from .regions import (REGION_CARRIED, REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEAN, REGION_LEVEL, REGION_LOW,
                       REGION_MOMENT, REGION_OFFSET, REGION_SPACING, REGION_STATION, region_block)
@@ -269,16 +268,16 @@ def write_patch(work: 'float[:]', to: int, at: int):
     return 0
 
 
-def write_outline(work: 'float[:]', side: int, count: int, islands: int):
-    """Half-length and pressure at STATION_COUNT stations from the first loaded station to the last."""
+def write_outline(work: 'float[:]', side: int, place: int, stations: int, count: int, islands: int):
+    """Half-length and pressure at ``stations`` stations from the first loaded station to the last, to ``place``."""
     if islands > 0:
         start = work[WORK_ISLANDS + ISLAND_START]
         stop = work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP]
-        for j in range(STATION_COUNT):
-            station = start + (stop - start) * float(j) / float(STATION_COUNT - 1)
+        for j in range(stations):
+            station = start + (stop - start) * float(j) / float(stations - 1)
             half = 0.0
             pressure = 0.0
-            if j > 0 and j < STATION_COUNT - 1:
+            if j > 0 and j < stations - 1:
                 for region in range(count):
                     block = region_block(region)
                     own = station - work[block + REGION_OFFSET]
@@ -289,9 +288,9 @@ def write_outline(work: 'float[:]', side: int, count: int, islands: int):
                 half = 0.5 * work[side + SIDE_PATCH_LENGTH]
             if pressure > work[side + SIDE_MAX_PRESSURE]:
                 pressure = work[side + SIDE_MAX_PRESSURE]
-            work[side + SIDE_STATION + j] = station
-            work[side + SIDE_HALF_LENGTH + j] = half
-            work[side + SIDE_PRESSURE + j] = pressure
+            work[place + j] = station
+            work[place + stations + j] = half
+            work[place + 2 * stations + j] = pressure
     return 0
 
 

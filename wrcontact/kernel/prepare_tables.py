@@ -12,8 +12,8 @@ from .layout import (DEPTH_ALL, OUT_LEFT, OUT_RIGHT, OUT_ROLL, SETTING_COUNT, SE
                      SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_INFLUENCE, SET_LATERAL, SET_LATERAL_LIMIT, SET_LOAD,
                      SET_LONGITUDINAL, SET_MODE, SET_NODES, SET_NORMAL_MODEL, SET_PENETRATION_LEFT, SET_PENETRATION_RIGHT,
                      SET_RADIUS, SET_RAIL, SET_RAIL_CURVATURE, SET_RAIL_Y, SET_SCAN, SET_SEPARATION, SET_SIDES, SET_STARTS,
-                     SET_STRIDE, SET_STRIPS, SET_SWEEPS, SET_WHEEL, SET_WHEEL_CURVATURE, SET_YAW_LIMIT, SIDES_BOTH,
-                     SIDE_Y_WHEEL, UNLOADED)
+                     SET_STATIONS, SET_STRIDE, SET_STRIPS, SET_SWEEPS, SET_WHEEL, SET_WHEEL_CURVATURE, SET_YAW_LIMIT,
+                     SIDES_BOTH, SIDE_Y_WHEEL, STATION_COUNT, UNLOADED)
 from .prepare_curvatures import write_curvatures
 from .prepare_pieces import FULL, MM, write_profile
 from .prepare_placement import highest_point, inner_face, keep_around_top, turn_zones
@@ -111,6 +111,7 @@ def write_settings(setup: 'float[:]', tables: 'float[:]'):
     tables[SET_SIDES] = float(SIDES_BOTH)
     tables[SET_DEPTH] = float(DEPTH_ALL)
     tables[SET_ABSENT] = setup[SETUP_NAN]
+    tables[SET_STATIONS] = float(STATION_COUNT)
     return 0
 
 

@@ -10,6 +10,7 @@ from .layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, NOT_CONVERGED, OFF_PROFILE, 
                      SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, SUPPORT_BLOCK, UNLOADED, VALID, WORK_OUTPUTS, WORK_PLACE,
                      WORK_SIDE, WORK_SUPPORT)
 from .normal_contact import solve_normal
+from .outline import fill_apart
 from .overlaps import (DEEP_DEPTH, DEEP_FIRST, DEEP_SIZE, DEEP_WHEEL, deepest_entry, find_overlaps, press_frame,
                        touching_shift)
 from .regions import REGION_COS, REGION_SHARE, REGION_STIFFNESS, REGION_WHEEL, region_block
@@ -32,10 +33,11 @@ def side_resultant(index: int):
     return WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_RESULTANT
 
 
-def clear_side(work: 'float[:]', out: int):
+def clear_side(tables: 'float[:]', work: 'float[:]', out: int):
     """Zeros in a side's outputs."""
     for i in range(SIDE_SIZE):
         work[out + i] = 0.0
+    fill_apart(tables, work, out, 0.0)
     return 0
 
 
@@ -43,6 +45,7 @@ def clear_from(tables: 'float[:]', work: 'float[:]', out: int, first: int):
     """Write what stands for outputs that are not wanted, from a side's output ``first`` on."""
     for i in range(first, SIDE_SIZE):
         work[out + i] = tables[SET_ABSENT]
+    fill_apart(tables, work, out, tables[SET_ABSENT])
     if first <= SIDE_PENETRATION:
         work[out + SIDE_PATCH_COUNT] = tables[SET_ABSENT]
     return 0
@@ -74,7 +77,7 @@ def load_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: in
 def rest_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
     """Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED."""
     side = WORK_SIDE + SIDE_BLOCK * index
-    clear_side(work, side_outputs(index))
+    clear_side(tables, work, side_outputs(index))
     clear_resultant(work, side_resultant(index))
     status = UNLOADED
     if describe_contact(tables, work, state, index, work[side + SIDE_BEST_Y], 0.0, work[side + SIDE_BEST]) == 0:
@@ -102,7 +105,7 @@ def press_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: i
     side = WORK_SIDE + SIDE_BLOCK * index
     at = WORK_PLACE + PLACE_BLOCK * index
     height = work[side + SIDE_BEST] + sink
-    clear_side(work, side_outputs(index))
+    clear_side(tables, work, side_outputs(index))
     clear_resultant(work, side_resultant(index))
     if find_overlaps(tables, work, state, side, at, height) == 0:
         return NOT_CONVERGED

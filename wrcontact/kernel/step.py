@@ -8,11 +8,12 @@ from typing import Final
 
 from .elastic import solve_elastic, stand_compliant
 from .layout import (DEPTH_GEOMETRY, INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE,
-                     IN_ROLL, IN_ROLL_GUESS, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OFF_PROFILE, OUTPUT_COUNT,
+                     IN_ROLL, IN_ROLL_GUESS, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OFF_PROFILE,
                      OUT_FORCE, OUT_MOMENT, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT, SET_DEPTH, SET_LATERAL_LIMIT,
                      SET_MODE, SET_SIDES, SET_YAW_LIMIT, SIDES_BOTH, SIDES_LEFT, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK,
                      SIDE_SIZE, STATE_ROLL, STATE_SHIFT, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, SUPPORT_BLOCK,
                      UNLOADED, VALID, WORK_INPUTS, WORK_KNOWN, WORK_OUTPUTS, WORK_SIDE, WORK_STATUS, WORK_SUPPORT)
+from .outline import row_size
 from .resultant import clear_resultant, write_resultant
 from .roll import ROLL_LIMIT, solve_roll
 from .side import SUPPORT_HEIGHT, clear_from, first_unwanted, side_outputs, side_resultant, step_side
@@ -173,8 +174,9 @@ def step_row(tables: 'float[:]', state: 'float[:]', workspace: 'float[:]', input
     if status <= UNLOADED:
         workspace[WORK_KNOWN] = 1.0
         workspace[WORK_STATUS] = float(status)
-        for i in range(OUTPUT_COUNT):
-            outputs[OUTPUT_COUNT * row + i] = workspace[WORK_OUTPUTS + i]
+        size = row_size(tables)
+        for i in range(size):
+            outputs[size * row + i] = workspace[WORK_OUTPUTS + i]
     return status
 
 

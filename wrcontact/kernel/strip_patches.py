@@ -6,7 +6,7 @@ distance, so the edge is where the straight line through the last two strips' li
 
 from math import atan, sqrt
 
-from .layout import REGION_LIMIT, SIDE_HALF_LENGTH, SIDE_PRESSURE, SIDE_STATION, STATION_COUNT, WORK_ISLANDS
+from .layout import REGION_LIMIT, WORK_ISLANDS
 from .patches import (ISLAND_AREA, ISLAND_HALF_LENGTH, ISLAND_LIMIT, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_PRESSURE,
                       ISLAND_SIZE, ISLAND_START, ISLAND_STOP, open_island, root_integral)
 from .regions import REGION_CARRIED, REGION_LEAN, REGION_MOMENT, region_block
@@ -118,8 +118,8 @@ def gather_strips(work: 'float[:]', strips: int):
     return islands
 
 
-def write_strip_outline(work: 'float[:]', side: int, strips: int, islands: int):
-    """Half-length and pressure at STATION_COUNT stations from the first edge to the last."""
+def write_strip_outline(work: 'float[:]', place: int, count: int, strips: int, islands: int):
+    """Half-length and pressure at ``count`` stations from the first edge to the last, to ``place``."""
     start = work[WORK_ISLANDS + ISLAND_START]
     stop = work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP]
     stations = strip_field(STRIP_STATION)
@@ -127,14 +127,14 @@ def write_strip_outline(work: 'float[:]', side: int, strips: int, islands: int):
     pressures = strip_field(STRIP_PRESSURE)
     island = 0
     i = 0
-    for j in range(STATION_COUNT):
-        station = start + (stop - start) * float(j) / float(STATION_COUNT - 1)
+    for j in range(count):
+        station = start + (stop - start) * float(j) / float(count - 1)
         half = 0.0
         pressure = 0.0
         while island < islands - 1 and station > work[WORK_ISLANDS + ISLAND_SIZE * island + ISLAND_STOP]:
             island += 1
         at = WORK_ISLANDS + ISLAND_SIZE * island
-        if j > 0 and j < STATION_COUNT - 1 and station > work[at + ISLAND_START] and station < work[at + ISLAND_STOP]:
+        if j > 0 and j < count - 1 and station > work[at + ISLAND_START] and station < work[at + ISLAND_STOP]:
             while i < strips and work[stations + i] < station:
                 i += 1
             # between strips i - 1 and i, or between one of them and the edge
@@ -158,7 +158,7 @@ def write_strip_outline(work: 'float[:]', side: int, strips: int, islands: int):
             half = sqrt(low_square + share * (high_square - low_square))
             pressure = sqrt(low_pressure * low_pressure
                             + share * (high_pressure * high_pressure - low_pressure * low_pressure))
-        work[side + SIDE_STATION + j] = station
-        work[side + SIDE_HALF_LENGTH + j] = half
-        work[side + SIDE_PRESSURE + j] = pressure
+        work[place + j] = station
+        work[place + count + j] = half
+        work[place + 2 * count + j] = pressure
     return 0

@@ -532,10 +532,6 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     double b;
     double area;
     double pressure;
-    int64_t stations;
-    int64_t j;
-    double share;
-    double height;
     double penetration;
     base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
     A = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_X));
@@ -576,20 +572,30 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
     (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CENTROID)) = 0.0;
     (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_CONTACT_ANGLE));
-    stations = INT64_C(0);
     if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
     {
-        stations = layout__STATION_COUNT;
-    }
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
-    {
-        share = 2.0 * (double)(j) / (double)(layout__STATION_COUNT - INT64_C(1)) - 1.0;
-        height = sqrt(1.0 - share * share);
-        (*cspan_at(&work, side + layout__SIDE_STATION + j)) = share * b;
-        (*cspan_at(&work, side + layout__SIDE_HALF_LENGTH + j)) = a * height;
-        (*cspan_at(&work, side + layout__SIDE_PRESSURE + j)) = pressure * height;
+        normal_contact__write_ellipse(work, outline__outline_place(tables, side), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), a, b, pressure);
     }
     return penetration;
+}
+
+/* Outline and pressure of an ellipse of half-length ``a`` and half-width ``b`` [m] at ``stations`` stations, to
+ * ``place``.
+ */
+static inline int64_t normal_contact__write_ellipse(array_double_1d work, int64_t place, int64_t stations, double a, double b, double pressure)
+{
+    int64_t j;
+    double share;
+    double height;
+    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    {
+        share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
+        height = sqrt(1.0 - share * share);
+        (*cspan_at(&work, place + j)) = share * b;
+        (*cspan_at(&work, place + stations + j)) = a * height;
+        (*cspan_at(&work, place + INT64_C(2) * stations + j)) = pressure * height;
+    }
+    return INT64_C(0);
 }
 
 /* Normal contact of the side whose frame is open, into the outputs at ``outputs``; the number of regions, and 1 when
@@ -624,7 +630,7 @@ static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met,
                 patches__write_patches(work, outputs, islands);
                 if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
                 {
-                    strip_patches__write_strip_outline(work, outputs, strips, islands);
+                    strip_patches__write_strip_outline(work, outline__outline_place(tables, outputs), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), strips, islands);
                 }
             }
         }
@@ -634,7 +640,7 @@ static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met,
             patches__write_patches(work, outputs, islands);
             if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
             {
-                patches__write_outline(work, outputs, (*count), islands);
+                patches__write_outline(work, outputs, outline__outline_place(tables, outputs), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), (*count), islands);
             }
         }
         (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;

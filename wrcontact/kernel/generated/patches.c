@@ -403,8 +403,8 @@ static inline int64_t patches__write_patch(array_double_1d work, int64_t to, int
     return INT64_C(0);
 }
 
-/* Half-length and pressure at STATION_COUNT stations from the first loaded station to the last. */
-static inline int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands)
+/* Half-length and pressure at ``stations`` stations from the first loaded station to the last, to ``place``. */
+static inline int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t place, int64_t stations, int64_t count, int64_t islands)
 {
     double start;
     double stop;
@@ -419,12 +419,12 @@ static inline int64_t patches__write_outline(array_double_1d work, int64_t side,
     {
         start = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
         stop = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP));
-        for (j = INT64_C(0); j < layout__STATION_COUNT; j += INT64_C(1))
+        for (j = INT64_C(0); j < stations; j += INT64_C(1))
         {
-            station = start + (stop - start) * (double)(j) / (double)(layout__STATION_COUNT - INT64_C(1));
+            station = start + (stop - start) * (double)(j) / (double)(stations - INT64_C(1));
             half = 0.0;
             pressure = 0.0;
-            if ((j > INT64_C(0)) && (j < layout__STATION_COUNT - INT64_C(1)))
+            if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
             {
                 for (region = INT64_C(0); region < count; region += INT64_C(1))
                 {
@@ -445,9 +445,9 @@ static inline int64_t patches__write_outline(array_double_1d work, int64_t side,
             {
                 pressure = (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE));
             }
-            (*cspan_at(&work, side + layout__SIDE_STATION + j)) = station;
-            (*cspan_at(&work, side + layout__SIDE_HALF_LENGTH + j)) = half;
-            (*cspan_at(&work, side + layout__SIDE_PRESSURE + j)) = pressure;
+            (*cspan_at(&work, place + j)) = station;
+            (*cspan_at(&work, place + stations + j)) = half;
+            (*cspan_at(&work, place + INT64_C(2) * stations + j)) = pressure;
         }
     }
     return INT64_C(0);

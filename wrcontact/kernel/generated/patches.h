@@ -41,6 +41,6 @@ static inline int64_t patches__write_patch(array_double_1d work, int64_t to, int
 static inline int64_t patches__write_patches(array_double_1d work, int64_t side, int64_t islands);
 static inline double patches__quadratic_value(double before, double low, double high, double x);
 static inline int64_t patches__strip_at(double* half, double* pressure, array_double_1d work, int64_t region, double station);
-static inline int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t count, int64_t islands);
+static inline int64_t patches__write_outline(array_double_1d work, int64_t side, int64_t place, int64_t stations, int64_t count, int64_t islands);
 
 #endif

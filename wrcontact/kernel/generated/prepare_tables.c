@@ -70,6 +70,7 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     (*cspan_at(&tables, layout__SET_SIDES)) = (double)(layout__SIDES_BOTH);
     (*cspan_at(&tables, layout__SET_DEPTH)) = (double)(layout__DEPTH_ALL);
     (*cspan_at(&tables, layout__SET_ABSENT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__SET_STATIONS)) = (double)(layout__STATION_COUNT);
     return INT64_C(0);
 }
 

@@ -25,10 +25,10 @@ static const int64_t roll__SEARCHES = INT64_C(60);
 static const int64_t roll__NEWTON_STEPS = INT64_C(25);
 static const double roll__LONGEST_TURN = 0.005;
 static const double roll__LONGEST_MOVE = 0.005;
-static const int64_t roll__LEFT = INT64_C(317);
-static const int64_t roll__RIGHT = INT64_C(717);
-static const int64_t roll__LEFT_PLACE = INT64_C(285);
-static const int64_t roll__RIGHT_PLACE = INT64_C(301);
+static const int64_t roll__LEFT = INT64_C(1523);
+static const int64_t roll__RIGHT = INT64_C(1923);
+static const int64_t roll__LEFT_PLACE = INT64_C(1491);
+static const int64_t roll__RIGHT_PLACE = INT64_C(1507);
 
 static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);

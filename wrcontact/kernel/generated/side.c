@@ -18,13 +18,14 @@ static inline int64_t side__side_resultant(int64_t index)
 }
 
 /* Zeros in a side's outputs. */
-static inline int64_t side__clear_side(array_double_1d work, int64_t out)
+static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t out)
 {
     int64_t i;
     for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work, out + i)) = 0.0;
     }
+    outline__fill_apart(tables, work, out, 0.0);
     return INT64_C(0);
 }
 
@@ -36,6 +37,7 @@ static inline int64_t side__clear_from(array_double_1d tables, array_double_1d w
     {
         (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
     }
+    outline__fill_apart(tables, work, out, (*cspan_at(&tables, layout__SET_ABSENT)));
     if (first <= layout__SIDE_PENETRATION)
     {
         (*cspan_at(&work, out + layout__SIDE_PATCH_COUNT)) = (*cspan_at(&tables, layout__SET_ABSENT));
@@ -88,7 +90,7 @@ static inline int64_t side__rest_side(array_double_1d tables, array_double_1d wo
     int64_t side;
     int64_t status;
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    side__clear_side(work, side__side_outputs(index));
+    side__clear_side(tables, work, side__side_outputs(index));
     resultant__clear_resultant(work, side__side_resultant(index));
     status = layout__UNLOADED;
     if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_BEST))) == INT64_C(0))
@@ -139,7 +141,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
-    side__clear_side(work, side__side_outputs(index));
+    side__clear_side(tables, work, side__side_outputs(index));
     resultant__clear_resultant(work, side__side_resultant(index));
     if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
     {

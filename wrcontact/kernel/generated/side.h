@@ -11,6 +11,7 @@
 #include "gap.h"
 #include "layout.h"
 #include "normal_contact.h"
+#include "outline.h"
 #include "overlaps.h"
 #include "regions.h"
 #include "resultant.h"
@@ -22,7 +23,7 @@ static const int64_t side__SUPPORT_RESULTANT = INT64_C(8);
 
 static inline int64_t side__side_outputs(int64_t index);
 static inline int64_t side__side_resultant(int64_t index);
-static inline int64_t side__clear_side(array_double_1d work, int64_t out);
+static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t out);
 static inline int64_t side__clear_from(array_double_1d tables, array_double_1d work, int64_t out, int64_t first);
 static inline int64_t side__first_unwanted(array_double_1d tables);
 static inline int64_t side__load_side(int64_t* count, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);

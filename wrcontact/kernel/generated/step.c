@@ -236,6 +236,7 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
 {
     int64_t changed;
     int64_t i;
+    int64_t size;
     int64_t status;
     changed = INT64_C(1);
     if ((*cspan_at(&workspace, layout__WORK_KNOWN)) == 1.0)
@@ -260,9 +261,10 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
     {
         (*cspan_at(&workspace, layout__WORK_KNOWN)) = 1.0;
         (*cspan_at(&workspace, layout__WORK_STATUS)) = (double)(status);
-        for (i = INT64_C(0); i < layout__OUTPUT_COUNT; i += INT64_C(1))
+        size = outline__row_size(tables);
+        for (i = INT64_C(0); i < size; i += INT64_C(1))
         {
-            (*cspan_at(&outputs, layout__OUTPUT_COUNT * row + i)) = (*cspan_at(&workspace, layout__WORK_OUTPUTS + i));
+            (*cspan_at(&outputs, size * row + i)) = (*cspan_at(&workspace, layout__WORK_OUTPUTS + i));
         }
     }
     return status;

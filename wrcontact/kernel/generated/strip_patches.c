@@ -181,8 +181,8 @@ static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t
     return islands;
 }
 
-/* Half-length and pressure at STATION_COUNT stations from the first edge to the last. */
-static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands)
+/* Half-length and pressure at ``count`` stations from the first edge to the last, to ``place``. */
+static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t place, int64_t count, int64_t strips, int64_t islands)
 {
     double start;
     double stop;
@@ -210,9 +210,9 @@ static inline int64_t strip_patches__write_strip_outline(array_double_1d work, i
     pressures = strips__strip_field(strips__STRIP_PRESSURE);
     island = INT64_C(0);
     i = INT64_C(0);
-    for (j = INT64_C(0); j < layout__STATION_COUNT; j += INT64_C(1))
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
-        station = start + (stop - start) * (double)(j) / (double)(layout__STATION_COUNT - INT64_C(1));
+        station = start + (stop - start) * (double)(j) / (double)(count - INT64_C(1));
         half = 0.0;
         pressure = 0.0;
         while((island < islands - INT64_C(1)) && (station > (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * island + patches__ISLAND_STOP))))
@@ -220,7 +220,7 @@ static inline int64_t strip_patches__write_strip_outline(array_double_1d work, i
             island += INT64_C(1);
         }
         at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * island;
-        if ((j > INT64_C(0)) && (j < layout__STATION_COUNT - INT64_C(1)) && (station > (*cspan_at(&work, at + patches__ISLAND_START))) && (station < (*cspan_at(&work, at + patches__ISLAND_STOP))))
+        if ((j > INT64_C(0)) && (j < count - INT64_C(1)) && (station > (*cspan_at(&work, at + patches__ISLAND_START))) && (station < (*cspan_at(&work, at + patches__ISLAND_STOP))))
         {
             while((i < strips) && ((*cspan_at(&work, stations + i)) < station))
             {
@@ -255,9 +255,9 @@ static inline int64_t strip_patches__write_strip_outline(array_double_1d work, i
             half = sqrt(low_square + share * (high_square - low_square));
             pressure = sqrt(low_pressure * low_pressure + share * (high_pressure * high_pressure - low_pressure * low_pressure));
         }
-        (*cspan_at(&work, side + layout__SIDE_STATION + j)) = station;
-        (*cspan_at(&work, side + layout__SIDE_HALF_LENGTH + j)) = half;
-        (*cspan_at(&work, side + layout__SIDE_PRESSURE + j)) = pressure;
+        (*cspan_at(&work, place + j)) = station;
+        (*cspan_at(&work, place + count + j)) = half;
+        (*cspan_at(&work, place + INT64_C(2) * count + j)) = pressure;
     }
     return INT64_C(0);
 }

@@ -22,6 +22,6 @@ static inline double strip_patches__run_area(array_double_1d work, int64_t first
 static inline double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
 static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last);
 static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t strips);
-static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t side, int64_t strips, int64_t islands);
+static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t place, int64_t count, int64_t strips, int64_t islands);
 
 #endif

@@ -16,7 +16,7 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
 {
     return (int)step__step_many(count, handle->tables, handle->state, handle->workspace,
                                 span_of(inputs, count * layout__INPUT_COUNT),
-                                span_of(outputs, count * layout__OUTPUT_COUNT),
+                                span_of(outputs, count * outline__row_size(handle->tables)),
                                 span_of(statuses, count));
 }
 
