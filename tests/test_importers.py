@@ -12,7 +12,6 @@ import pytest
 
 from tests.test_fmu import run_scenario, stored
 from tests.test_native_fmu import HERE, has_compiler, session, stepped
-from wrcontact.fmu import native
 from wrcontact.interface.variables import REFERENCE, VARIABLES
 
 SAME = 1e-9  # [relative]
@@ -23,12 +22,6 @@ pytestmark = pytest.mark.skipif(not has_compiler(), reason="no C compiler here")
 
 def needs(module):
     return pytest.mark.skipif(not importlib.util.find_spec(module), reason=f"{module} is not installed")
-
-
-@pytest.fixture(scope="session")
-def fmus(tmp_path_factory):
-    """The FMUs by version of FMI, built once."""
-    return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"))))
 
 
 @pytest.fixture(scope="session")

@@ -42,12 +42,6 @@ def has_compiler():
 pytestmark = pytest.mark.skipif(not has_compiler(), reason="no C compiler here")
 
 
-@pytest.fixture(scope="session")
-def fmus(tmp_path_factory):
-    """The FMUs by version of FMI, built once."""
-    return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"))))
-
-
 @pytest.fixture
 def run(fmus, tmp_path):
     """Run a scenario of fmu_process.py with the FMU of FMI 2."""
