@@ -4,21 +4,23 @@ import ctypes
 import importlib.util
 import json
 import math
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
-import timeit
 import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
 
-import numpy as np
+import fmpy
 import pytest
 from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 
+from benchmarks.native import native_host, rows_text
 from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, pressed_poses, profile_file,
                             run_scenario, stored)
 from wrcontact import ContactSystem
@@ -29,6 +31,7 @@ from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
 
 HERE = Path(__file__).resolve().parent
+FMI_HEADERS = Path(fmpy.__file__).parent / "c-code"
 SAME = 1e-12   # [relative] to the package; the same compiler and libm give the same bits
 
 
@@ -136,18 +139,17 @@ def test_fmi3_dependencies_are_those_of_the_table(fmus):
 
 @pytest.mark.parametrize("version", (2, 3))
 def test_every_function_of_the_standard_is_exported(fmus, tmp_path, version):
-    import fmpy
-
     library = ctypes.CDLL(str(unpacked_library(fmus[version], version, tmp_path)))
-    text = Path(fmpy.__file__).parent.joinpath("c-code", f"fmi{version}Functions.h").read_text()
-    names = re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +(fmi{version}\w+);", text, re.MULTILINE)
-    exchange = ("EventMode", "DiscreteStates", "ContinuousTimeMode", "CompletedIntegratorStep", "SetTime", "ContinuousStates",
-                "Derivatives", "EventIndicators")
-    if version == 2:
-        names = [name for name in names if not name.endswith(exchange) or name.endswith(("InputDerivatives", "OutputDerivatives"))]
-    assert len(names) > (30 if version == 2 else 70)
-    assert [name for name in names if not hasattr(library, name)] == []
+    assert [name for name in header_functions(version) if not hasattr(library, name)] == []
     assert not hasattr(library, "wrcontact_step"), "the kernel's own functions stay inside"
+
+
+def header_functions(version):
+    """Names of all functions in the standard's header."""
+    text = Path(FMI_HEADERS, f"fmi{version}Functions.h").read_text()
+    names = re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +(fmi{version}\w+);", text, re.MULTILINE)
+    assert len(names) == {2: 44, 3: 75}[version]
+    return names
 
 
 def unpacked_library(fmu, version, folder):
@@ -398,88 +400,262 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version):
         assert_same(theirs, ours)
 
 
+# --- bad input, one call after the other ------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session", params=(2, 3))
+def raw(request, fmus, tmp_path_factory):
+    """What native_raw.py saw with the library of a version of FMI, in a folder without resources."""
+    version, folder = request.param, tmp_path_factory.mktemp("Räder & Schienen 轮轨")
+    described = read_model_description(str(fmus[version]))
+    given = {"token": described.instantiationToken or described.guid,
+             "references": {v.name: v.valueReference for v in described.modelVariables}}
+    command = [sys.executable, str(HERE / "native_raw.py"), str(version), str(unpacked_library(fmus[version], version, folder)),
+               str(FMI_HEADERS)]
+    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8", timeout=300)
+    assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-4000:]}"
+    return version, json.loads(done.stdout)
+
+
+ERROR = 3
+
+
+def assert_refused(answers):
+    """Each call ended in an error with one line of one sentence."""
+    for name, (status, lines, *_) in answers.items():
+        assert status == ERROR and len(lines) == 1, f"{name}: {status}, {lines}"
+        assert lines[0][1] == "logStatusError" and 10 < len(lines[0][2]) < 300, f"{name}: {lines}"
+
+
+NAMED = {"Integer as Real": "status", "String as Real": "load", "output": "roll", "half a list": "roll", "unknown reference": "4711",
+         "fixed Real": "gauge is fixed at 1.435", "fixed String": "load is fixed at 'normal'", "step of nan": "nan s",
+         "step of -1 s": "-1.0 s", "long String": "load has 5000 bytes", "String without letters": "load is a NULL pointer",
+         "too few values": "30 values; these variables have 31", "state: freed": "saved state is not one of this instance",
+         "state: cut at 64": "holds 64 bytes", "state: damaged at 16": "comes from another FMU"}
+
+
+def test_every_misuse_is_refused_in_a_sentence_and_changes_nothing(raw):
+    version, seen = raw
+    answers = seen["bad_input"]["answers"]
+    assert_refused(answers)
+    assert [name for name, answer in answers.items() if not answer[2]] == []
+    for name, part in NAMED.items():
+        assert (version == 2 and name == "too few values") or part in answers[name][1][0][2], name
+    signs = "'%%s%%n%%%%d'" if version == 2 else "'%s%n%%d'"     # the message is a format in FMI 2
+    assert signs in answers["fixed String with signs"][1][0][2]
+    assert seen["bad_input"]["good_inputs_after"] and seen["bad_input"]["after_a_reset"]
+
+
+def test_numbers_that_are_none_in_every_input(raw):
+    _, seen = raw
+    assert len(seen["every_input"]) == 3 * len(INPUT_NAMES)
+    for name, answer in seen["every_input"].items():
+        variable, value = name.split()
+        assert answer["calls"] == [0, 0] and answer["status"] == 4 and answer["kept"] and answer["again"], name
+        assert [line[2].startswith(f"{variable} is {value} ") for line in answer["lines"]] == [True], answer["lines"]
+
+
+def test_null_pointers(raw):
+    """Every function of the header, without a component, and without each other pointer: an error and a sentence."""
+    version, seen = raw
+    answers = seen["null_pointers"]["answers"]
+    state = "FMUstate" if version == 2 else "FMUState"
+    assert answers.pop(f"Free{state}, 1") == [0, []]     # the standards have it ignored
+    without = {name: answers.pop(name) for name in list(answers) if name.endswith("no component")}
+    assert [name for name, answer in without.items() if answer != [ERROR, []]] == []
+    assert_refused(answers)
+    assert len(without) > (35 if version == 2 else 65) and seen["null_pointers"]["after"]
+
+
+def test_order_of_calls_and_sizes_of_steps(raw):
+    _, seen = raw
+    order = seen["order"]
+    assert_refused(order["answers"])
+    assert "roll is an output" in order["answers"]["output before"][1][0][2]
+    assert "1.1 s" in order["answers"]["beyond the stop"][1][0][2]
+    assert order["input_before"] == [0.0, 1.435] and order["inside"][1:] == [0, 0] and abs(order["inside"][0][0]) < 1e-15
+    assert order["sizes"] == [0] * len(order["sizes"]) and order["at_the_end"] == [0, 0, [0.0]] and order["after"]
+
+
+def test_instances_that_cannot_be_made_and_odd_ones_that_can(raw):
+    version, seen = raw
+    for name, (made, lines) in seen["creation"]["refused"].items():
+        assert made is None and len(lines) == 1 and len(lines[0][2]) > 20, f"{name}: {lines}"
+    for name, (works, lines) in seen["creation"]["made"].items():
+        assert works and len(lines) == (name != "silent"), name
+    if version == 2:
+        assert seen["creation"]["made"]["other letters"][1][0][0] == "Radsatz ä 轮对 %s"
+    assert seen["creation"]["without_log"] == (version == 3)
+
+
+def test_log_categories(raw):
+    warning, error = "logStatusWarning", "logStatusError"
+    _, seen = raw
+    found = seen["categories"]
+    assert found.pop("first") == [warning, error]
+    assert {name: answer[2] for name, answer in found.items()} == {
+        "all off": [], "warnings on": [warning], "unknown": [warning], "errors on, too": [warning, error],
+        "warnings off": [error], "all on": [warning, error]}
+    assert {name for name, answer in found.items() if answer[0]} == {"unknown"}
+
+
+def test_threads_of_python(raw):
+    """Calls from Python's threads, which leave its lock and run at once: the bits of a run alone."""
+    _, seen = raw
+    assert all(all(equal) for equal in seen["threads"]["equal"])
+
+
+def test_no_memory_is_left_behind(raw):
+    """Instances that were misused and freed, with states that nobody has freed."""
+    _, seen = raw
+    assert seen["memory"]["growth"] < 1e6  # [bytes]; one state in 100 of the 600 instances would be 3e6
+
+
 # --- from a C host ---------------------------------------------------------------------------------------------
 
 HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_realloc"]
-SANITIZERS = ["-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all"]
-CALLS = 100_000
-COST = 25.0 / 2.0   # of set 5, do step, get all on the run "hunting", in units of np.sqrt over 2000 numbers
-NOISE = 2.0         # of a shared machine
+SANITIZERS = ("-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all")
+RACES = ("-O1", "-fsanitize=thread")
+needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux", reason="no system compiler for glibc here")
+
+
+@pytest.fixture(scope="session")
+def linked_host(fmus, tmp_path_factory):
+    """native_host.c with the library in the FMU; `linked_host(2)` is the program."""
+    made = {}
+
+    def linked_host(version):
+        if version not in made:
+            made[version] = native_host(fmus[version], version, tmp_path_factory.mktemp("linked"))
+        return made[version]
+
+    return linked_host
 
 
 @pytest.fixture(scope="session")
 def host(tmp_path_factory):
-    """Build native_host.c with the FMU's sources, once for each version and flags."""
-    made = {}
+    """native_host.c with the FMU's sources, compiled with flags: `host(2, *SANITIZERS)`."""
+    kept = tmp_path_factory.mktemp("objects")
 
     def host(version, *flags):
-        if (version, flags) not in made:
-            folder = tmp_path_factory.mktemp("host")
-            native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), folder)
-            shutil.copy(HERE / "native_host.c", folder)
-            units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
-            units["native_host.c"] = [f"-DFMI={version}"]
-            for number, (unit, extra) in enumerate(units.items()):
-                subprocess.run(["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o", f"{number}.o"],
+        folder = tmp_path_factory.mktemp("host")
+        native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), folder)
+        shutil.copy(HERE / "native_host.c", folder)
+        units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
+        units["native_host.c"] = [f"-DFMI={version}"]
+        objects = []
+        for unit, extra in units.items():       # the kernel is the same for both versions
+            objects.append(Path(kept if "/" in unit else folder, f"{abs(hash(flags))} {Path(unit).stem}.o"))
+            if not objects[-1].exists():
+                subprocess.run(["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o", objects[-1]],
                                cwd=folder, check=True)
-            objects = [f"{number}.o" for number in range(len(units))]
-            subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm"], cwd=folder, check=True)
-            made[version, flags] = folder / "host"
-        return made[version, flags]
+        subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm", "-pthread"], cwd=folder, check=True)
+        return folder / "host"
 
     return host
 
 
-needs_system_compiler = pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
-
-
-def sanitizers_work():
-    """Whether the system's compiler links and runs a sanitized program."""
+def can_use(flags):
+    """Whether the system's compiler links a program with these flags, and it runs."""
     if not shutil.which("cc"):
         return False
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "probe.c").write_text("int main(void) { return 0; }\n")
-        made = subprocess.run(["cc", *SANITIZERS, "probe.c", "-o", "probe"], cwd=folder, capture_output=True)
+        made = subprocess.run(["cc", *flags, "probe.c", "-o", "probe"], cwd=folder, capture_output=True)
         return made.returncode == 0 and subprocess.run([str(Path(folder, "probe"))]).returncode == 0
 
 
-def fuzz(program, seed, calls):
-    """Random calls, legal and illegal, with allocations that fail now and then; what the program counted."""
-    done = subprocess.run([str(program), "fuzz", str(seed), str(calls)], text=True, capture_output=True, timeout=1800)
-    assert done.returncode == 0, f"seed {seed}: {done.stdout}\n{done.stderr[-4000:]}"
-    counted = json.loads(done.stdout)
-    assert counted["valid_steps"] > 0.03 * calls and counted["lines"] > 0.1 * calls and counted["odd_lines"] == 0
+needs_sanitizers = pytest.mark.skipif(not can_use(SANITIZERS), reason="no sanitizers here")
+needs_race_detector = pytest.mark.skipif(not can_use(RACES), reason="no thread sanitizer here")
+
+
+def answer_of(program, *arguments):
+    done = subprocess.run([str(program), *map(str, arguments)], text=True, capture_output=True, timeout=1800)
+    assert done.returncode == 0, f"{done.stdout[-3000:]}\n{done.stderr[-4000:]}"
+    return json.loads(done.stdout)
+
+
+def fuzz(program, version, seed, calls):
+    """Random calls, legal and illegal, with allocations that fail now and then; what they reached."""
+    counted = answer_of(program, "fuzz", seed, calls)
+    assert counted["calls"] == calls and counted["odd_lines"] == counted["damage_accepted"] == 0
+    assert counted["valid_steps"] > 0.03 * calls and counted["lines"] > 0.1 * calls
+    assert set(counted["functions"]) == set(header_functions(version)), "every function of the standard is called"
     return counted
 
 
-@pytest.mark.skipif(not sanitizers_work(), reason="no sanitizers here")
+@needs_glibc
 @pytest.mark.parametrize("version", (2, 3))
-def test_random_calls_under_sanitizers(host, version):
-    fuzz(host(version, *SANITIZERS), 5, CALLS)
+def test_random_calls(linked_host, version):
+    fuzz(linked_host(version), version, 5, 40_000)
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not sanitizers_work(), reason="no sanitizers here")
+@needs_sanitizers
 @pytest.mark.parametrize("version", (2, 3))
 def test_a_million_random_calls_under_sanitizers(host, version):
+    """Ten runs, in which every contact mode meets every normal model."""
+    program, started = host(version, *SANITIZERS), {}
     for seed in range(10):
-        fuzz(host(version, *SANITIZERS), seed, CALLS)
+        for methods, count in fuzz(program, version, seed, 100_000)["started"].items():
+            started[methods] = started.get(methods, 0) + count
+    modes, models = (next(v for v in VARIABLES if v.name == name).choices for name in ("contact_mode", "normal_model"))
+    assert len(started) == len(modes) * len(models) and min(started.values()) >= 20, started
 
 
-@needs_system_compiler
-@pytest.mark.parametrize("version", (2, 3))
-def test_cost_and_allocations(host, version, tmp_path):
-    """Set 5, do step, get all outputs: within its cost, and without an allocation after the initialisation."""
+@needs_glibc
+def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
+    """With its seed and number, which repeat it."""
+    running = subprocess.Popen([str(linked_host(2)), "fuzz", "11", "100000000"], text=True, stderr=subprocess.PIPE)
+    children = Path(f"/proc/{running.pid}/task/{running.pid}/children")
+    while not (child := children.read_text().split()):
+        pass
+    os.kill(int(child[0]), signal.SIGSEGV)
+    _, told = running.communicate(timeout=60)
+    assert running.returncode == 1 and re.match(r"native_host fuzz 11 \d+ fails: ended by signal 11", told), told
+
+
+@pytest.fixture(scope="session")
+def rows_file(tmp_path_factory):
+    """Inputs of the stored run "hunting" as native_host reads them."""
+    file = tmp_path_factory.mktemp("rows") / "rows.txt"
     _, rows, _ = stored("hunting")
-    names = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
-    (tmp_path / "rows.txt").write_text("".join(" ".join(repr(row[name]) for name in names) + "\n" for row in rows))
-    done = subprocess.run([str(host(version)), "cost", str(tmp_path / "rows.txt")], text=True, capture_output=True, check=True)
-    found = json.loads(done.stdout)
-    assert found["allocations"] == 0 and found["rows"] == len(rows)
-    assert found["outputs"] == len([v for v in VARIABLES if v.causality == OUTPUT and v.type == "Real"])
-    root = np.arange(2000.0)
-    unit = 1e6 * min(timeit.repeat(lambda: np.sqrt(root), number=1, repeat=2000))
-    assert found["microseconds"] <= NOISE * COST * unit, f"{found['microseconds']} us where np.sqrt takes {unit} us"
+    file.write_text(rows_text(rows))
+    return file
+
+
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_no_allocation_between_initialisation_and_end(linked_host, version, rows_file):
+    """Nor in any other part of the process; but the first of the states that are saved has to be somewhere."""
+    counted = answer_of(linked_host(version), "allocations", rows_file)
+    assert counted["rows"] > 100 and counted["wrong"] == 0
+    assert counted["steps"] == counted["states"] == 0 and counted["first_state"] == 1
+
+
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
+    """Of different methods, each with the bits of its run alone."""
+    assert answer_of(linked_host(version), "threads", 8, rows_file) == {"equal": 8, "variants": 8, "wrong": 0}
+
+
+@pytest.mark.slow
+@needs_race_detector
+@pytest.mark.parametrize("version", (2, 3))
+def test_threads_share_nothing(host, version, rows_file):
+    assert answer_of(host(version, *RACES), "threads", 8, rows_file) == {"equal": 8, "variants": 8, "wrong": 0}
+
+
+@needs_glibc
+@pytest.mark.slow
+@pytest.mark.skipif(not shutil.which("valgrind"), reason="valgrind is not installed")
+@pytest.mark.parametrize("version", (2, 3))
+def test_valgrind_finds_nothing(host, version):
+    """In the program as it is packed, without a sanitizer's help."""
+    command = ["valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--trace-children=yes"]
+    done = subprocess.run([*command, str(host(version)), "fuzz", "3", "3000"], text=True, capture_output=True, timeout=900)
+    assert done.returncode == 0, done.stderr[-3000:]
 
 
 # --- building -------------------------------------------------------------------------------------------------

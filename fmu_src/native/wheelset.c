@@ -360,8 +360,7 @@ int wheelset_experiment(wheelset *self, double start, bool stops, double stop)
 {
     char first[40], last[40];
     if (self->core.phase != PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "startTime and stopTime can be given before the initialisation, after instantiation or a "
-                               "reset");
+        return wheelset_refuse(self, "initialisation comes once, with startTime and stopTime, after instantiation or a reset");
     if (!isfinite(start) || (stops && !(stop >= start)))
         return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite start and a stop not before "
                                "it", shortest(start, first, sizeof first), shortest(stops ? stop : INFINITY, last, sizeof last));
@@ -516,7 +515,7 @@ int wheelset_refresh(wheelset *self)
 
 int wheelset_step(wheelset *self, double time, double size)
 {
-    char first[40], second[40];
+    char first[40], second[40], third[40];
     if (self->core.phase != PHASE_RUNNING)
         return wheelset_refuse(self, "the wheelset cannot step: it %s", self->core.phase == PHASE_TERMINATED
                                ? "has been terminated" : "has not been initialised");
@@ -524,8 +523,9 @@ int wheelset_step(wheelset *self, double time, double size)
         return wheelset_refuse(self, "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
                                shortest(size, first, sizeof first), shortest(time, second, sizeof second));
     if (time + size > self->core.stop + 1e-6 * size + ROUNDING * fabs(self->core.stop))
-        return wheelset_refuse(self, "a step of %s s at %s s ends after the stopTime; permitted are steps that do not",
-                               shortest(size, first, sizeof first), shortest(time, second, sizeof second));
+        return wheelset_refuse(self, "a step of %s s at %s s ends after the stopTime %s s; permitted are steps up to it",
+                               shortest(size, first, sizeof first), shortest(time, second, sizeof second),
+                               shortest(self->core.stop, third, sizeof third));
     wheelset_refresh(self);
     if (self->core.values[MODEL_STATUS] != 0.0 && !self->core.told)
         tell_status(self);
@@ -562,10 +562,10 @@ static int check_saved(wheelset *self, const wheelset_saved *saved, size_t size)
 {
     if (size < sizeof saved->format || memcmp(saved->format, FORMAT, sizeof FORMAT) != 0)
         return wheelset_refuse(self, "the saved state is not one of this version; the present state is kept");
-    if (size != sizeof *saved || saved->size != sizeof *saved)
+    if (size != sizeof *saved)
         return wheelset_refuse(self, "the saved state holds %lu bytes, expected are %lu; the present state is kept",
                                (unsigned long)size, (unsigned long)sizeof *saved);
-    if (saved->checksum != checksum(&saved->core, sizeof saved->core))
+    if (saved->size != sizeof *saved || saved->checksum != checksum(&saved->core, sizeof saved->core))
         return wheelset_refuse(self, "the saved state is damaged (its checksum differs); the present state is kept");
     if (memcmp(saved->token, TOKEN, sizeof TOKEN) != 0)
         return wheelset_refuse(self, "the saved state comes from another FMU; the present state is kept");
