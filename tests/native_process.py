@@ -96,9 +96,9 @@ def first_instant(fmu, start=None):
     return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get()}
 
 
-def trajectory(fmu, rows, names):
+def trajectory(fmu, rows, names, start=None):
     """Outputs after a step at every row of inputs."""
-    instance = fmu.running()
+    instance = fmu.running(**(start or {}))
     seen = []
     for row in rows:
         instance.step(**row)

@@ -16,19 +16,20 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import fmpy
+import numpy as np
 import pytest
 from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 
 from benchmarks.native import native_host, rows_text
-from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, pressed_poses, profile_file,
-                            run_scenario, stored)
+from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRONG, poses, pressed_poses, run_scenario, stored)
 from wrcontact import ContactSystem
 from wrcontact.fmu import compilers, native
 from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
+from wrcontact.profiles.catalogue import standard_profile
 
 HERE = Path(__file__).resolve().parent
 FMI_HEADERS = Path(fmpy.__file__).parent / "c-code"
@@ -170,7 +171,7 @@ def test_first_instant(run, run3):
         assert seen["in_initialisation"] == seen["after_initialisation"]
 
 
-@pytest.mark.parametrize("name", TRAJECTORIES)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "jumps")) for name in TRAJECTORIES])
 def test_trajectory(run, run3, name):
     """The values of the Python FMU, to the last digits, at the stored inputs."""
     _, rows, _ = stored(name)
@@ -203,7 +204,7 @@ PARAMETER_SETS = {
 }
 
 
-@pytest.mark.parametrize("case", PARAMETER_SETS)
+@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.slow] * ("," not in case)) for case in PARAMETER_SETS])
 def test_parameters_arrive(run, run3, case):
     start = {"lateral_shift": 3e-3, "yaw": 1e-3, **PARAMETER_SETS[case]}
     wanted = stepped(session(**start), {})
@@ -211,17 +212,91 @@ def test_parameters_arrive(run, run3, case):
     assert_same(run3("first_instant", start=start)["after_initialisation"], wanted)
 
 
-def test_own_profiles_are_packed(tmp_path):
-    wheel = profile_file(tmp_path, "wheel")
-    files = native.build_native_fmus(tmp_path / "out", wheel=wheel)
-    start = {"wheel_profile": "S1002"}
-    seen = run_scenario("first_instant", files[0], tmp_path / "unpacked", {"start": start})
-    stepper = ContactSystem(wheel=str(wheel)).stepper()
-    stepper.inputs[:] = [v.start for v in VARIABLES[:len(INPUT_NAMES)]]
-    stepper.step()
-    names = [v.name for v in VARIABLES[variables.FIRST_OUTPUT:variables.STATUS]]
-    assert_same(seen["default"], dict(zip(names, stepper.outputs.tolist())))
-    assert_same(seen["after_initialisation"], stepped(session(), {}))
+# --- profiles of one's own --------------------------------------------------------------------------------------
+
+
+def measured(name, file, step=1e-4):
+    """A file of points [mm] on a standard profile, as a measurement without noise would give them."""
+    profile = standard_profile(name)
+    y = np.arange(profile.start + 1e-4, profile.stop - 1e-4, step)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    np.savetxt(file, 1e3 * np.column_stack((y, profile.height(y))), fmt="%.6f")
+    return file
+
+
+@pytest.fixture(scope="session")
+def packed(tmp_path_factory, compiled):
+    """FMUs by version with a wheel and a rail of one's own, and their files, whose names have spaces and other letters."""
+    folder = tmp_path_factory.mktemp("Profile & 轮轨")
+    wheel, rail = measured("S1002", folder / "Rad 7 ä.txt"), measured("UIC60", folder / "Schiene 轨 'neu'.txt")
+    fmus = native.build_native_fmus(folder / "out", wheel=wheel, rail=rail, cache=compiled)
+    return dict(zip((2, 3), fmus)), wheel, rail
+
+
+def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
+    """All pairs of measured and standard profiles, by the String parameters: the values of a Python session of the file."""
+    fmus, wheel, rail = packed
+    rows = poses(6)
+    for version, script in ((2, "fmu_process.py"), (3, "native_process.py")):
+        described = {v.name: v for v in read_model_description(str(fmus[version])).modelVariables}
+        assert (described["wheel_profile"].start, described["rail_profile"].start) == (wheel.name, rail.name)
+        for pair in ({}, {"wheel_profile": "S1002"}, {"rail_profile": "54E1"}, {"wheel_profile": "S1002", "rail_profile": "UIC60"},
+                     {"wheel_profile": wheel.name, "rail_profile": rail.name}):
+            start = {**pair, "normal_model": "hertz"}
+            seen = outputs_of(script, fmus[version], tmp_path / f"unpacked {version}", rows, start)
+            made = Session(resources=str(wheel.parent), tell=lambda sentence: None)
+            whole = {"wheel_profile": wheel.name, "rail_profile": rail.name, **start}
+            made.set_strings([REFERENCE[name] for name in whole], list(whole.values()))
+            made.start()
+            for row, found in zip(rows, seen, strict=True):
+                assert_same(found, stepped(made, row))
+
+
+def outputs_of(script, fmu, folder, rows, start=None):
+    """Outputs over rows of inputs, by fmu_process.py or native_process.py in a fresh process."""
+    given = json.dumps({"rows": rows, "names": OUTPUT_NAMES, "start": start or {}})
+    done = subprocess.run([sys.executable, str(HERE / script), "trajectory", str(fmu), str(folder)], input=given, text=True,
+                          capture_output=True, encoding="utf-8", timeout=600)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)["seen"]
+
+
+def test_measured_points_give_the_standards_contact(packed):
+    """To what points 0.1 mm apart tell of the rail's steep side, from which the gauge is measured."""
+    _, wheel, rail = packed
+    own, standard = ContactSystem(wheel=str(wheel), rail=str(rail)), ContactSystem()
+    for shift in (0.0, 3e-3, 7e-3):
+        found, wanted = (system.evaluate(lateral_shift=shift, yaw=0.0, normal_force=78.5e3) for system in (own, standard))
+        assert found.roll == pytest.approx(wanted.roll, abs=3e-6)  # [rad]; 2e-7 with points twice as dense
+        assert found.right.penetration == pytest.approx(wanted.right.penetration, rel=0.05)
+
+
+def test_names_of_packed_profiles_are_told(packed, tmp_path):
+    fmus, wheel, rail = packed
+    answer = run_scenario("refusals", fmus[2], tmp_path / "unpacked", {"cases": {
+        "unknown": {"wheel_profile": "S1003"}, "of the other kind": {"wheel_profile": rail.name}}})
+    for name, part in (("unknown", wheel.name), ("of the other kind", "that is the name of the other kind")):
+        assert answer[name]["refused"] and part in answer[name]["log"][0][-1] and answer[name]["after"]["status"] == 0
+
+
+BAD_FILES = {"no numbers": "wheel\nof the tram\n", "two points": "0 0\n1 1\n", "nan": "0 0\n1 nan\n2 0\n" * 20, "empty": ""}
+
+
+@pytest.mark.parametrize("case", BAD_FILES)
+def test_bad_profile_file_is_refused_at_the_build(tmp_path, case):
+    file = tmp_path / "Rad ä.txt"
+    file.write_text(BAD_FILES[case])
+    with pytest.raises(ValueError, match="Rad ä") as refused:
+        native.build_native_fmus(tmp_path / "out", wheel=str(file))
+    assert 20 < len(str(refused.value)) < 400 and not (tmp_path / "out").exists()
+
+
+def test_two_profiles_of_one_name_are_refused(tmp_path):
+    wheel, rail = measured("S1002", tmp_path / "a" / "profile.txt"), measured("UIC60", tmp_path / "b" / "profile.txt")
+    with pytest.raises(ValueError, match="wheel and rail profile have one file name, profile.txt; rename one"):
+        native.build_native_fmus(tmp_path / "out", wheel=wheel, rail=rail)
+    with pytest.raises(ValueError, match="missing.txt"):
+        native.build_native_fmus(tmp_path / "out", wheel=str(tmp_path / "missing.txt"))
 
 
 # --- behaviour ------------------------------------------------------------------------------------------------
@@ -334,7 +409,7 @@ def test_misuse_of_fmi_2(run):
 
 
 def test_memory_stays_flat(run):
-    assert run("endurance", steps=100_000)["resident"] < 2e6  # [bytes]
+    assert run("endurance", steps=20_000)["resident"] < 2e6  # [bytes]
 
 
 def test_path_with_spaces_and_other_letters(fmus, tmp_path):
@@ -348,6 +423,7 @@ def test_path_with_spaces_and_other_letters(fmus, tmp_path):
         assert_same(json.loads(done.stdout)["default"], stepped(session(), {}))
 
 
+@pytest.mark.slow
 def test_command_line_prints_the_paths(fmus, tmp_path):
     command = [sys.executable, str(HERE.parent / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
@@ -355,23 +431,30 @@ def test_command_line_prints_the_paths(fmus, tmp_path):
     printed = list(map(Path, done.stdout.split()))
     assert printed == [tmp_path / "out" / f"WheelsetContact_native_fmi{version}.fmu" for version in (2, 3)]
     assert [file.read_bytes() for file in printed] == [file.read_bytes() for file in fmus.values()]
-    wrong = subprocess.run([*command, "--platforms", "x86_64-linux,amiga"], capture_output=True, text=True)
+
+
+def test_command_line_refuses_in_a_sentence(tmp_path):
+    command = [sys.executable, str(HERE.parent / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
+    wrong = subprocess.run([*command, "--platforms", "amiga"], capture_output=True, text=True)
     assert wrong.returncode == 1 and "platform is 'amiga'; permitted are x86_64-linux" in wrong.stderr
+    assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_equal_sources_give_equal_bytes(fmus, tmp_path):
     for version, again in zip((2, 3), native.build_native_fmus(tmp_path)):
         assert again.read_bytes() == fmus[version].read_bytes()
 
 
-def test_other_contents_give_another_token(fmus, tmp_path):
-    other = native.build_native_fmus(tmp_path, wheel=profile_file(tmp_path, "wheel"))
-    assert read_model_description(str(other[1])).instantiationToken != read_model_description(str(fmus[3])).instantiationToken
+def test_other_contents_give_another_token(fmus, packed):
+    tokens = [read_model_description(str(fmu)).instantiationToken for fmu in (fmus[3], packed[0][3])]
+    assert tokens[0] != tokens[1]
 
 
 SOURCE_BUILD = ["-shared", "-fPIC", "-O2"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
 @pytest.mark.parametrize("version", (2, 3))
 def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version):
@@ -392,10 +475,7 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version):
         for file in sorted(description.parent.rglob("*")):
             archive.write(file, file.relative_to(description.parent))
     rows, script = poses(20), "fmu_process.py" if version == 2 else "native_process.py"
-    seen = [subprocess.run([sys.executable, str(HERE / script), "trajectory", str(file), str(tmp_path / f"unpacked {k}")],
-                           input=json.dumps({"rows": rows, "names": OUTPUT_NAMES}), text=True, capture_output=True)
-            for k, file in enumerate((fmus[version], again))]
-    one, other = (json.loads(run.stdout)["seen"] for run in seen)
+    one, other = (outputs_of(script, file, tmp_path / f"unpacked {k}", rows) for k, file in enumerate((fmus[version], again)))
     for ours, theirs in zip(one, other, strict=True):
         assert_same(theirs, ours)
 
@@ -696,6 +776,7 @@ def test_missing_compiler_is_told(monkeypatch):
         compiler_for(PLATFORMS["aarch64-darwin"])
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
 def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypatch):
     """Another compiler, the same bits but for the mathematical library."""
