@@ -174,7 +174,18 @@ def null_pointers(fmi, headers):
         for place in (k for k, kind in enumerate(kinds) if kind == "p" and k > 0):
             answers[f"{name}, {place}"] = call(fmi, name, c, kinds, TYPED.get(name, "lateral_shift"), none=place)
     fmi.function("FreeInstance")(None)
-    return {"answers": answers, "after": check_run(fmi, c, wanted), "functions": len(signatures(fmi.version, headers))}
+    refused = {name: call(fmi, name, c, kinds, "lateral_shift", none=-1) for name, kinds in signatures(fmi.version, headers)
+               if name not in THERE and not name.startswith("Instantiate")}
+    return {"answers": answers, "refused": refused, "after": check_run(fmi, c, wanted)}
+
+
+#: Functions that do something; all others are refused, with whatever arguments.
+THERE = {"GetVersion", "GetTypesPlatform", "FreeInstance", "SetDebugLogging", "SetupExperiment", "EnterInitializationMode",
+         "ExitInitializationMode", "Terminate", "Reset", "DoStep", "GetReal", "SetReal", "GetInteger", "SetInteger", "GetString",
+         "SetString", "GetFloat64", "SetFloat64", "GetInt32", "SetInt32", "GetRealStatus", "GetBooleanStatus",
+         *(f"{verb}FMU{word}" for verb in ("Get", "Set", "Free", "Serialize", "DeSerialize", "Deserialize", "Serialized")
+           for word in ("state", "State", "stateSize", "StateSize")),
+         "GetDirectionalDerivative", "GetAdjointDerivative", "EnterConfigurationMode", "ExitConfigurationMode"}
 
 
 def call(fmi, name, c, kinds, variable, none):
@@ -331,6 +342,7 @@ def order(fmi):
     inside = fmi.get(c, "roll"), fmi.set(c, gauge=1.435), fmi.plain("ExitInitializationMode", c)
     sizes = [fmi.step(c, 1.0, size) for size in (0.0, 5e-324, 1e-9, 0.05, 0.1, 0.1 + 1e-12)]
     answers["beyond the stop"] = fmi.step(c, 1.05, 0.1), fmi.told()
+    last = last_time(fmi, c)
     at_the_end = fmi.step(c, 1.05, 0.05), fmi.plain("Terminate", c), fmi.get(c, "lateral_shift")
     answers |= {
         "step after": (fmi.step(c), fmi.told()),
@@ -340,7 +352,62 @@ def order(fmi):
     long_steps = fmi.ready()
     sizes += [fmi.step(long_steps, time, size) for time, size in ((0.0, 1e6), (-3.0, 1.0), (7.0, 0.0))]
     return {"answers": answers, "input_before": input_before, "inside": inside, "sizes": sizes, "at_the_end": at_the_end,
-            "after": check_run(fmi, c, wanted)}
+            "last": last, "after": check_run(fmi, c, wanted)}
+
+
+def last_time(fmi, c):
+    """Where the last step has ended, as each version tells it."""
+    found = (c_double * 1)()
+    if fmi.version == 3:
+        assert fmi.values("GetFloat64", c, [fmi.references["time"]], found) == OK
+    else:
+        last_successful = 2
+        assert fmi.function("GetRealStatus")(c_void_p(c), c_int(last_successful), found) == OK
+    return found[0]
+
+
+def legal(fmi):
+    """Values read ahead of the step, and states saved in one phase and set in another."""
+    c, wanted = fmi.ready(), run(fmi, fmi.ready())
+    assert fmi.set(c, lateral_shift=4e-3) == OK
+    ahead = fmi.get(c, "roll")
+    assert fmi.step(c) == OK
+    answers = {}
+    for saved in PHASES:
+        for present in PHASES:
+            one = brought_to(fmi, saved)
+            state, size = c_void_p(), c_size_t()
+            assert fmi.state("Get", one, byref(state)) == OK and fmi.state("Size", one, state, byref(size)) == OK
+            data = create_string_buffer(size.value)
+            assert fmi.state("Serialize", one, state, data, size) == OK
+            other, taken = brought_to(fmi, present), c_void_p()
+            assert fmi.state("Deserialize", other, data, size, byref(taken)) == OK and fmi.state("Set", other, taken) == OK
+            answers[f"{saved} into {present}"] = goes_on(fmi, other, saved) == wanted
+            fmi.free(one), fmi.free(other)
+    return {"ahead": ahead, "then": fmi.get(c, "roll"), "phases": answers}
+
+
+PHASES = ("new", "initialising", "running", "terminated")
+
+
+def brought_to(fmi, phase):
+    """A component in a phase of its life."""
+    c, calls = fmi.instantiate(), PHASES.index(phase)
+    for call in (lambda: fmi.enter(c), lambda: fmi.plain("ExitInitializationMode", c), lambda: fmi.plain("Terminate", c))[:calls]:
+        assert call() == OK
+    return c
+
+
+def goes_on(fmi, c, phase):
+    """Bits of a run from a phase on."""
+    if phase == "new":
+        assert fmi.enter(c) == OK
+    if phase in ("new", "initialising"):
+        assert fmi.plain("ExitInitializationMode", c) == OK
+    if phase == "terminated":
+        assert fmi.step(c) == ERROR and fmi.plain("Reset", c) == OK
+        return goes_on(fmi, c, "new")
+    return run(fmi, c)
 
 
 def creation(fmi):
@@ -441,6 +508,9 @@ if __name__ == "__main__":
     fmi_version, library_file, header_folder = sys.argv[1:]
     given = json.load(sys.stdin)
     library = Library(int(fmi_version), library_file, given["token"], given["references"])
-    parts = (bad_input, every_input, order, creation, categories, threads, memory)
-    found = {part.__name__: part(library) for part in parts}
+    parts = (bad_input, every_input, order, legal, creation, categories, threads, memory)
+    found = {}
+    for part in parts:
+        found[part.__name__] = part(library)
+        library.told()
     print(json.dumps({**found, "null_pointers": null_pointers(library, header_folder)}), flush=True)

@@ -547,6 +547,17 @@ def test_null_pointers(raw):
     assert len(without) > (35 if version == 2 else 65) and seen["null_pointers"]["after"]
 
 
+def test_functions_of_other_kinds_of_fmu_are_refused(raw):
+    """Model exchange, events, clocks, other types, derivatives of inputs and outputs, steps that are still running."""
+    version, seen = raw
+    refused = seen["null_pointers"]["refused"]
+    assert_refused(refused)
+    some = ("SetRealInputDerivatives", "GetRealOutputDerivatives", "CancelStep", "GetStatus", "SetTime", "EnterEventMode",
+            "GetDerivatives") if version == 2 else ("EnterStepMode", "GetBinary", "SetClock", "GetOutputDerivatives", "SetTime",
+                                                    "EvaluateDiscreteStates", "GetContinuousStates", "GetInt64")
+    assert set(some) <= set(refused) and len(refused) >= (16 if version == 2 else 45)
+
+
 def test_order_of_calls_and_sizes_of_steps(raw):
     _, seen = raw
     order = seen["order"]
@@ -554,7 +565,14 @@ def test_order_of_calls_and_sizes_of_steps(raw):
     assert "roll is an output" in order["answers"]["output before"][1][0][2]
     assert "1.1 s" in order["answers"]["beyond the stop"][1][0][2]
     assert order["input_before"] == [0.0, 1.435] and order["inside"][1:] == [0, 0] and abs(order["inside"][0][0]) < 1e-15
+    assert order["last"] == 1.0 + (0.1 + 1e-12)
     assert order["sizes"] == [0] * len(order["sizes"]) and order["at_the_end"] == [0, 0, [0.0]] and order["after"]
+
+
+def test_values_ahead_of_a_step_and_states_of_every_phase(raw):
+    _, seen = raw
+    assert seen["legal"]["ahead"] == seen["legal"]["then"] != [0.0]
+    assert [name for name, equal in seen["legal"]["phases"].items() if not equal] == [] and len(seen["legal"]["phases"]) == 16
 
 
 def test_instances_that_cannot_be_made_and_odd_ones_that_can(raw):
