@@ -36,7 +36,8 @@ def main(fmus=()):
         rows = []
         for number, fmu in enumerate(fmus):
             version, cost = cost_of(fmu, Path(folder, str(number)))
-            rows.append([f"FMI {version}.0", figure(cost.units), figure(cost.microseconds), percent(found.mean), percent(found.worst)])
+            figures = figure(cost.units), figure(cost.microseconds), percent(found.mean), percent(found.worst)
+            rows.append([f"FMI {version}.0", *figures])
     print(markdown("Native FMUs from a C host, hunting with yaw: 5 inputs in, step, all outputs out",
                    ["", "units", "µs", "error, mean", "error, worst"], rows))
     print(f"Errors in % of penetration / area / peak pressure. Target: {TARGET} units.")
@@ -69,11 +70,12 @@ def native_host(fmu, version, folder):
     with zipfile.ZipFile(fmu) as archive:
         archive.extractall(folder)
     place = PLATFORMS[host_platform()]
-    library = Path(folder, "binaries", place.fmi2 if version == 2 else place.name, f"WheelsetContact{place.suffix}").resolve()
+    binaries = Path(folder, "binaries", place.fmi2 if version == 2 else place.name).resolve()
+    library = binaries / f"WheelsetContact{place.suffix}"
     sources = Path(folder, "sources")
     shutil.copy(HOST, sources)
     subprocess.run(["cc", "-std=gnu11", "-O2", f"-DFMI={version}", "-DINTERPOSE", HOST.name, "model.c", str(library),
-                    f"-Wl,-rpath,{library.parent}", "-o", "native_host", "-lm", "-pthread"], cwd=sources, check=True)
+                    f"-Wl,-rpath,{binaries}", "-o", "native_host", "-lm", "-pthread"], cwd=sources, check=True)
     return sources / "native_host"
 
 

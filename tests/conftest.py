@@ -2,8 +2,6 @@
 
 import pytest
 
-from wrcontact.fmu import native
-
 
 @pytest.fixture(scope="session")
 def compiled(tmp_path_factory):
@@ -14,4 +12,6 @@ def compiled(tmp_path_factory):
 @pytest.fixture(scope="session")
 def fmus(tmp_path_factory, compiled):
     """The native FMUs by version of FMI."""
+    from wrcontact.fmu import native
+
     return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"), cache=compiled)))

@@ -9,8 +9,8 @@
  *
  *     cc -DFMI=2 -DINTERPOSE native_host.c model.c WheelsetContact.so -lm
  *
- *     native_host fuzz <seed> <calls>      one line of JSON, and an exit code other than 0 where something is wrong; a call that
- *                                          ends the program is told by its seed and number
+ *     native_host fuzz <seed> <calls>      one line of JSON, and an exit code other than 0 where something is wrong; a call
+ *                                          that ends the program is told by its seed and number
  *     native_host threads <count> <file>   steps over the rows of inputs in the file, in threads and one after the other
  *     native_host allocations <file>       how many there are between the initialisation and the end
  *     native_host cost <file>              microseconds of set 5, do step, get all over the rows
@@ -239,8 +239,8 @@ static void note(fmi3InstanceEnvironment e, fmi3Status status, fmi3String catego
 static component create(const char *name, const char *token)
 {
     const char *const resources[] = {NULL, "", "/nowhere/", "%s%n"};
-    return CALL(InstantiateCoSimulation)(name, token, resources[pick(4)], false, true, pick(60) == 0, false, NULL, pick(60) == 0,
-                                         NULL, pick(50) ? note : NULL, NULL);
+    return CALL(InstantiateCoSimulation)(name, token, resources[pick(4)], false, true, pick(60) == 0, false, NULL,
+                                         pick(60) == 0, NULL, pick(50) ? note : NULL, NULL);
 }
 static int get_state(component c, saved_state *s) { return CALL(GetFMUState)(c, s); }
 static int set_state(component c, saved_state s) { return CALL(SetFMUState)(c, s); }
@@ -308,8 +308,10 @@ static int odd_call(component c, const value_reference *r, size_t n)
     case 23: return CALL(GetVariableDependencies)(c, r ? *r : 0, count, v, count, &kind, 0);
     case 24:
     case 25:
-        return CALL(GetDirectionalDerivative)(c, r, n / 2, MAYBE(r + n / 2), n - n / 2, d, n - n / 2, MAYBE(numbers + LIST), n / 2);
-    case 26: return CALL(GetAdjointDerivative)(c, r, n / 2, r + n / 2, n - n / 2, d, n / 2, MAYBE(numbers + LIST), n - n / 2);
+        return CALL(GetDirectionalDerivative)(c, r, n / 2, MAYBE(r + n / 2), n - n / 2, d, n - n / 2, MAYBE(numbers + LIST),
+                                              n / 2);
+    case 26:
+        return CALL(GetAdjointDerivative)(c, r, n / 2, r + n / 2, n - n / 2, d, n / 2, MAYBE(numbers + LIST), n - n / 2);
     case 27: return CALL(EnterConfigurationMode)(c);
     case 28: return CALL(ExitConfigurationMode)(c);
     case 29: return CALL(GetIntervalDecimal)(c, r, n, d, qualifier);
@@ -339,7 +341,8 @@ static int odd_call(component c, const value_reference *r, size_t n)
     case 53: return strcmp(CALL(GetVersion)(), "3.0") != 0;
     case 54: return CALL(InstantiateModelExchange)("name", MODEL_TOKEN, NULL, false, true, NULL, MAYBE(note)) == NULL;
     case 55:
-        return CALL(InstantiateScheduledExecution)("name", MODEL_TOKEN, NULL, false, true, NULL, note, NULL, NULL, NULL) == NULL;
+        return CALL(InstantiateScheduledExecution)("name", MODEL_TOKEN, NULL, false, true, NULL, note, NULL, NULL, NULL)
+            == NULL;
     default: return CALL(EnterInitializationMode)(c, true, some_number(), some_number(), pick(2), some_number());
     }
 }
@@ -556,7 +559,8 @@ static int fuzz(long calls, volatile long *call)
             CALL(FreeInstance)(instances[i]);
         }
     printf("{\"calls\": %ld, \"ok\": %ld, \"lines\": %ld, \"odd_lines\": %ld, \"usual_steps\": %ld, \"valid_steps\": %ld, "
-           "\"damage_accepted\": %d, \"functions\": {", *call, good, lines, long_lines, usual_steps, valid_steps, accepted_damage);
+           "\"damage_accepted\": %d, \"functions\": {", *call, good, lines, long_lines, usual_steps, valid_steps,
+           accepted_damage);
     for (int i = 0; functions[i].name; i += 1)
         printf("%s\"fmi%d%s\": %ld", i ? ", " : "", FMI, functions[i].name, functions[i].calls);
     printf("}, \"started\": {");
@@ -582,9 +586,10 @@ static int supervised_fuzz(unsigned long long first, long calls)
         exit(fuzz(calls, call));
     }
     waitpid(child, &status, 0);
-    if (status)
-        fprintf(stderr, "native_host fuzz %llu %ld fails: %s %d\n", first, *call + 1,
-                WIFSIGNALED(status) ? "ended by signal" : "exit code", WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+    if (WIFSIGNALED(status))
+        fprintf(stderr, "native_host fuzz %llu %ld fails: ended by signal %d\n", first, *call + 1, WTERMSIG(status));
+    else if (status)
+        fprintf(stderr, "native_host fuzz %llu %ld fails: exit code %d\n", first, *call + 1, WEXITSTATUS(status));
     return status != 0;
 }
 
@@ -769,7 +774,7 @@ int main(int count, char **arguments)
     if (count == 4 && strcmp(arguments[1], "fuzz") == 0)
         return supervised_fuzz(strtoull(arguments[2], NULL, 10), atol(arguments[3]));
     if (count < 3 || read_rows(arguments[count - 1]) != OK)
-        return printf("usage: native_host fuzz <seed> <calls> | threads <count> <file> | allocations <file> | cost <file>\n"), 2;
+        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <file> | cost <file>\n"), 2;
     seed = 3;
     if (count == 4 && strcmp(arguments[1], "threads") == 0)
         return run_threads(atoi(arguments[2]));

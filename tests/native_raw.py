@@ -1,4 +1,4 @@
-"""Calls a native FMU's library as C does, past the checks that an importer's own wrappers make, and prints what it saw as JSON.
+"""Calls a native FMU's library as C does, past the checks of an importer's own wrappers, and prints what it saw as JSON.
 
     python native_raw.py <version of FMI> <library> <folder of FMI headers>     (JSON on standard input: "token", and the
                                                                                 "references" of the variables by name)
@@ -12,8 +12,8 @@ import math
 import re
 import sys
 import threading
-from ctypes import (CDLL, CFUNCTYPE, POINTER, Structure, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint32, c_void_p,
-                    cast, create_string_buffer, memmove)
+from ctypes import (CDLL, CFUNCTYPE, Structure, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint32, c_void_p, cast,
+                    create_string_buffer, memmove)
 from pathlib import Path
 
 OK, ERROR = 0, 3
@@ -50,8 +50,8 @@ class Library:
         """A component, or None."""
         token = self.token.encode() if token is None else token or None
         if self.version == 2:
-            return self.function("Instantiate")(name, c_int(kind), token, resources, byref(self.callbacks) if callbacks else None,
-                                                c_int(0), c_int(logging))
+            return self.function("Instantiate")(name, c_int(kind), token, resources,
+                                                byref(self.callbacks) if callbacks else None, c_int(0), c_int(logging))
         return self.function("InstantiateCoSimulation")(
             name, token, resources, c_bool(False), c_bool(logging), c_bool(False), c_bool(False), None, c_size_t(0), None,
             self.note if callbacks else None, None)
@@ -86,8 +86,8 @@ class Library:
         return self.function(name)(c_void_p(c), numbers, c_size_t(len(references)), values, *counts)
 
     def set(self, c, **values):
-        names = list(values)
-        return self.values(self.real("Set"), c, [self.references[n] for n in names], (c_double * len(names))(*values.values()))
+        numbers = (c_double * len(values))(*values.values())
+        return self.values(self.real("Set"), c, [self.references[name] for name in values], numbers)
 
     def set_text(self, c, name, value):
         return self.values("SetString", c, [self.references[name]], (c_char_p * 1)(value))
@@ -195,10 +195,17 @@ def call(fmi, name, c, kinds, variable, none):
         c_uint32.from_buffer(buffer).value = fmi.references[variable]
     arguments = [None if k == none else buffers[k] if kind == "p" else c_double(0.0) if kind == "d" else c_size_t(1)
                  for k, kind in enumerate(kinds)]
-    return fmi.function(name)(*([None if c is None else c_void_p(c)] if kinds[0] == "p" else []), *arguments[kinds[0] == "p":]), fmi.told()
+    arguments[0] = None if c is None else c_void_p(c)
+    return fmi.function(name)(*arguments), fmi.told()
 
 
 # --- bad input ----------------------------------------------------------------------------------------------
+
+
+def switch(fmi, c, on, *names):
+    """Turn log categories on or off."""
+    words = (c_char_p * max(1, len(names)))(*names)
+    return fmi.function("SetDebugLogging")(c_void_p(c), c_int(on), c_size_t(len(names)), words)
 
 
 def bad_input(fmi):
@@ -235,8 +242,8 @@ def bad_input(fmi):
         "step beyond numbers": lambda: fmi.step(c, 1e308, 1e308),
         "initialised twice": lambda: fmi.enter(c),
         "left twice": lambda: fmi.plain("ExitInitializationMode", c),
-        "category": lambda: fmi.function("SetDebugLogging")(c_void_p(c), c_int(1), c_size_t(1), (c_char_p * 1)(b"everything")),
-        "no category": lambda: fmi.function("SetDebugLogging")(c_void_p(c), c_int(1), c_size_t(1), (c_char_p * 1)(None)),
+        "category": lambda: switch(fmi, c, 1, b"everything"),
+        "no category": lambda: switch(fmi, c, 1, None),
         "events": lambda: fmi.plain("EnterEventMode", c),
         "continuous time": lambda: fmi.plain("EnterContinuousTimeMode", c),
     }
@@ -250,8 +257,8 @@ def bad_input(fmi):
             "no values": lambda: fmi.values(get, c, [reference["lateral_shift"]], one, 0),
             "values without references": lambda: fmi.values(put, c, [], one, 1),
             "two texts": lambda: fmi.values("GetString", c, [reference["load"]], (c_char_p * 2)(), 2),
-            "step without room": lambda: fmi.function("DoStep")(c_void_p(c), c_double(0.0), c_double(1.0), c_int(1), None, None, None,
-                                                               None),
+            "step without room": lambda: fmi.function("DoStep")(c_void_p(c), c_double(0.0), c_double(1.0), c_int(1), None, None,
+                                                               None, None),
         }
     cases |= {f"state: {name}": case for name, case in state_cases(fmi, c, other).items()}
     before = fmi.get(c, *WORK)
@@ -267,7 +274,8 @@ def bad_input(fmi):
 def state_cases(fmi, c, other):
     """Saved states that are freed, another's, or no state at all, and bytes that are damaged."""
     mine, gone, theirs, size = c_void_p(), c_void_p(), c_void_p(), c_size_t()
-    assert fmi.state("Get", c, byref(mine)) == fmi.state("Get", c, byref(gone)) == fmi.state("Get", other, byref(theirs)) == OK
+    for component, place in ((c, mine), (c, gone), (other, theirs)):
+        assert fmi.state("Get", component, byref(place)) == OK
     assert fmi.state("Size", c, mine, byref(size)) == OK
     saved = create_string_buffer(size.value)
     assert fmi.state("Serialize", c, mine, saved, size) == OK
@@ -284,6 +292,7 @@ def state_cases(fmi, c, other):
         return saved.raw[:place] + bytes([saved.raw[place] ^ 1]) + saved.raw[place + 1:]
 
     places = [0, 15, 16, 63, 64, 72, 80, *range(97, size.value, size.value // 12), size.value - 1]
+    ends = (0, 1, 15, 64, size.value // 2, size.value - 1)
     return {
         "freed": lambda: fmi.state("Set", c, freed),
         "freed, size": lambda: fmi.state("Size", c, freed, byref(c_size_t())),
@@ -298,7 +307,7 @@ def state_cases(fmi, c, other):
         "no room": lambda: fmi.state("Serialize", c, mine, None, size),
         "no bytes": lambda: fmi.state("Deserialize", c, None, size, byref(c_void_p())),
         **{f"damaged at {place}": lambda place=place: take(damaged(place)) for place in places},
-        **{f"cut at {end}": lambda end=end: take(saved.raw[:end]) for end in (0, 1, 15, 64, size.value // 2, size.value - 1)},
+        **{f"cut at {end}": lambda end=end: take(saved.raw[:end]) for end in ends},
         "too long": lambda: take(saved.raw + b"x"),
     }
 
@@ -392,9 +401,10 @@ PHASES = ("new", "initialising", "running", "terminated")
 
 def brought_to(fmi, phase):
     """A component in a phase of its life."""
-    c, calls = fmi.instantiate(), PHASES.index(phase)
-    for call in (lambda: fmi.enter(c), lambda: fmi.plain("ExitInitializationMode", c), lambda: fmi.plain("Terminate", c))[:calls]:
-        assert call() == OK
+    c = fmi.instantiate()
+    calls = fmi.enter, *(lambda c, name=name: fmi.plain(name, c) for name in ("ExitInitializationMode", "Terminate"))
+    for call in calls[:PHASES.index(phase)]:
+        assert call(c) == OK
     return c
 
 
@@ -420,7 +430,8 @@ def creation(fmi):
     wanted = run(fmi, fmi.ready())
     places = (None, b"", b"/nowhere/at all", "file:///R\u00e4der & Schienen/\u8f6e\u8f68".encode(), b"%s%n", b"x" * 5000)
     odd = {f"resources {place!r:.30}": {"resources": place} for place in places}
-    odd |= {"other letters": {"name": "Radsatz \u00e4 \u8f6e\u5bf9 %s".encode()}, "long name": {"name": b"x" * 5000}, "silent": {"logging": False}}
+    odd |= {"other letters": {"name": "Radsatz \u00e4 \u8f6e\u5bf9 %s".encode()}, "long name": {"name": b"x" * 5000},
+            "silent": {"logging": False}}
     made = {}
     for name, options in odd.items():
         c = fmi.ready(**options)
@@ -442,13 +453,12 @@ def categories(fmi):
         assert fmi.set(c, lateral_shift=0.0) == OK and fmi.step(c) == OK
         return [category for _, category, _ in fmi.told()]
 
-    def switch(on, *names):
-        status = fmi.function("SetDebugLogging")(c_void_p(c), c_int(on), c_size_t(len(names)), (c_char_p * max(1, len(names)))(*names))
-        return status, len(fmi.told()), lines()
+    def after(on, *names):
+        return switch(fmi, c, on, *names), len(fmi.told()), lines()
 
-    return {"first": lines(), "all off": switch(0), "warnings on": switch(1, b"logStatusWarning"),
-            "unknown": switch(0, b"logStatusWarning", b"logAll"), "errors on, too": switch(1, b"logStatusError"),
-            "warnings off": switch(0, b"logStatusWarning"), "all on": switch(1)}
+    return {"first": lines(), "all off": after(0), "warnings on": after(1, b"logStatusWarning"),
+            "unknown": after(0, b"logStatusWarning", b"logAll"), "errors on, too": after(1, b"logStatusError"),
+            "warnings off": after(0, b"logStatusWarning"), "all on": after(1)}
 
 
 # --- instances, threads, memory -------------------------------------------------------------------------------
@@ -490,7 +500,8 @@ def memory(fmi, rounds=300):
                 assert fmi.state("Get", c, byref(state)) == OK
             assert fmi.state("Size", c, state, byref(size)) == OK
             data = create_string_buffer(size.value)
-            assert fmi.state("Serialize", c, state, data, size) == OK and fmi.state("Deserialize", c, data, size, byref(c_void_p())) == OK
+            assert fmi.state("Serialize", c, state, data, size) == OK
+            assert fmi.state("Deserialize", c, data, size, byref(c_void_p())) == OK
             memmove(data, b"x", 1)
             assert fmi.state("Deserialize", c, data, size, byref(c_void_p())) == ERROR
             fmi.free(c)

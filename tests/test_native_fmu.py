@@ -172,7 +172,7 @@ def test_first_instant(run, run3):
         assert seen["in_initialisation"] == seen["after_initialisation"]
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name != "hunting")) for name in TRAJECTORIES])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (k > 0)) for k, name in enumerate(TRAJECTORIES)])
 def test_trajectory(run, run3, name):
     """The values of the Python FMU, to the last digits, at the stored inputs."""
     _, rows, _ = stored(name)
@@ -205,7 +205,7 @@ PARAMETER_SETS = {
 }
 
 
-@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.slow] * ("," not in case)) for case in PARAMETER_SETS])
+@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.slow] * (k not in (0, 2))) for k, case in enumerate(PARAMETER_SETS)])
 def test_parameters_arrive(run, run3, case):
     start = {"lateral_shift": 3e-3, "yaw": 1e-3, **PARAMETER_SETS[case]}
     wanted = stepped(session(**start), {})
@@ -410,8 +410,9 @@ def test_misuse_of_fmi_2(run):
     assert answers["after"]["status"] == 0
 
 
+@pytest.mark.slow
 def test_memory_stays_flat(run):
-    assert run("endurance", steps=20_000)["resident"] < 2e6  # [bytes]
+    assert run("endurance", steps=100_000)["resident"] < 2e6  # [bytes]
 
 
 def test_path_with_spaces_and_other_letters(fmus, tmp_path):
@@ -509,8 +510,8 @@ def assert_refused(answers):
         assert lines[0][1] == "logStatusError" and 10 < len(lines[0][2]) < 300, f"{name}: {lines}"
 
 
-NAMED = {"Integer as Real": "status", "String as Real": "load", "output": "roll", "half a list": "roll", "unknown reference": "4711",
-         "fixed Real": "gauge is fixed at 1.435", "fixed String": "load is fixed at 'normal'", "step of nan": "nan s",
+NAMED = {"Integer as Real": "status", "String as Real": "load", "output": "roll", "half a list": "roll",
+         "unknown reference": "4711", "fixed Real": "gauge is fixed at 1.435", "fixed String": "load is fixed at 'normal'", "step of nan": "nan s",
          "step of -1 s": "-1.0 s", "long String": "load has 5000 bytes", "String without letters": "load is a NULL pointer",
          "too few values": "30 values; these variables have 31", "state: freed": "saved state is not one of this instance",
          "state: cut at 64": "holds 64 bytes", "state: damaged at 16": "comes from another FMU"}
@@ -614,9 +615,10 @@ def test_no_memory_is_left_behind(raw):
 # --- from a C host ---------------------------------------------------------------------------------------------
 
 HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_realloc"]
-SANITIZERS = ("-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all")
+SANITIZERS = ("-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow",
+              "-fno-sanitize-recover=all")
 RACES = ("-O1", "-fsanitize=thread")
-needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux", reason="no system compiler for glibc here")
+needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux", reason="no compiler for glibc here")
 
 
 @pytest.fixture(scope="session")
@@ -647,8 +649,8 @@ def host(tmp_path_factory):
         for unit, extra in units.items():       # the kernel is the same for both versions
             objects.append(Path(kept if "/" in unit else folder, f"{abs(hash(flags))} {Path(unit).stem}.o"))
             if not objects[-1].exists():
-                subprocess.run(["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o", objects[-1]],
-                               cwd=folder, check=True)
+                command = ["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o", objects[-1]]
+                subprocess.run(command, cwd=folder, check=True)
         subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm", "-pthread"], cwd=folder, check=True)
         return folder / "host"
 
@@ -694,13 +696,13 @@ def test_random_calls(linked_host, version):
 @needs_sanitizers
 @pytest.mark.parametrize("version", (2, 3))
 def test_a_million_random_calls_under_sanitizers(host, version):
-    """Ten runs, in which every contact mode meets every normal model."""
-    program, started = host(version, *SANITIZERS), {}
-    for seed in range(10):
+    """Ten runs, or a share of them, in which every contact mode meets every normal model."""
+    program, started, runs = host(version, *SANITIZERS), {}, int(os.environ.get("WRCONTACT_FUZZ_RUNS", 10))
+    for seed in range(runs):
         for methods, count in fuzz(program, version, seed, 100_000)["started"].items():
             started[methods] = started.get(methods, 0) + count
     modes, models = (next(v for v in VARIABLES if v.name == name).choices for name in ("contact_mode", "normal_model"))
-    assert len(started) == len(modes) * len(models) and min(started.values()) >= 20, started
+    assert len(started) == len(modes) * len(models) and min(started.values()) >= 2 * runs, started
 
 
 @needs_glibc

@@ -358,6 +358,12 @@ NO_VALUES(Boolean, fmi3Boolean)
     {                                                               \
         return refuse(self, #NAME, REASON);                         \
     }
+/* The same for a list of `n` values, of which there may be none. */
+#define NO_LIST(NAME, REASON, ...)                                  \
+    fmi3Status NAME(fmi3Instance self, __VA_ARGS__)                 \
+    {                                                               \
+        return self && n == 0 ? fmi3OK : refuse(self, #NAME, REASON); \
+    }
 #define NO_MODE(NAME, REASON)                                       \
     fmi3Status NAME(fmi3Instance self)                              \
     {                                                               \
@@ -369,10 +375,10 @@ NO_VALUES(Boolean, fmi3Boolean)
 #define EVENTLESS "there is no event mode"
 #define NO_EXCHANGE "permitted is co-simulation only"
 
-NOT_HERE(fmi3GetBinary, TYPELESS, reference_list r, size_t n, size_t sizes[], fmi3Binary values[], size_t m)
-NOT_HERE(fmi3SetBinary, TYPELESS, reference_list r, size_t n, const size_t sizes[], const fmi3Binary values[], size_t m)
-NOT_HERE(fmi3GetClock, CLOCKLESS, reference_list r, size_t n, fmi3Clock values[])
-NOT_HERE(fmi3SetClock, CLOCKLESS, reference_list r, size_t n, const fmi3Clock values[])
+NO_LIST(fmi3GetBinary, TYPELESS, reference_list r, size_t n, size_t sizes[], fmi3Binary values[], size_t m)
+NO_LIST(fmi3SetBinary, TYPELESS, reference_list r, size_t n, const size_t sizes[], const fmi3Binary values[], size_t m)
+NO_LIST(fmi3GetClock, CLOCKLESS, reference_list r, size_t n, fmi3Clock values[])
+NO_LIST(fmi3SetClock, CLOCKLESS, reference_list r, size_t n, const fmi3Clock values[])
 NOT_HERE(fmi3GetIntervalDecimal, CLOCKLESS, reference_list r, size_t n, fmi3Float64 i[], fmi3IntervalQualifier q[])
 NOT_HERE(fmi3GetIntervalFraction, CLOCKLESS, reference_list r, size_t n, fmi3UInt64 c[], fmi3UInt64 d[],
          fmi3IntervalQualifier q[])

@@ -360,10 +360,12 @@ int wheelset_experiment(wheelset *self, double start, bool stops, double stop)
 {
     char first[40], last[40];
     if (self->core.phase != PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "initialisation comes once, with startTime and stopTime, after instantiation or a reset");
+        return wheelset_refuse(self, "initialisation comes once, with startTime and stopTime, after instantiation or a "
+                               "reset");
     if (!isfinite(start) || (stops && !(stop >= start)))
-        return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite start and a stop not before "
-                               "it", shortest(start, first, sizeof first), shortest(stops ? stop : INFINITY, last, sizeof last));
+        return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite start and a stop not "
+                               "before it", shortest(start, first, sizeof first),
+                               shortest(stops ? stop : INFINITY, last, sizeof last));
     self->core.time = start;
     self->core.stop = stops ? stop : INFINITY;
     return 0;

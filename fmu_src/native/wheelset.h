@@ -1,7 +1,8 @@
 /* The life cycle of one simulated wheelset, free of FMI: what wrcontact/interface/session.py is in Python.
  *
  * Functions that can be refused return 0 when they did what they were asked, and otherwise 1 with the reason in `sentence`;
- * then nothing has changed.  Memory is allocated by wheelset_new and by the preparation at initialisation, and nowhere else.
+ * then nothing has changed.  Memory is allocated by wheelset_new, by the preparation at initialisation and
+ * for saved states, and nowhere else.
  */
 #ifndef WHEELSET_H
 #define WHEELSET_H

@@ -52,8 +52,8 @@ def host_platform():
 def compile_platform(name, folder, sources, identifier, cache):
     """The library for a platform as bytes, from ``sources`` in ``folder``.
 
-    Compiled sources are kept in ``cache``: those in a folder of their own, as the kernel's, include nothing else, and are the
-    same in every version of FMI.  The machine's own platform is compiled by its own compiler where no ziglang is installed.
+    Compiled sources are kept in ``cache``: those in a folder of their own, as the kernel's, include nothing else, and are
+    the same in every version of FMI.  The machine's own platform is compiled by its own compiler where no ziglang is installed.
     """
     if name not in PLATFORMS:
         raise CompilerProblem(f"platform is {name!r}; permitted are {', '.join(PLATFORMS)}")
