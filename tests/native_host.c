@@ -1,18 +1,31 @@
-/* Calls an FMI 2 or FMI 3 native FMU, linked into this program, in random order with legal and illegal arguments, and counts
+/* Calls an FMI 2 or FMI 3 native FMU: in random order with legal and illegal arguments, from several threads, and counting
  * allocations and cost of the usual steps.
  *
+ * With the FMU's sources in this program:
+ *
  *     cc -DFMI=2 native_host.c fmi2.c wheelset.c model.c kernel/native/wrcontact_kernel.c kernel/native/wrcontact_prepare.c -lm
- *     native_host fuzz <seed> <calls>      one line, and an exit code other than 0 where something is wrong
- *     native_host cost <file>              microseconds of set 5, do step, get all over the rows of inputs in the file, and
- *                                          allocations since the initialisation
+ *
+ * or with its library, where every allocation of the process is counted (glibc):
+ *
+ *     cc -DFMI=2 -DINTERPOSE native_host.c model.c WheelsetContact.so -lm
+ *
+ *     native_host fuzz <seed> <calls>      one line of JSON, and an exit code other than 0 where something is wrong; a call
+ *                                          that ends the program is told by its seed and number
+ *     native_host threads <count> <file>   steps over the rows of inputs in the file, in threads and one after the other
+ *     native_host allocations <file>       how many there are between the initialisation and the end
+ *     native_host cost <file>              microseconds of set 5, do step, get all over the rows
  */
 #include <math.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "model.h"
 
@@ -23,13 +36,49 @@ static long failing = -1;       /* this allocation fails; none if it is negative
 
 static int fails(void)
 {
-    allocations += 1;
-    return failing >= 0 && allocations == failing;
+    const long number = __atomic_add_fetch(&allocations, 1, __ATOMIC_RELAXED);
+    return failing >= 0 && number == failing;
 }
 
+#ifdef INTERPOSE
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *old, size_t size);
+void *malloc(size_t size) { return fails() ? NULL : __libc_malloc(size); }
+void *calloc(size_t count, size_t size) { return fails() ? NULL : __libc_calloc(count, size); }
+void *realloc(void *old, size_t size) { return fails() ? NULL : __libc_realloc(old, size); }
+#else
 void *hooked_malloc(size_t size) { return fails() ? NULL : malloc(size); }
 void *hooked_calloc(size_t count, size_t size) { return fails() ? NULL : calloc(count, size); }
 void *hooked_realloc(void *old, size_t size) { return fails() ? NULL : realloc(old, size); }
+#endif
+
+/* --- calls, counted by function -------------------------------------------------------------------------- */
+
+enum { FUNCTIONS = 120 };
+static struct {
+    const char *name;
+    long calls;
+} functions[FUNCTIONS];
+
+static long *counter(const char *name)
+{
+    int i = 0;
+    while (functions[i].name && strcmp(functions[i].name, name) != 0)
+        i += 1;
+    functions[i].name = name;
+    return &functions[i].calls;
+}
+
+/* The function of this name in the standard's version; not from several threads. */
+#define CALL(name)                          \
+    (*({                                    \
+        static long *calls;                 \
+        if (!calls)                         \
+            calls = counter(#name);         \
+        *calls += 1;                        \
+        &FUNCTION(name);                    \
+    }))
 
 /* --- numbers ---------------------------------------------------------------------------------------------- */
 
@@ -71,18 +120,22 @@ static long lines, long_lines;
 
 static void count_line(const char *message)
 {
-    lines += 1;
+    __atomic_add_fetch(&lines, 1, __ATOMIC_RELAXED);
     if (!message || strlen(message) < 10 || strlen(message) > 2 * MODEL_SENTENCE)
-        long_lines += 1;
+        __atomic_add_fetch(&long_lines, 1, __ATOMIC_RELAXED);
 }
 
 enum { OK, LIST = 40, STATES = 4, INSTANCES = 3 };
 static double numbers[(201 + 1) * LIST];      /* room for arrays of as many stations as there can be */
 
+/* A pointer, or now and then NULL. */
+#define MAYBE(pointer) (pick(30) ? (pointer) : NULL)
+
 /* --- both versions of the standard behind the same names --------------------------------------------------- */
 
 #if FMI == 2
 #include "fmi2Functions.h"
+#define FUNCTION(name) fmi2##name
 typedef fmi2Component component;
 typedef fmi2FMUstate saved_state;
 typedef fmi2ValueReference value_reference;
@@ -100,46 +153,73 @@ static void note(fmi2ComponentEnvironment e, fmi2String name, fmi2Status status,
 }
 static component create(const char *name, const char *token)
 {
-    static const fmi2CallbackFunctions callbacks = {note, NULL, NULL, NULL, NULL};
-    return fmi2Instantiate(name, fmi2CoSimulation, token, NULL, pick(50) ? &callbacks : NULL, fmi2False, fmi2True);
+    static const fmi2CallbackFunctions callbacks = {note, NULL, NULL, NULL, NULL}, silent = {NULL, NULL, NULL, NULL, NULL};
+    const char *const resources[] = {NULL, "", "file:///nowhere", "%s%n"};
+    return CALL(Instantiate)(name, pick(60) ? fmi2CoSimulation : fmi2ModelExchange, token, resources[pick(4)],
+                             pick(50) ? &callbacks : pick(2) ? &silent : NULL, fmi2False, fmi2True);
 }
-#define CALL(name) fmi2##name
-static int get_state(component c, saved_state *s) { return fmi2GetFMUstate(c, s); }
-static int set_state(component c, saved_state s) { return fmi2SetFMUstate(c, s); }
-static int free_state(component c, saved_state *s) { return fmi2FreeFMUstate(c, s); }
-static int state_size(component c, saved_state s, size_t *n) { return fmi2SerializedFMUstateSize(c, s, n); }
-static int write_state(component c, saved_state s, byte *b, size_t n) { return fmi2SerializeFMUstate(c, s, b, n); }
-static int read_state(component c, const byte *b, size_t n, saved_state *s) { return fmi2DeSerializeFMUstate(c, b, n, s); }
-static int get_reals(component c, const value_reference *r, size_t n, double *v, size_t m) { (void)m; return fmi2GetReal(c, r, n, v); }
+static int get_state(component c, saved_state *s) { return CALL(GetFMUstate)(c, s); }
+static int set_state(component c, saved_state s) { return CALL(SetFMUstate)(c, s); }
+static int free_state(component c, saved_state *s) { return CALL(FreeFMUstate)(c, s); }
+static int state_size(component c, saved_state s, size_t *n) { return CALL(SerializedFMUstateSize)(c, s, n); }
+static int write_state(component c, saved_state s, byte *b, size_t n) { return CALL(SerializeFMUstate)(c, s, b, n); }
+static int read_state(component c, const byte *b, size_t n, saved_state *s) { return CALL(DeSerializeFMUstate)(c, b, n, s); }
+static int get_reals(component c, const value_reference *r, size_t n, double *v, size_t m)
+{
+    (void)m;
+    return CALL(GetReal)(c, r, n, v);
+}
 static int set_reals(component c, const value_reference *r, size_t n, const double *v, size_t m)
 {
     (void)m;
-    return fmi2SetReal(c, r, n, v);
+    return CALL(SetReal)(c, r, n, v);
 }
-static int enter(component c) { return fmi2SetupExperiment(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2EnterInitializationMode(c); }
-static int step(component c, double time, double size) { return fmi2DoStep(c, time, size, fmi2True); }
+static int enter(component c)
+{
+    return CALL(SetupExperiment)(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), CALL(EnterInitializationMode)(c);
+}
+static int step(component c, double time, double size) { return CALL(DoStep)(c, time, size, fmi2True); }
 static int texts(component c, const value_reference *r, size_t n, const char **v, int set)
 {
-    return set ? fmi2SetString(c, r, n, v) : fmi2GetString(c, r, n, v);
+    return set ? CALL(SetString)(c, r, n, v) : CALL(GetString)(c, r, n, v);
 }
 static int integers(component c, const value_reference *r, size_t n, int *v, int set)
 {
-    return set ? fmi2SetInteger(c, r, n, v) : fmi2GetInteger(c, r, n, v);
+    return set ? CALL(SetInteger)(c, r, n, v) : CALL(GetInteger)(c, r, n, v);
 }
 static int odd_call(component c, const value_reference *r, size_t n)
 {
-    int integer = 0;
-    switch (pick(9))
+    int integer[64 * LIST] = {0};
+    double *v = MAYBE(numbers);
+    const char *text;
+    fmi2Status status;
+    fmi2EventInfo events;
+    switch (pick(24))
     {
-    case 0: return fmi2GetBoolean(c, r, n, &integer);
-    case 1: return fmi2GetDirectionalDerivative(c, r, n, r, n, numbers, numbers);
-    case 2: return fmi2SetRealInputDerivatives(c, r, n, &integer, numbers);
-    case 3: return fmi2GetRealOutputDerivatives(c, r, n, &integer, numbers);
-    case 4: return fmi2CancelStep(c);
-    case 5: return fmi2GetRealStatus(c, (fmi2StatusKind)pick(5), pick(5) ? numbers : NULL);
-    case 6: return fmi2GetBooleanStatus(c, (fmi2StatusKind)pick(5), pick(5) ? &integer : NULL);
-    case 7: return fmi2GetIntegerStatus(c, (fmi2StatusKind)pick(5), &integer);
-    default: return fmi2SetupExperiment(c, fmi2True, some_number(), some_number(), fmi2True, some_number());
+    case 0: return CALL(GetBoolean)(c, r, n, integer);
+    case 1: return CALL(SetBoolean)(c, r, n, integer);
+    case 2:
+    case 3: return CALL(GetDirectionalDerivative)(c, r, n / 2, MAYBE(r + n / 2), n - n / 2, v, MAYBE(numbers + LIST));
+    case 4: return CALL(SetRealInputDerivatives)(c, r, n, integer, v);
+    case 5: return CALL(GetRealOutputDerivatives)(c, r, n, integer, v);
+    case 6: return CALL(CancelStep)(c);
+    case 7: return CALL(GetStatus)(c, (fmi2StatusKind)pick(5), MAYBE(&status));
+    case 8: return CALL(GetRealStatus)(c, (fmi2StatusKind)pick(5), v);
+    case 9: return CALL(GetBooleanStatus)(c, (fmi2StatusKind)pick(5), MAYBE(integer));
+    case 10: return CALL(GetIntegerStatus)(c, (fmi2StatusKind)pick(5), MAYBE(integer));
+    case 11: return CALL(GetStringStatus)(c, (fmi2StatusKind)pick(5), MAYBE(&text));
+    case 12: return CALL(EnterEventMode)(c);
+    case 13: return CALL(NewDiscreteStates)(c, MAYBE(&events));
+    case 14: return CALL(EnterContinuousTimeMode)(c);
+    case 15: return CALL(CompletedIntegratorStep)(c, fmi2True, MAYBE(integer), integer);
+    case 16: return CALL(SetTime)(c, some_number());
+    case 17: return CALL(SetContinuousStates)(c, v, n);
+    case 18: return CALL(GetDerivatives)(c, v, n);
+    case 19: return CALL(GetEventIndicators)(c, v, n);
+    case 20: return CALL(GetContinuousStates)(c, v, n);
+    case 21: return CALL(GetNominalsOfContinuousStates)(c, v, n);
+    case 22: return strcmp(CALL(GetVersion)(), "2.0") || strcmp(CALL(GetTypesPlatform)(), "default");
+    default: return CALL(SetupExperiment)(c, fmi2True, some_number(), some_number(), fmi2True, some_number());
     }
 }
 static size_t stations_of(component c) { return (void)c, MODEL_STATIONS; }
@@ -147,6 +227,7 @@ static int configure(component c, unsigned long long stations) { return (void)c,
 static size_t values_of(component c, value_reference reference) { return (void)c, (void)reference, 1; }
 #else
 #include "fmi3Functions.h"
+#define FUNCTION(name) fmi3##name
 typedef fmi3Instance component;
 typedef fmi3FMUState saved_state;
 typedef fmi3ValueReference value_reference;
@@ -159,78 +240,138 @@ static void note(fmi3InstanceEnvironment e, fmi3Status status, fmi3String catego
 }
 static component create(const char *name, const char *token)
 {
-    return fmi3InstantiateCoSimulation(name, token, NULL, false, true, pick(60) == 0, false, NULL, pick(60) == 0, NULL,
-                                       pick(50) ? note : NULL, NULL);
+    const char *const resources[] = {NULL, "", "/nowhere/", "%s%n"};
+    return CALL(InstantiateCoSimulation)(name, token, resources[pick(4)], false, true, pick(60) == 0, false, NULL,
+                                         pick(60) == 0, NULL, pick(50) ? note : NULL, NULL);
 }
-#define CALL(name) fmi3##name
-static int get_state(component c, saved_state *s) { return fmi3GetFMUState(c, s); }
-static int set_state(component c, saved_state s) { return fmi3SetFMUState(c, s); }
-static int free_state(component c, saved_state *s) { return fmi3FreeFMUState(c, s); }
-static int state_size(component c, saved_state s, size_t *n) { return fmi3SerializedFMUStateSize(c, s, n); }
-static int write_state(component c, saved_state s, byte *b, size_t n) { return fmi3SerializeFMUState(c, s, b, n); }
-static int read_state(component c, const byte *b, size_t n, saved_state *s) { return fmi3DeserializeFMUState(c, b, n, s); }
-static int get_reals(component c, const value_reference *r, size_t n, double *v, size_t m) { return fmi3GetFloat64(c, r, n, v, m); }
+static int get_state(component c, saved_state *s) { return CALL(GetFMUState)(c, s); }
+static int set_state(component c, saved_state s) { return CALL(SetFMUState)(c, s); }
+static int free_state(component c, saved_state *s) { return CALL(FreeFMUState)(c, s); }
+static int state_size(component c, saved_state s, size_t *n) { return CALL(SerializedFMUStateSize)(c, s, n); }
+static int write_state(component c, saved_state s, byte *b, size_t n) { return CALL(SerializeFMUState)(c, s, b, n); }
+static int read_state(component c, const byte *b, size_t n, saved_state *s) { return CALL(DeserializeFMUState)(c, b, n, s); }
+static int get_reals(component c, const value_reference *r, size_t n, double *v, size_t m)
+{
+    return CALL(GetFloat64)(c, r, n, v, m);
+}
 static int set_reals(component c, const value_reference *r, size_t n, const double *v, size_t m)
 {
-    return fmi3SetFloat64(c, r, n, v, m);
+    return CALL(SetFloat64)(c, r, n, v, m);
 }
-static int enter(component c) { return fmi3EnterInitializationMode(c, false, 0.0, 0.0, false, 0.0); }
+static int enter(component c) { return CALL(EnterInitializationMode)(c, false, 0.0, 0.0, false, 0.0); }
 static int step(component c, double time, double size)
 {
     bool a, b, d;
     double last;
-    return fmi3DoStep(c, time, size, true, &a, &b, pick(60) ? &d : NULL, &last);
+    return CALL(DoStep)(c, time, size, true, &a, &b, pick(60) ? &d : NULL, &last);
 }
 static int texts(component c, const value_reference *r, size_t n, const char **v, int set)
 {
-    return set ? fmi3SetString(c, r, n, v, n) : fmi3GetString(c, r, n, v, n);
+    return set ? CALL(SetString)(c, r, n, v, n) : CALL(GetString)(c, r, n, v, n);
 }
 static int integers(component c, const value_reference *r, size_t n, int *v, int set)
 {
-    return set ? fmi3SetInt32(c, r, n, v, n) : fmi3GetInt32(c, r, n, v, n);
+    return set ? CALL(SetInt32)(c, r, n, v, n) : CALL(GetInt32)(c, r, n, v, n);
 }
 static size_t stations_of(component c)
 {
     const value_reference reference = 2;
     fmi3UInt64 stations = 0;
-    return fmi3GetUInt64(c, &reference, 1, &stations, 1) == fmi3OK ? (size_t)stations : 0;
+    return CALL(GetUInt64)(c, &reference, 1, &stations, 1) == fmi3OK ? (size_t)stations : 0;
 }
 static int set_stations(component c, unsigned long long stations)
 {
     const value_reference reference = 2;
     const fmi3UInt64 value = stations;
-    return fmi3SetUInt64(c, &reference, 1, &value, 1);
+    return CALL(SetUInt64)(c, &reference, 1, &value, 1);
 }
 static int configure(component c, unsigned long long stations)
 {
-    if (fmi3EnterConfigurationMode(c) != fmi3OK)
+    if (CALL(EnterConfigurationMode)(c) != fmi3OK)
         return OK + 1;
     set_stations(c, stations);
-    return fmi3ExitConfigurationMode(c);
+    return CALL(ExitConfigurationMode)(c);
 }
 static unsigned long long some_stations(void)
 {
     static const unsigned long long ODD[] = {0, 1, 2, 3, 4, 30, 31, 32, 201, 202, 4294967327ULL, 18446744073709551615ULL};
     return pick(2) ? ODD[pick(sizeof ODD / sizeof *ODD)] : pick(250);
 }
+
+/* Types that no variable has: a case of odd_call each for reading and writing. */
+#define OTHER_TYPE(number, name)                                                        \
+    case 2 * number: return CALL(Get##name)(c, r, n, (void *)numbers, n);               \
+    case 2 * number + 1: return CALL(Set##name)(c, r, n, (void *)numbers, n);
+
 static int odd_call(component c, const value_reference *r, size_t n)
 {
-    bool flag;
-    size_t count;
-    switch (pick(12))
+    bool flags[64 * LIST] = {false};
+    size_t count[64 * LIST] = {0};
+    int orders[64 * LIST] = {0};
+    value_reference v[LIST];
+    fmi3DependencyKind kind;
+    fmi3IntervalQualifier qualifier[LIST];
+    fmi3Binary binary[LIST] = {NULL};
+    uint64_t ticks[LIST] = {0};
+    double *d = MAYBE(numbers);
+    switch (pick(66))
     {
-    case 0: return fmi3GetBoolean(c, r, n, &flag, n);
-    case 1: return fmi3GetDirectionalDerivative(c, r, n, r, n, numbers, n, numbers, n);
-    case 2: return fmi3GetInt64(c, r, n, NULL, n);
-    case 3: return fmi3EnterConfigurationMode(c);
-    case 4: return fmi3ExitConfigurationMode(c);
-    case 5: return fmi3EnterEventMode(c);
-    case 6: return fmi3EnterStepMode(c);
-    case 7: return fmi3GetNumberOfContinuousStates(c, &count);
-    case 8: return fmi3GetClock(c, r, n, &flag);
-    case 9: return set_stations(c, some_stations());
-    case 10: return fmi3SetUInt64(c, r, n, NULL, n);
-    default: return fmi3EnterInitializationMode(c, true, some_number(), some_number(), true, some_number());
+    OTHER_TYPE(0, Float32)
+    OTHER_TYPE(1, Int8)
+    OTHER_TYPE(2, UInt8)
+    OTHER_TYPE(3, Int16)
+    OTHER_TYPE(4, UInt16)
+    OTHER_TYPE(5, UInt32)
+    OTHER_TYPE(6, Int64)
+    OTHER_TYPE(7, UInt64)
+    case 16: return CALL(GetBoolean)(c, r, n, flags, n);
+    case 17: return CALL(SetBoolean)(c, r, n, flags, n);
+    case 18: return CALL(GetBinary)(c, r, n, count, binary, n);
+    case 19: return CALL(SetBinary)(c, r, n, count, binary, n);
+    case 20: return CALL(GetClock)(c, r, n, flags);
+    case 21: return CALL(SetClock)(c, r, n, flags);
+    case 22: return CALL(GetNumberOfVariableDependencies)(c, r ? *r : 0, MAYBE(count));
+    case 23: return CALL(GetVariableDependencies)(c, r ? *r : 0, count, v, count, &kind, 0);
+    case 24:
+    case 25:
+        return CALL(GetDirectionalDerivative)(c, r, n / 2, MAYBE(r + n / 2), n - n / 2, d, n - n / 2, MAYBE(numbers + LIST),
+                                              n / 2);
+    case 26:
+        return CALL(GetAdjointDerivative)(c, r, n / 2, r + n / 2, n - n / 2, d, n / 2, MAYBE(numbers + LIST), n - n / 2);
+    case 27: return CALL(EnterConfigurationMode)(c);
+    case 28: return CALL(ExitConfigurationMode)(c);
+    case 29: return CALL(GetIntervalDecimal)(c, r, n, d, qualifier);
+    case 30: return CALL(GetIntervalFraction)(c, r, n, ticks, ticks, qualifier);
+    case 31: return CALL(GetShiftDecimal)(c, r, n, d);
+    case 32: return CALL(GetShiftFraction)(c, r, n, ticks, ticks);
+    case 33: return CALL(SetIntervalDecimal)(c, r, n, d);
+    case 34: return CALL(SetIntervalFraction)(c, r, n, ticks, ticks);
+    case 35: return CALL(SetShiftDecimal)(c, r, n, d);
+    case 36: return CALL(SetShiftFraction)(c, r, n, ticks, ticks);
+    case 37: return CALL(EvaluateDiscreteStates)(c);
+    case 38: return CALL(UpdateDiscreteStates)(c, flags, flags, flags, flags, flags, d);
+    case 39: return CALL(EnterContinuousTimeMode)(c);
+    case 40: return CALL(CompletedIntegratorStep)(c, true, MAYBE(flags), flags);
+    case 41: return CALL(SetTime)(c, some_number());
+    case 42: return CALL(SetContinuousStates)(c, d, n);
+    case 43: return CALL(GetContinuousStateDerivatives)(c, d, n);
+    case 44: return CALL(GetEventIndicators)(c, d, n);
+    case 45: return CALL(GetContinuousStates)(c, d, n);
+    case 46: return CALL(GetNominalsOfContinuousStates)(c, d, n);
+    case 47: return CALL(GetNumberOfEventIndicators)(c, MAYBE(count));
+    case 48: return CALL(GetNumberOfContinuousStates)(c, MAYBE(count));
+    case 49: return CALL(EnterStepMode)(c);
+    case 50: return CALL(EnterEventMode)(c);
+    case 51: return CALL(GetOutputDerivatives)(c, r, n, orders, d, n);
+    case 52: return CALL(ActivateModelPartition)(c, r ? *r : 0, some_number());
+    case 53: return strcmp(CALL(GetVersion)(), "3.0") != 0;
+    case 54: return CALL(InstantiateModelExchange)("name", MODEL_TOKEN, NULL, false, true, NULL, MAYBE(note)) == NULL;
+    case 55:
+        return CALL(InstantiateScheduledExecution)("name", MODEL_TOKEN, NULL, false, true, NULL, note, NULL, NULL, NULL)
+            == NULL;
+    case 56:
+    case 57: return set_stations(c, some_stations());
+    default: return CALL(EnterInitializationMode)(c, true, some_number(), some_number(), pick(2), some_number());
     }
 }
 static size_t values_of(component c, value_reference reference)
@@ -242,11 +383,13 @@ static size_t values_of(component c, value_reference reference)
 /* --- the fuzzer --------------------------------------------------------------------------------------------- */
 
 static component instances[INSTANCES];
-static saved_state states[STATES];
+static saved_state states[STATES];      /* also of other instances, and of those that are gone */
 static byte stored[STATES][200000];
 static size_t stored_size[STATES];
+static int accepted_damage;
 
 static long usual_steps, valid_steps, other_outlines;
+static long started[8][8];      /* instances that were initialised, by contact mode and normal model */
 
 /* What a simulation does: all inputs possible, a step, the status read. */
 static int usual_step(component c)
@@ -268,6 +411,27 @@ static int usual_step(component c)
     return OK;
 }
 
+static const model_variable *variable_named(const char *name)
+{
+    const model_variable *variable = model_variables;
+    while (strcmp(variable->name, name) != 0)
+        variable += 1;
+    return variable;
+}
+
+/* The place of the method that an instance has among those that can be chosen. */
+static int chosen(component c, const char *name)
+{
+    const model_variable *variable = variable_named(name);
+    const value_reference reference = (value_reference)(variable - model_variables) + FIRST_INPUT;
+    const char *word = "";
+    int k = 0;
+    texts(c, &reference, 1, &word, 0);
+    while (k < variable->choice_count && strcmp(variable->choices[k].name, word) != 0)
+        k += 1;
+    return k;
+}
+
 /* An instance with methods and profiles of its own choice, ready to step. */
 static int usual_start(component c)
 {
@@ -278,7 +442,7 @@ static int usual_start(component c)
     {
         const model_variable *variable = model_variables + i;
         value_reference reference = (value_reference)i + FIRST_INPUT;    /* no array stands before the parameters' end */
-        if (variable->choice_count > 0 && pick(3) == 0)
+        if (variable->choice_count > 0 && pick(2))
         {
             const char *word = variable->choices[pick((unsigned)variable->choice_count)].name;
             texts(c, &reference, 1, &word, 1);
@@ -289,9 +453,38 @@ static int usual_start(component c)
             set_reals(c, &reference, 1, &number, 1);
         }
     }
-    if (enter(c) != OK)
+    if (enter(c) != OK || (int)CALL(ExitInitializationMode)(c) != OK)
         return OK + 1;
-    return (int)CALL(ExitInitializationMode)(c);
+    started[chosen(c, "contact_mode")][chosen(c, "normal_model")] += 1;
+    return OK;
+}
+
+/* Serialise a state, sometimes into too little room. */
+static int store(component c, unsigned k)
+{
+    size_t size = 0;
+    if (state_size(c, states[k], pick(30) ? &size : NULL) != OK)
+        return OK + 1;
+    const bool short_of_room = pick(10) == 0;
+    if (write_state(c, states[k], MAYBE(stored[k]), size - short_of_room) != OK)
+        return OK + 1;
+    accepted_damage |= short_of_room;
+    stored_size[k] = size;
+    return OK;
+}
+
+/* A state from its bytes, sometimes damaged. */
+static int take_back(component c, unsigned k)
+{
+    const size_t size = stored_size[k];
+    const unsigned damage = size ? pick(8) : 8, place = size ? pick((unsigned)size) : 0;
+    if (damage == 0)
+        stored[k][place] ^= (byte)(1u << pick(8));
+    if (read_state(c, MAYBE(stored[k]), damage == 1 ? place : damage == 2 ? size + 1 : size, MAYBE(states + k)) == OK)
+        return accepted_damage |= damage < 3, OK;
+    if (damage == 0)
+        stored_size[k] = 0;
+    return OK + 1;
 }
 
 static int some_call(void)
@@ -304,6 +497,7 @@ static int some_call(void)
     size_t count = pick(4) ? pick(4) : pick(LIST), values = 0;
     if (!c)
     {
+        CALL(FreeInstance)(NULL);
         *slot = create(pick(20) ? "instance" : pick(2) ? "" : NULL, pick(20) ? MODEL_TOKEN : pick(2) ? "{0}" : NULL);
         return *slot ? OK : OK + 1;
     }
@@ -323,34 +517,36 @@ static int some_call(void)
         return usual_step(c);
     if (pick(200) == 0)
         return usual_start(c);
-    switch (pick(24))
+    if (pick(80) == 0)
+        c = NULL;
+    const value_reference *maybe = MAYBE(references);
+    switch (pick(26))
     {
-    case 0: return pick(40) ? OK : (CALL(FreeInstance)(c), *slot = NULL, OK);
-    case 1: return enter(pick(40) ? c : NULL);
-    case 2: return CALL(ExitInitializationMode)(c);
-    case 3: return pick(20) ? OK : CALL(Reset)(c);
-    case 4: return pick(60) ? OK : CALL(Terminate)(c);
-    case 5: return texts(c, references, count, words, 1);
-    case 6: return texts(c, references, count, words, 0);
-    case 7: return integers(c, references, count, integer, pick(4) == 0);
-    case 8: return odd_call(c, references, count);
-    case 9: return CALL(SetDebugLogging)(c, true, count, words);
-    case 10: return get_state(c, pick(20) ? states + k : NULL);
-    case 11: return set_state(c, pick(20) ? states[k] : NULL);
-    case 12: return pick(3) ? OK : free_state(c, states + k);
-    case 13:
-        if (state_size(c, states[k], &stored_size[k]) != OK)
-            return stored_size[k] = 0, OK + 1;
-        return write_state(c, states[k], stored[k], stored_size[k] - (pick(10) == 0));
+    case 0: return pick(40) ? (CALL(FreeInstance)(NULL), OK) : (CALL(FreeInstance)(*slot), *slot = NULL, OK);
+    case 1: return enter(c);
+    case 2: return (int)CALL(ExitInitializationMode)(c);
+    case 3: return pick(20) ? OK : (int)CALL(Reset)(c);
+    case 4: return pick(60) ? OK : (int)CALL(Terminate)(c);
+    case 5: return texts(c, maybe, count, MAYBE(words), 1);
+    case 6: return texts(c, maybe, count, MAYBE(words), 0);
+    case 7: return integers(c, maybe, count, MAYBE(integer), pick(4) == 0);
+    case 8:
+    case 9:
+    case 10: return odd_call(c, maybe, maybe ? count : 0);
+    case 11: return (int)CALL(SetDebugLogging)(c, pick(8) > 0, count, MAYBE(words));
+    case 12: return get_state(c, MAYBE(states + k));
+    case 13: return set_state(c, MAYBE(states[k]));
     case 14:
-        if (stored_size[k] && pick(2))
-            stored[k][pick((unsigned)stored_size[k])] ^= (byte)(1u << pick(8));
-        return read_state(c, stored[k], stored_size[k] - (stored_size[k] && pick(10) == 0), states + k);
-    case 15: return get_reals(c, pick(30) ? references : NULL, count, pick(30) ? numbers : NULL, values);
-    case 16: return get_reals(c, references, count, numbers, values);
+        if (pick(8) == 0)
+            states[k] = NULL;       /* the instance frees what it has made */
+        return pick(3) ? OK : free_state(c, states + k);
+    case 15: return store(c, k);
+    case 16: return take_back(c, k);
     case 17:
-    case 18:
-    case 19: return set_reals(c, references, count, numbers, values);
+    case 18: return get_reals(c, maybe, count, MAYBE(numbers), values);
+    case 19:
+    case 20:
+    case 21: return set_reals(c, maybe, count, MAYBE(numbers), values);
     default: return step(c, pick(20) ? 0.0 : some_number(), pick(20) ? 1e-3 : some_number());
     }
 }
@@ -374,40 +570,123 @@ static int check_recovery(component c)
     return values[0] != values[1] && printf("a reset instance gives %.17g, a fresh one %.17g\n", values[0], values[1]);
 }
 
-static int fuzz(long calls)
+static int fuzz(long calls, volatile long *call)
 {
-    long good = 0, made = 0;
-    for (long call = 0; call < calls; call += 1)
+    long good = 0;
+    int wrong = 0;
+    for (*call = 0; *call < calls && !wrong && !accepted_damage && !long_lines; *call += 1)
     {
         failing = pick(500) ? -1 : allocations + 1 + pick(3);
         good += some_call() == OK;
-        made += 1;
+        failing = -1;
+        component *slot = instances + pick(INSTANCES);
+        if (pick(1000) == 0 && *slot)
+            wrong = check_recovery(*slot);
     }
-    failing = -1;
-    int wrong = 0;
     for (int i = 0; i < INSTANCES; i += 1)
         if (instances[i])
         {
             wrong |= check_recovery(instances[i]);
-            for (int k = 0; k < STATES; k += 1)
-                free_state(instances[i], states + k);
             CALL(FreeInstance)(instances[i]);
         }
-    for (int k = 0; k < STATES; k += 1)
-        if (states[k])
-        {
-            component c = NULL;
-            while (!c)
-                c = create("last", MODEL_TOKEN);
-            free_state(c, states + k);
-            CALL(FreeInstance)(c);
-        }
     printf("{\"calls\": %ld, \"ok\": %ld, \"lines\": %ld, \"odd_lines\": %ld, \"usual_steps\": %ld, \"valid_steps\": %ld, "
-           "\"other_outlines\": %ld}\n", made, good, lines, long_lines, usual_steps, valid_steps, other_outlines);
-    return wrong || long_lines > 0;
+           "\"damage_accepted\": %d, \"other_outlines\": %ld, \"functions\": {", *call, good, lines, long_lines,
+           usual_steps, valid_steps, accepted_damage, other_outlines);
+    for (int i = 0; functions[i].name; i += 1)
+        printf("%s\"fmi%d%s\": %ld", i ? ", " : "", FMI, functions[i].name, functions[i].calls);
+    printf("}, \"started\": {");
+    const model_variable *mode = variable_named("contact_mode"), *model = variable_named("normal_model");
+    for (int i = 0; i < mode->choice_count * model->choice_count; i += 1)
+        printf("%s\"%s %s\": %ld", i ? ", " : "", mode->choices[i / model->choice_count].name,
+               model->choices[i % model->choice_count].name, started[i / model->choice_count][i % model->choice_count]);
+    printf("}}\n");
+    return wrong || accepted_damage || long_lines > 0;
 }
 
-/* --- cost ----------------------------------------------------------------------------------------------------- */
+/* The fuzzer in a process of its own, so that a call that ends it, or does not end, can be told. */
+static int supervised_fuzz(unsigned long long first, long calls)
+{
+    enum { LONGEST = 1500 };    /* [s] */
+    volatile long *call = mmap(NULL, sizeof *call, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    int status = 0;
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        alarm(LONGEST);
+        seed = first;
+        exit(fuzz(calls, call));
+    }
+    waitpid(child, &status, 0);
+    if (WIFSIGNALED(status))
+        fprintf(stderr, "native_host fuzz %llu %ld fails: ended by signal %d\n", first, *call + 1, WTERMSIG(status));
+    else if (status)
+        fprintf(stderr, "native_host fuzz %llu %ld fails: exit code %d\n", first, *call + 1, WEXITSTATUS(status));
+    return status != 0;
+}
+
+/* --- the usual rows --------------------------------------------------------------------------------------------- */
+
+enum { MOST_ROWS = 2000 };
+static double rows[MOST_ROWS][5];
+static int row_count;
+static value_reference five[5], outputs[MODEL_VARIABLES];      /* the inputs of a row; the Real outputs */
+static size_t output_count, value_count;
+
+/* The rows of inputs in a file, and where values are. */
+static int read_rows(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    while (file && row_count < MOST_ROWS
+           && fscanf(file, "%lf %lf %lf %lf %lf", rows[row_count], rows[row_count] + 1, rows[row_count] + 2, rows[row_count] + 3,
+                     rows[row_count] + 4) == 5)
+        row_count += 1;
+    if (file)
+        fclose(file);
+    for (int i = 0; i < 5; i += 1)
+        five[i] = FIRST_INPUT + (value_reference)i;
+    for (value_reference r = FIRST_REFERENCE; r < REFERENCES; r += 1)
+    {
+        const int first = FMI == 2 ? (int)r : model_blocks[r].first;
+        if (first >= MODEL_FIRST_OUTPUT && model_variables[first].type == MODEL_REAL)
+        {
+            outputs[output_count++] = r;
+            value_count += FMI == 3 && model_blocks[r].run >= 0 ? MODEL_STATIONS : 1;
+        }
+    }
+    return row_count ? OK : (printf("no rows in %s\n", path), OK + 1);
+}
+
+/* An instance that is ready to step; `variant` chooses among the methods. */
+static component ready(int variant)
+{
+    component c = NULL;
+    while (!c)
+        c = create("instance", MODEL_TOKEN);
+    for (int i = 0; i < MODEL_VARIABLES; i += 1)
+        if (model_variables[i].choice_count > 0)
+        {
+            const value_reference reference = (value_reference)i + FIRST_INPUT;
+            const char *word = model_variables[i].choices[variant % model_variables[i].choice_count].name;
+            texts(c, &reference, 1, &word, 1);
+        }
+    if (enter(c) != OK || (int)CALL(ExitInitializationMode)(c) != OK)
+        printf("not initialised\n"), exit(1);
+    return c;
+}
+
+/* Set 5, do step, get all; the functions themselves, as several threads come here. */
+static int usual_row(component c, const double *row, double *values)
+{
+#if FMI == 2
+    int status = fmi2SetReal(c, five, 5, row) | fmi2DoStep(c, 0.0, 1e-3, fmi2True);
+    return status | fmi2GetReal(c, outputs, output_count, values);
+#else
+    bool a, b, d;
+    double last;
+    int status = fmi3SetFloat64(c, five, 5, row, 5) | fmi3DoStep(c, 0.0, 1e-3, true, &a, &b, &d, &last);
+    return status | fmi3GetFloat64(c, outputs, output_count, values, value_count);
+#endif
+}
 
 static double now(void)
 {
@@ -416,73 +695,119 @@ static double now(void)
     return 1e6 * (double)time.tv_sec + 1e-3 * (double)time.tv_nsec;
 }
 
-static int cost(const char *path)
+static int cost(void)
 {
-    static double rows[2000][5];
-    static double outputs[MODEL_VARIABLES];
-    value_reference inputs[5], references[MODEL_VARIABLES];
-    size_t count = 0, values = 0;
-    int row_count = 0;
-    FILE *file = fopen(path, "r");
-    while (file && row_count < 2000
-           && fscanf(file, "%lf %lf %lf %lf %lf", rows[row_count], rows[row_count] + 1, rows[row_count] + 2, rows[row_count] + 3,
-                     rows[row_count] + 4) == 5)
-        row_count += 1;
-    if (!row_count)
-        return printf("no rows in %s\n", path), 1;
-    fclose(file);
-    seed = 3;
-    component c = NULL;
-    while (!c)
-        c = create("instance", MODEL_TOKEN);
-    for (int i = 0; i < 5; i += 1)
-        inputs[i] = FIRST_INPUT + i;
-    for (value_reference r = FIRST_REFERENCE; r < REFERENCES; r += 1)
-    {
-        const int first = FMI == 2 ? (int)r : model_blocks[r].first;
-        if (first >= MODEL_FIRST_OUTPUT && model_variables[first].type == MODEL_REAL)
-        {
-            references[count++] = r;
-            values += values_of(c, r);
-        }
-    }
-    if (enter(c) != OK || (int)CALL(ExitInitializationMode)(c) != OK)
-        return printf("not initialised\n"), 1;
-    const long before = allocations;
+    static double values[64 * LIST];
+    component c = ready(0);
     double best = 1e300;
     for (int repeat = 0; repeat < 15; repeat += 1)
     {
         const double start = now();
         for (int k = 0; k < row_count; k += 1)
-        {
-#if FMI == 2
-            int status = set_reals(c, inputs, 5, rows[k], 5) | fmi2DoStep(c, 0.0, 1e-3, fmi2True);
-#else
-            bool a, b, d;
-            double last;
-            int status = set_reals(c, inputs, 5, rows[k], 5) | fmi3DoStep(c, 0.0, 1e-3, true, &a, &b, &d, &last);
-#endif
-            if (status | get_reals(c, references, count, outputs, values))
+            if (usual_row(c, rows[k], values))
                 return printf("a step fails in row %d\n", k), 1;
-        }
         const double passed = (now() - start) / row_count;
         best = passed < best ? passed : best;
     }
-    printf("{\"microseconds\": %.3f, \"rows\": %d, \"outputs\": %lu, \"allocations\": %ld}\n", best, row_count,
-           (unsigned long)values, allocations - before);
+    printf("{\"microseconds\": %.3f, \"rows\": %d, \"outputs\": %lu}\n", best, row_count, (unsigned long)value_count);
     CALL(FreeInstance)(c);
     return 0;
+}
+
+/* What a host does between the initialisation and the end, refused calls and log lines too. */
+static int count_allocations(void)
+{
+    static double values[64 * LIST];
+    const double nowhere[5] = {NAN, 0.0, 0.0, 1e5, 0.0};
+    const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
+    const value_reference profile = (value_reference)(variable_named("wheel_profile") - model_variables) + FIRST_INPUT;
+    const char *word = NULL;
+    component c = ready(0);
+    saved_state state = NULL;
+    int outcome = 0, wrong = 0;
+    const long before = allocations;
+    for (int k = 0; k < row_count; k += 1)
+    {
+        wrong |= usual_row(c, rows[k], values) | usual_row(c, rows[k], values);
+        wrong |= integers(c, &status, 1, &outcome, 0) | texts(c, &profile, 1, &word, 0);
+        if (k % 20 == 0)
+            wrong |= usual_row(c, nowhere, values) | (set_reals(c, outputs, 1, values, 1) == OK) | (lines == 0);
+    }
+    const long steps = allocations - before;
+    wrong |= get_state(c, &state);
+    const long first = allocations - before - steps;
+    for (int k = 0; k < row_count; k += 1)
+        wrong |= get_state(c, &state) | set_state(c, state);
+    const long again = allocations - before - steps - first;
+    wrong |= (int)CALL(Terminate)(c);
+    printf("{\"rows\": %d, \"steps\": %ld, \"first_state\": %ld, \"states\": %ld, \"wrong\": %d}\n", row_count, steps, first,
+           again, wrong);
+    CALL(FreeInstance)(c);
+    return 0;
+}
+
+/* --- threads -------------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    component c;
+    int wrong;
+    double *seen;       /* all outputs of all rows */
+} runner;
+
+static void *run_rows(void *argument)
+{
+    runner *self = argument;
+    for (int k = 0; k < row_count; k += 1)
+        self->wrong |= usual_row(self->c, rows[k], self->seen + (size_t)k * value_count) != OK;
+    return NULL;
+}
+
+static runner runner_of(int variant)
+{
+    runner made = {ready(variant), 0, calloc((size_t)row_count * value_count, sizeof(double))};
+    return made;
+}
+
+static int run_threads(int count)
+{
+    runner *alone = calloc((size_t)count, sizeof *alone), *together = calloc((size_t)count, sizeof *together);
+    pthread_t *threads = calloc((size_t)count, sizeof *threads);
+    int wrong = 0, different = 0, equal = 0;
+    for (int i = 0; i < count; i += 1)
+    {
+        alone[i] = runner_of(i);
+        together[i] = runner_of(i);
+        run_rows(alone + i);
+    }
+    for (int i = 0; i < count; i += 1)
+        wrong |= pthread_create(threads + i, NULL, run_rows, together + i);
+    for (int i = 0; i < count; i += 1)
+        pthread_join(threads[i], NULL);
+    const size_t size = (size_t)row_count * value_count * sizeof(double);
+    for (int i = 0; i < count; i += 1)
+    {
+        wrong |= alone[i].wrong | together[i].wrong;
+        equal += memcmp(alone[i].seen, together[i].seen, size) == 0;
+        different += memcmp(alone[i].seen, alone[(i + 1) % count].seen, size) != 0;
+    }
+    for (int i = 0; i < count; i += 1)
+    {
+        CALL(FreeInstance)(alone[i].c), CALL(FreeInstance)(together[i].c);
+        free(alone[i].seen), free(together[i].seen);
+    }
+    free(alone), free(together), free(threads);
+    printf("{\"equal\": %d, \"variants\": %d, \"wrong\": %d}\n", equal, different, wrong);
+    return wrong || equal != count;
 }
 
 int main(int count, char **arguments)
 {
     if (count == 4 && strcmp(arguments[1], "fuzz") == 0)
-    {
-        seed = strtoull(arguments[2], NULL, 10);
-        return fuzz(atol(arguments[3]));
-    }
-    if (count == 3 && strcmp(arguments[1], "cost") == 0)
-        return cost(arguments[2]);
-    printf("usage: native_host fuzz <seed> <calls> | cost <file>\n");
-    return 2;
+        return supervised_fuzz(strtoull(arguments[2], NULL, 10), atol(arguments[3]));
+    if (count < 3 || read_rows(arguments[count - 1]) != OK)
+        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <file> | cost <file>\n"), 2;
+    seed = 3;
+    if (count == 4 && strcmp(arguments[1], "threads") == 0)
+        return run_threads(atoi(arguments[2]));
+    return strcmp(arguments[1], "cost") == 0 ? cost() : count_allocations();
 }

@@ -107,9 +107,9 @@ def first_instant(fmu, start=None):
     return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get()}
 
 
-def trajectory(fmu, rows, names):
+def trajectory(fmu, rows, names, start=None):
     """Outputs after a step at every row of inputs."""
-    instance = fmu.running()
+    instance = fmu.running(**(start or {}))
     seen = []
     for row in rows:
         instance.step(**row)
@@ -247,17 +247,18 @@ def configuration(fmu):
     kept = instance.get("stations")
     instance.set(stations=7)
     slave.exitConfigurationMode()
-    after = slave.getFloat64([left], nValues=7)
-    attempt("31 values", slave.getFloat64, [left], nValues=31)
+    attempt("too early", slave.getFloat64, [left], nValues=7)
     attempt("fixed outside", instance.set, stations=31)
     instance.set(stations=7)
     slave.enterInitializationMode()
+    attempt("31 values", slave.getFloat64, [left], nValues=31)
+    after = slave.getFloat64([left], nValues=7)
     attempt("while initialising", slave.enterConfigurationMode)
     slave.exitInitializationMode()
     attempt("while running", slave.enterConfigurationMode)
     attempt("8 values", slave.getFloat64, [left], nValues=8)
     instance.stations = 7
-    running = instance.get("left.station")
+    running = slave.getFloat64([left], nValues=7)
     slave.terminate()
     attempt("after the end", instance.set, stations=7)
     slave.reset()

@@ -128,12 +128,7 @@ fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean tolerance_de
     (void)tolerance_defined, (void)tolerance;       /* an algebraic model */
     if (!self)
         return fmi2Error;
-    if (self->wheelset->core.phase != PHASE_INSTANTIATED)
-        return refuse(self, "fmi2SetupExperiment", "it belongs before the initialisation");
-    if (!isfinite(start) || (stop_defined && !(stop >= start)))
-        return refuse(self, "fmi2SetupExperiment", "permitted are a finite start and a stop after it");
-    self->wheelset->core.time = start;
-    return fmi2OK;
+    return answer(self, wheelset_experiment(self->wheelset, start, stop_defined != fmi2False, stop));
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component component)
@@ -172,16 +167,21 @@ fmi2Status fmi2DoStep(fmi2Component component, fmi2Real time, fmi2Real size, fmi
 
 /* --- values ---------------------------------------------------------------------------------------------- */
 
-/* Whether a list of values can be read or written: everything is known and of this type.  Nothing is touched otherwise. */
-static int check_list(instance *self, const char *function, const fmi2ValueReference references[], size_t count,
-                      const void *values, model_type type)
+static int check_pointers(instance *self, const char *function, const void *references, size_t count, const void *values)
 {
     if (count > 0 && (!references || !values))
         return wheelset_refuse(self->wheelset, "%s: %s is a NULL pointer", function, references ? "value" : "vr");
-    for (size_t i = 0; i < count; i += 1)
-        if (wheelset_check(self->wheelset, references[i], type))
-            return 1;
     return 0;
+}
+
+/* Whether all of a list of values can be read. */
+static int check_list(instance *self, const char *function, const fmi2ValueReference references[], size_t count,
+                      const void *values, model_type type)
+{
+    int refused = check_pointers(self, function, references, count, values);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_get(self->wheelset, references[i], type);
+    return refused;
 }
 
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Real values[])
@@ -231,9 +231,11 @@ fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference referen
     instance *self = component;
     if (!self)
         return fmi2Error;
-    int refused = check_list(self, "fmi2SetReal", references, count, values, MODEL_REAL);
+    int refused = check_pointers(self, "fmi2SetReal", references, count, values);
     for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_set_real(self->wheelset, references[i], values[i]);
+        refused = wheelset_may_set_real(self->wheelset, references[i], values[i]);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_real(self->wheelset, references[i], values[i]);
     return answer(self, refused);
 }
 
@@ -243,9 +245,9 @@ fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference refe
     instance *self = component;
     if (!self)
         return fmi2Error;
-    int refused = check_list(self, "fmi2SetInteger", references, count, values, MODEL_INTEGER);
+    int refused = check_pointers(self, "fmi2SetInteger", references, count, values);
     for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_set_integer(self->wheelset, references[i]);
+        refused = wheelset_may_set_integer(self->wheelset, references[i]);
     return answer(self, refused);
 }
 
@@ -254,9 +256,11 @@ fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference refer
     instance *self = component;
     if (!self)
         return fmi2Error;
-    int refused = check_list(self, "fmi2SetString", references, count, values, MODEL_STRING);
+    int refused = check_pointers(self, "fmi2SetString", references, count, values);
     for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_set_string(self->wheelset, references[i], values[i]);
+        refused = wheelset_may_set_string(self->wheelset, references[i], values[i]);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_string(self->wheelset, references[i], values[i]);
     return answer(self, refused);
 }
 
@@ -272,70 +276,37 @@ fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference refe
 fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state)
 {
     instance *self = component;
-    if (!self)
-        return fmi2Error;
-    if (!state)
-        return refuse(self, "fmi2GetFMUstate", "FMUstate is a NULL pointer");
-    if (!*state)
-        *state = malloc(sizeof(wheelset_saved));
-    if (!*state)
-        return refuse(self, "fmi2GetFMUstate", "there is no memory");
-    wheelset_save(self->wheelset, *state);
-    return fmi2OK;
+    return self ? answer(self, wheelset_save_state(self->wheelset, state)) : fmi2Error;
 }
 
 fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state)
 {
     instance *self = component;
-    if (!self)
-        return fmi2Error;
-    if (!state)
-        return refuse(self, "fmi2SetFMUstate", "FMUstate is a NULL pointer");
-    return answer(self, wheelset_restore(self->wheelset, state, sizeof(wheelset_saved)));
+    return self ? answer(self, wheelset_restore_state(self->wheelset, state)) : fmi2Error;
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate *state)
 {
-    if (!component)
-        return fmi2Error;
-    if (state)
-    {
-        free(*state);
-        *state = NULL;
-    }
-    return fmi2OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_free_state(self->wheelset, state)) : fmi2Error;
 }
 
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t *size)
 {
-    if (!component || !state || !size)
-        return refuse(component, "fmi2SerializedFMUstateSize", "FMUstate or size is a NULL pointer");
-    *size = sizeof(wheelset_saved);
-    return fmi2OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_state_size(self->wheelset, state, size)) : fmi2Error;
 }
 
 fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
 {
-    if (!component || !state || !bytes)
-        return refuse(component, "fmi2SerializeFMUstate", "FMUstate or serializedState is a NULL pointer");
-    if (size < sizeof(wheelset_saved))
-        return refuse(component, "fmi2SerializeFMUstate", "the array is too short; ask fmi2SerializedFMUstateSize");
-    memcpy(bytes, state, sizeof(wheelset_saved));
-    return fmi2OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_write_state(self->wheelset, state, bytes, size)) : fmi2Error;
 }
 
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size, fmi2FMUstate *state)
 {
-    if (!component || !state || (!bytes && size > 0))
-        return refuse(component, "fmi2DeSerializeFMUstate", "FMUstate or serializedState is a NULL pointer");
-    if (size != sizeof(wheelset_saved))
-        return refuse(component, "fmi2DeSerializeFMUstate", "the saved state has another length than those of this FMU");
-    if (!*state)
-        *state = malloc(sizeof(wheelset_saved));
-    if (!*state)
-        return refuse(component, "fmi2DeSerializeFMUstate", "there is no memory");
-    memcpy(*state, bytes, size);
-    return fmi2OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_read_state(self->wheelset, bytes, size, state)) : fmi2Error;
 }
 
 /* --- what there is not ------------------------------------------------------------------------------------- */
@@ -401,3 +372,29 @@ fmi2Status fmi2GetStringStatus(fmi2Component component, const fmi2StatusKind kin
     (void)kind, (void)value;
     return refuse(component, "fmi2GetStringStatus", "a step is over when fmi2DoStep returns");
 }
+
+/* A function of model exchange. */
+#define NO_EXCHANGE(NAME, ...)                                                  \
+    fmi2Status NAME(fmi2Component component, __VA_ARGS__)                       \
+    {                                                                           \
+        return refuse(component, #NAME, "permitted is co-simulation only");     \
+    }
+
+fmi2Status fmi2EnterEventMode(fmi2Component component)
+{
+    return refuse(component, "fmi2EnterEventMode", "permitted is co-simulation only");
+}
+
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component)
+{
+    return refuse(component, "fmi2EnterContinuousTimeMode", "permitted is co-simulation only");
+}
+
+NO_EXCHANGE(fmi2NewDiscreteStates, fmi2EventInfo *events)
+NO_EXCHANGE(fmi2CompletedIntegratorStep, fmi2Boolean never_back, fmi2Boolean *event, fmi2Boolean *terminate)
+NO_EXCHANGE(fmi2SetTime, fmi2Real time)
+NO_EXCHANGE(fmi2SetContinuousStates, const fmi2Real states[], size_t n)
+NO_EXCHANGE(fmi2GetDerivatives, fmi2Real derivatives[], size_t n)
+NO_EXCHANGE(fmi2GetEventIndicators, fmi2Real indicators[], size_t n)
+NO_EXCHANGE(fmi2GetContinuousStates, fmi2Real states[], size_t n)
+NO_EXCHANGE(fmi2GetNominalsOfContinuousStates, fmi2Real nominals[], size_t n)

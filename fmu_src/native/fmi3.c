@@ -131,12 +131,7 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance component, fmi3Boolean toler
     (void)tolerance_defined, (void)tolerance;       /* an algebraic model */
     if (!self)
         return fmi3Error;
-    if (!isfinite(start) || (stop_defined && !(stop >= start)))
-        return refuse(self, "fmi3EnterInitializationMode", "permitted are a finite start and a stop after it");
-    if (wheelset_enter(self->wheelset))
-        return answer(self, 1);
-    self->wheelset->core.time = start;
-    return fmi3OK;
+    return answer(self, wheelset_experiment(self->wheelset, start, stop_defined, stop) || wheelset_enter(self->wheelset));
 }
 
 fmi3Status fmi3ExitInitializationMode(fmi3Instance component)
@@ -208,9 +203,11 @@ static const double *block_values(const instance *self, const model_block *block
     return core->values + MODEL_STATUS + (size_t)block->run * core->stations;
 }
 
-/* Whether a variable is of this type. */
-static int check_type(instance *self, const model_block *block, model_type type)
+/* Whether a variable is of this type; `reading`: and can be read. */
+static int check_type(instance *self, const model_block *block, model_type type, bool reading)
 {
+    if (block->first >= 0 && reading)
+        return wheelset_may_get(self->wheelset, (uint32_t)block->first, type);
     if (block->first >= 0)
         return wheelset_check(self->wheelset, (uint32_t)block->first, type);
     if (type == (block->first == BLOCK_TIME ? MODEL_REAL : MODEL_UNSIGNED))
@@ -219,9 +216,9 @@ static int check_type(instance *self, const model_block *block, model_type type)
                            block->first == BLOCK_TIME ? "time is of type Real" : "stations is of type UInt64");
 }
 
-/* Whether a list of variables can be read or written, all known and of this type, with as many values as they hold. */
+/* Whether a list of variables is known and of this type, with as many values as they hold; `reading`: and can be read. */
 static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
-                      size_t value_count, model_type type)
+                      size_t value_count, model_type type, bool reading)
 {
     size_t needed = 0;
     if (count > 0 && (!references || !values))
@@ -233,9 +230,10 @@ static int check_list(instance *self, const char *function, reference_list refer
         if (references[i] < 1 || references[i] > MODEL_BLOCKS)
             return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
                                    (unsigned long)references[i], MODEL_BLOCKS);
-        if (check_type(self, model_blocks + references[i], type))
+        const model_block *block = model_blocks + references[i];
+        if (check_type(self, block, type, reading))
             return 1;
-        needed += block_size(self, model_blocks + references[i]);
+        needed += block_size(self, block);
     }
     if (needed != value_count)
         return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
@@ -249,7 +247,8 @@ fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference refer
     instance *self = component;
     if (!self)
         return fmi3Error;
-    if (check_list(self, "fmi3GetFloat64", references, count, values, value_count, MODEL_REAL) || wheelset_refresh(self->wheelset))
+    if (check_list(self, "fmi3GetFloat64", references, count, values, value_count, MODEL_REAL, true)
+        || wheelset_refresh(self->wheelset))
         return answer(self, 1);
     for (size_t i = 0; i < count; i += 1)
     {
@@ -267,7 +266,8 @@ fmi3Status fmi3GetInt32(fmi3Instance component, const fmi3ValueReference referen
     instance *self = component;
     if (!self)
         return fmi3Error;
-    if (check_list(self, "fmi3GetInt32", references, count, values, value_count, MODEL_INTEGER) || wheelset_refresh(self->wheelset))
+    if (check_list(self, "fmi3GetInt32", references, count, values, value_count, MODEL_INTEGER, true)
+        || wheelset_refresh(self->wheelset))
         return answer(self, 1);
     for (size_t i = 0; i < count; i += 1)
         values[i] = wheelset_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
@@ -280,7 +280,7 @@ fmi3Status fmi3GetUInt64(fmi3Instance component, const fmi3ValueReference refere
     instance *self = component;
     if (!self)
         return fmi3Error;
-    if (check_list(self, "fmi3GetUInt64", references, count, values, value_count, MODEL_UNSIGNED))
+    if (check_list(self, "fmi3GetUInt64", references, count, values, value_count, MODEL_UNSIGNED, true))
         return answer(self, 1);
     for (size_t i = 0; i < count; i += 1)
         values[i] = self->wheelset->core.stations;
@@ -293,7 +293,7 @@ fmi3Status fmi3GetString(fmi3Instance component, const fmi3ValueReference refere
     instance *self = component;
     if (!self)
         return fmi3Error;
-    if (check_list(self, "fmi3GetString", references, count, values, value_count, MODEL_STRING))
+    if (check_list(self, "fmi3GetString", references, count, values, value_count, MODEL_STRING, true))
         return answer(self, 1);
     for (size_t i = 0; i < count; i += 1)
         values[i] = self->wheelset->core.text[model_variables[model_blocks[references[i]].first].slot];
@@ -306,15 +306,15 @@ fmi3Status fmi3SetFloat64(fmi3Instance component, const fmi3ValueReference refer
     instance *self = component;
     if (!self)
         return fmi3Error;
-    int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL);
-    for (size_t i = 0; i < count && !refused; i += 1)
+    int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL, false);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* arrays are outputs, which the first of their values tells */
     {
-        const model_block *block = model_blocks + references[i];    /* one value: arrays are outputs, which are refused */
-        if (block->first == BLOCK_TIME)
-            refused = wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set");
-        else
-            refused = wheelset_set_real(self->wheelset, (uint32_t)block->first, values[i]);
+        const int first = model_blocks[references[i]].first;
+        refused = first == BLOCK_TIME ? wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set")
+                                      : wheelset_may_set_real(self->wheelset, (uint32_t)first, values[i]);
     }
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_real(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
     return answer(self, refused);
 }
 
@@ -324,9 +324,9 @@ fmi3Status fmi3SetInt32(fmi3Instance component, const fmi3ValueReference referen
     instance *self = component;
     if (!self)
         return fmi3Error;
-    int refused = check_list(self, "fmi3SetInt32", references, count, values, value_count, MODEL_INTEGER);
+    int refused = check_list(self, "fmi3SetInt32", references, count, values, value_count, MODEL_INTEGER, false);
     for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_set_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
+        refused = wheelset_may_set_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
     return answer(self, refused);
 }
 
@@ -336,7 +336,7 @@ fmi3Status fmi3SetUInt64(fmi3Instance component, const fmi3ValueReference refere
     instance *self = component;
     if (!self)
         return fmi3Error;
-    int refused = check_list(self, "fmi3SetUInt64", references, count, values, value_count, MODEL_UNSIGNED);
+    int refused = check_list(self, "fmi3SetUInt64", references, count, values, value_count, MODEL_UNSIGNED, false);
     for (size_t i = 0; i < count && !refused; i += 1)
         refused = wheelset_set_stations(self->wheelset, values[i]);
     return answer(self, refused);
@@ -348,9 +348,11 @@ fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference refere
     instance *self = component;
     if (!self)
         return fmi3Error;
-    int refused = check_list(self, "fmi3SetString", references, count, values, value_count, MODEL_STRING);
+    int refused = check_list(self, "fmi3SetString", references, count, values, value_count, MODEL_STRING, false);
     for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
+        refused = wheelset_may_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
     return answer(self, refused);
 }
 
@@ -359,70 +361,37 @@ fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference refere
 fmi3Status fmi3GetFMUState(fmi3Instance component, fmi3FMUState *state)
 {
     instance *self = component;
-    if (!self)
-        return fmi3Error;
-    if (!state)
-        return refuse(self, "fmi3GetFMUState", "FMUState is a NULL pointer");
-    if (!*state)
-        *state = malloc(sizeof(wheelset_saved));
-    if (!*state)
-        return refuse(self, "fmi3GetFMUState", "there is no memory");
-    wheelset_save(self->wheelset, *state);
-    return fmi3OK;
+    return self ? answer(self, wheelset_save_state(self->wheelset, state)) : fmi3Error;
 }
 
 fmi3Status fmi3SetFMUState(fmi3Instance component, fmi3FMUState state)
 {
     instance *self = component;
-    if (!self)
-        return fmi3Error;
-    if (!state)
-        return refuse(self, "fmi3SetFMUState", "FMUState is a NULL pointer");
-    return answer(self, wheelset_restore(self->wheelset, state, sizeof(wheelset_saved)));
+    return self ? answer(self, wheelset_restore_state(self->wheelset, state)) : fmi3Error;
 }
 
 fmi3Status fmi3FreeFMUState(fmi3Instance component, fmi3FMUState *state)
 {
-    if (!component)
-        return fmi3Error;
-    if (state)
-    {
-        free(*state);
-        *state = NULL;
-    }
-    return fmi3OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_free_state(self->wheelset, state)) : fmi3Error;
 }
 
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance component, fmi3FMUState state, size_t *size)
 {
-    if (!component || !state || !size)
-        return refuse(component, "fmi3SerializedFMUStateSize", "FMUState or size is a NULL pointer");
-    *size = sizeof(wheelset_saved);
-    return fmi3OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_state_size(self->wheelset, state, size)) : fmi3Error;
 }
 
 fmi3Status fmi3SerializeFMUState(fmi3Instance component, fmi3FMUState state, fmi3Byte bytes[], size_t size)
 {
-    if (!component || !state || !bytes)
-        return refuse(component, "fmi3SerializeFMUState", "FMUState or serializedState is a NULL pointer");
-    if (size < sizeof(wheelset_saved))
-        return refuse(component, "fmi3SerializeFMUState", "the array is too short; ask fmi3SerializedFMUStateSize");
-    memcpy(bytes, state, sizeof(wheelset_saved));
-    return fmi3OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_write_state(self->wheelset, state, bytes, size)) : fmi3Error;
 }
 
 fmi3Status fmi3DeserializeFMUState(fmi3Instance component, const fmi3Byte bytes[], size_t size, fmi3FMUState *state)
 {
-    if (!component || !state || (!bytes && size > 0))
-        return refuse(component, "fmi3DeserializeFMUState", "FMUState or serializedState is a NULL pointer");
-    if (size != sizeof(wheelset_saved))
-        return refuse(component, "fmi3DeserializeFMUState", "the saved state has another length than those of this FMU");
-    if (!*state)
-        *state = malloc(sizeof(wheelset_saved));
-    if (!*state)
-        return refuse(component, "fmi3DeserializeFMUState", "there is no memory");
-    memcpy(*state, bytes, size);
-    return fmi3OK;
+    instance *self = component;
+    return self ? answer(self, wheelset_read_state(self->wheelset, bytes, size, state)) : fmi3Error;
 }
 
 /* --- what there is not ------------------------------------------------------------------------------------- */
@@ -456,6 +425,12 @@ NO_VALUES(Boolean, fmi3Boolean)
     {                                                               \
         return refuse(self, #NAME, REASON);                         \
     }
+/* The same for a list of `n` values, of which there may be none. */
+#define NO_LIST(NAME, REASON, ...)                                  \
+    fmi3Status NAME(fmi3Instance self, __VA_ARGS__)                 \
+    {                                                               \
+        return self && n == 0 ? fmi3OK : refuse(self, #NAME, REASON); \
+    }
 #define NO_MODE(NAME, REASON)                                       \
     fmi3Status NAME(fmi3Instance self)                              \
     {                                                               \
@@ -467,10 +442,10 @@ NO_VALUES(Boolean, fmi3Boolean)
 #define EVENTLESS "there is no event mode"
 #define NO_EXCHANGE "permitted is co-simulation only"
 
-NOT_HERE(fmi3GetBinary, TYPELESS, reference_list r, size_t n, size_t sizes[], fmi3Binary values[], size_t m)
-NOT_HERE(fmi3SetBinary, TYPELESS, reference_list r, size_t n, const size_t sizes[], const fmi3Binary values[], size_t m)
-NOT_HERE(fmi3GetClock, CLOCKLESS, reference_list r, size_t n, fmi3Clock values[])
-NOT_HERE(fmi3SetClock, CLOCKLESS, reference_list r, size_t n, const fmi3Clock values[])
+NO_LIST(fmi3GetBinary, TYPELESS, reference_list r, size_t n, size_t sizes[], fmi3Binary values[], size_t m)
+NO_LIST(fmi3SetBinary, TYPELESS, reference_list r, size_t n, const size_t sizes[], const fmi3Binary values[], size_t m)
+NO_LIST(fmi3GetClock, CLOCKLESS, reference_list r, size_t n, fmi3Clock values[])
+NO_LIST(fmi3SetClock, CLOCKLESS, reference_list r, size_t n, const fmi3Clock values[])
 NOT_HERE(fmi3GetIntervalDecimal, CLOCKLESS, reference_list r, size_t n, fmi3Float64 i[], fmi3IntervalQualifier q[])
 NOT_HERE(fmi3GetIntervalFraction, CLOCKLESS, reference_list r, size_t n, fmi3UInt64 c[], fmi3UInt64 d[],
          fmi3IntervalQualifier q[])

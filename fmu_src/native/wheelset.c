@@ -9,8 +9,9 @@
 #include "kernel/generated/layout.h"
 #include "kernel/generated/prepare_tables.h"
 
-static const char FORMAT[16] = "wrcontact 1";
+static const char FORMAT[16] = "wrcontact 2", TOKEN[48] = MODEL_TOKEN;
 static const char KEPT[] = "the outputs keep their last valid values";
+static const double ROUNDING = 1e-9;     /* of a time that a host has added up over many steps, relative */
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000, OUTPUT_ROOM = MODEL_STATUS + MODEL_OUTLINES - MODEL_FIRST_OUTPUT };
 
 /* --- sentences ------------------------------------------------------------------------------------ */
@@ -336,6 +337,12 @@ wheelset *wheelset_new(wheelset_tell *tell, void *owner)
 
 void wheelset_free(wheelset *self)
 {
+    while (self->states)
+    {
+        wheelset_state *next = self->states->next;
+        free(self->states);
+        self->states = next;
+    }
     free(self->tables);
     free(self->workspace);
     free(self);
@@ -354,6 +361,22 @@ void wheelset_reset(wheelset *self)
     self->core.stations = MODEL_STATIONS;
     self->core.phase = PHASE_INSTANTIATED;
     self->core.stale = 1;
+    self->core.stop = INFINITY;
+}
+
+int wheelset_experiment(wheelset *self, double start, bool stops, double stop)
+{
+    char first[40], last[40];
+    if (self->core.phase != PHASE_INSTANTIATED)
+        return wheelset_refuse(self, "initialisation comes once, with startTime and stopTime, after instantiation or a "
+                               "reset");
+    if (!isfinite(start) || (stops && !(stop >= start)))
+        return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite start and a stop not "
+                               "before it", shortest(start, first, sizeof first),
+                               shortest(stops ? stop : INFINITY, last, sizeof last));
+    self->core.time = start;
+    self->core.stop = stops ? stop : INFINITY;
+    return 0;
 }
 
 int wheelset_configure(wheelset *self)
@@ -419,6 +442,16 @@ int wheelset_check(wheelset *self, uint32_t reference, model_type type)
     return 0;
 }
 
+int wheelset_may_get(wheelset *self, uint32_t reference, model_type type)
+{
+    if (wheelset_check(self, reference, type))
+        return 1;
+    if (model_variables[reference].causality == MODEL_OUTPUT && self->core.phase == PHASE_INSTANTIATED)
+        return wheelset_refuse(self, "%s is an output and cannot be read before the initialisation",
+                               model_variables[reference].name);
+    return 0;
+}
+
 /* Whether a variable can be set at all. */
 static int check_settable(wheelset *self, const model_variable *variable)
 {
@@ -429,24 +462,21 @@ static int check_settable(wheelset *self, const model_variable *variable)
     return 0;
 }
 
-int wheelset_set_real(wheelset *self, uint32_t reference, double value)
+int wheelset_may_set_real(wheelset *self, uint32_t reference, double value)
 {
     char present[40], wanted[40];
     if (wheelset_check(self, reference, MODEL_REAL) || check_settable(self, model_variables + reference))
         return 1;
-    if (self->core.values[reference] == value)
-        return 0;
-    if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked)
+    if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked
+        && self->core.values[reference] != value)
         return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s",
                                model_variables[reference].name,
                                shortest(self->core.values[reference], present, sizeof present),
                                shortest(value, wanted, sizeof wanted));
-    self->core.values[reference] = value;
-    self->core.stale = 1;
     return 0;
 }
 
-int wheelset_set_string(wheelset *self, uint32_t reference, const char *value)
+int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *value)
 {
     char present[2 * MODEL_TEXT], wanted[2 * MODEL_TEXT];
     if (wheelset_check(self, reference, MODEL_STRING) || check_settable(self, model_variables + reference))
@@ -457,19 +487,32 @@ int wheelset_set_string(wheelset *self, uint32_t reference, const char *value)
     if (strlen(value) >= MODEL_TEXT)
         return wheelset_refuse(self, "%s has %lu bytes; permitted are at most %d", variable->name, (unsigned long)strlen(value),
                                MODEL_TEXT - 1);
-    char *held = self->core.text[variable->slot];
-    if (strcmp(held, value) == 0)
-        return 0;
-    if (self->core.locked)
+    const char *held = self->core.text[variable->slot];
+    if (self->core.locked && strcmp(held, value) != 0)
         return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s", variable->name,
                                quoted(held, present, sizeof present), quoted(value, wanted, sizeof wanted));
-    memset(held, 0, MODEL_TEXT);
-    memcpy(held, value, strlen(value));
-    self->core.stale = 1;
     return 0;
 }
 
-int wheelset_set_integer(wheelset *self, uint32_t reference)
+void wheelset_set_real(wheelset *self, uint32_t reference, double value)
+{
+    if (self->core.values[reference] == value)
+        return;
+    self->core.values[reference] = value;
+    self->core.stale = 1;
+}
+
+void wheelset_set_string(wheelset *self, uint32_t reference, const char *value)
+{
+    char *held = self->core.text[model_variables[reference].slot];
+    if (strcmp(held, value) == 0)
+        return;
+    memset(held, 0, MODEL_TEXT);
+    memcpy(held, value, strlen(value));
+    self->core.stale = 1;
+}
+
+int wheelset_may_set_integer(wheelset *self, uint32_t reference)
 {
     return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
 }
@@ -520,13 +563,17 @@ int wheelset_refresh(wheelset *self)
 
 int wheelset_step(wheelset *self, double time, double size)
 {
-    char first[40], second[40];
+    char first[40], second[40], third[40];
     if (self->core.phase != PHASE_RUNNING)
         return wheelset_refuse(self, "the wheelset cannot step: it %s", self->core.phase == PHASE_TERMINATED
                                ? "has been terminated" : "has not been initialised");
-    if (!isfinite(time) || !isfinite(size) || size < 0.0)
+    if (!isfinite(time) || !isfinite(time + size) || size < 0.0)
         return wheelset_refuse(self, "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
                                shortest(size, first, sizeof first), shortest(time, second, sizeof second));
+    if (time + size > self->core.stop + 1e-6 * size + ROUNDING * fabs(self->core.stop))
+        return wheelset_refuse(self, "a step of %s s at %s s ends after the stopTime %s s; permitted are steps up to it",
+                               shortest(size, first, sizeof first), shortest(time, second, sizeof second),
+                               shortest(self->core.stop, third, sizeof third));
     wheelset_refresh(self);
     if (self->core.status != 0.0 && !self->core.told)
         tell_status(self);
@@ -547,28 +594,34 @@ static uint64_t checksum(const void *bytes, size_t size)
     return hash;
 }
 
-void wheelset_save(const wheelset *self, wheelset_saved *saved)
+static void save(const wheelset *self, wheelset_saved *saved)
 {
     memset(saved, 0, sizeof *saved);
     memcpy(saved->format, FORMAT, sizeof FORMAT);
-    memcpy(saved->token, MODEL_TOKEN, strlen(MODEL_TOKEN));
+    memcpy(saved->token, TOKEN, sizeof TOKEN);
     saved->size = sizeof *saved;
     saved->core = self->core;
     memcpy(saved->core.known, self->workspace, sizeof saved->core.known);
     saved->checksum = checksum(&saved->core, sizeof saved->core);
 }
 
-int wheelset_restore(wheelset *self, const wheelset_saved *saved, size_t size)
+/* Whether these bytes are a saved state of this FMU. */
+static int check_saved(wheelset *self, const wheelset_saved *saved, size_t size)
 {
     if (size < sizeof saved->format || memcmp(saved->format, FORMAT, sizeof FORMAT) != 0)
         return wheelset_refuse(self, "the saved state is not one of this version; the present state is kept");
-    if (size != sizeof *saved || saved->size != sizeof *saved)
+    if (size != sizeof *saved)
         return wheelset_refuse(self, "the saved state holds %lu bytes, expected are %lu; the present state is kept",
                                (unsigned long)size, (unsigned long)sizeof *saved);
-    if (saved->checksum != checksum(&saved->core, sizeof saved->core))
+    if (saved->size != sizeof *saved || saved->checksum != checksum(&saved->core, sizeof saved->core))
         return wheelset_refuse(self, "the saved state is damaged (its checksum differs); the present state is kept");
-    if (memcmp(saved->token, MODEL_TOKEN, sizeof MODEL_TOKEN) != 0)
+    if (memcmp(saved->token, TOKEN, sizeof TOKEN) != 0)
         return wheelset_refuse(self, "the saved state comes from another FMU; the present state is kept");
+    return 0;
+}
+
+static int restore(wheelset *self, const wheelset_saved *saved)
+{
     wheelset_core before = self->core;
     self->core = saved->core;
     if (self->core.built && build(self))
@@ -583,5 +636,105 @@ int wheelset_restore(wheelset *self, const wheelset_saved *saved, size_t size)
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
     memcpy(self->workspace, saved->core.known, sizeof saved->core.known);
     memcpy(self->workspace + MODEL_KNOWN, saved->core.values + MODEL_FIRST_OUTPUT, OUTPUT_ROOM * sizeof(double));
+    return 0;
+}
+
+/* The link to a state in the list, or to the list's end. */
+static wheelset_state **find_state(wheelset *self, const void *state)
+{
+    wheelset_state **link = &self->states;
+    while (*link && *link != state)
+        link = &(*link)->next;
+    return link;
+}
+
+static int check_state(wheelset *self, const void *state)
+{
+    if (!state)
+        return wheelset_refuse(self, "the saved state is a NULL pointer; permitted are states of this instance");
+    if (!*find_state(self, state))
+        return wheelset_refuse(self, "the saved state is not one of this instance; it has been freed, or is another's");
+    return 0;
+}
+
+/* A place in the list. */
+static int new_state(wheelset *self, void **state)
+{
+    wheelset_state *made = calloc(1, sizeof *made);
+    if (!made)
+        return wheelset_refuse(self, "there is no memory for a saved state");
+    made->next = self->states;
+    self->states = *state = made;
+    return 0;
+}
+
+int wheelset_save_state(wheelset *self, void **state)
+{
+    if (!state)
+        return wheelset_refuse(self, "the place for the saved state is a NULL pointer");
+    if (*state ? check_state(self, *state) : new_state(self, state))
+        return 1;
+    save(self, &((wheelset_state *)*state)->saved);
+    return 0;
+}
+
+int wheelset_restore_state(wheelset *self, const void *state)
+{
+    return check_state(self, state) || restore(self, &((const wheelset_state *)state)->saved);
+}
+
+int wheelset_free_state(wheelset *self, void **state)
+{
+    if (!state || !*state)
+        return 0;
+    if (check_state(self, *state))
+        return 1;
+    wheelset_state **link = find_state(self, *state), *found = *link;
+    *link = found->next;
+    free(found);
+    *state = NULL;
+    return 0;
+}
+
+int wheelset_state_size(wheelset *self, const void *state, size_t *size)
+{
+    if (check_state(self, state))
+        return 1;
+    if (!size)
+        return wheelset_refuse(self, "the place for the saved state's size is a NULL pointer");
+    *size = sizeof(wheelset_saved);
+    return 0;
+}
+
+int wheelset_write_state(wheelset *self, const void *state, void *bytes, size_t size)
+{
+    if (check_state(self, state))
+        return 1;
+    if (!bytes)
+        return wheelset_refuse(self, "the place for the saved state's bytes is a NULL pointer");
+    if (size < sizeof(wheelset_saved))
+        return wheelset_refuse(self, "the saved state has %lu bytes, its place %lu; permitted are places that hold it",
+                               (unsigned long)sizeof(wheelset_saved), (unsigned long)size);
+    memcpy(bytes, &((const wheelset_state *)state)->saved, sizeof(wheelset_saved));
+    return 0;
+}
+
+int wheelset_read_state(wheelset *self, const void *bytes, size_t size, void **state)
+{
+    void *made = NULL;
+    if (!state || !bytes)
+        return wheelset_refuse(self, "the saved state's %s a NULL pointer", bytes ? "place is" : "bytes are");
+    if (new_state(self, &made))
+        return 1;
+    wheelset_saved *saved = &((wheelset_state *)made)->saved;
+    memcpy(saved, bytes, size < sizeof *saved ? size : sizeof *saved);
+    if (check_saved(self, saved, size))
+        return wheelset_free_state(self, &made), 1;
+    if (*state && *find_state(self, *state))
+    {
+        ((wheelset_state *)*state)->saved = *saved;
+        return wheelset_free_state(self, &made);
+    }
+    *state = made;
     return 0;
 }

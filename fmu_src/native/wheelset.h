@@ -1,7 +1,8 @@
 /* The life cycle of one simulated wheelset, free of FMI: what wrcontact/interface/session.py is in Python.
  *
  * Functions that can be refused return 0 when they did what they were asked, and otherwise 1 with the reason in `sentence`;
- * then nothing has changed.  Memory is allocated by wheelset_new and by the preparation at initialisation, and nowhere else.
+ * then nothing has changed.  Memory is allocated by wheelset_new, by the preparation at initialisation and
+ * for saved states, and nowhere else.
  */
 #ifndef WHEELSET_H
 #define WHEELSET_H
@@ -23,6 +24,7 @@ typedef struct {
     double memory[MODEL_MEMORY];            /* the kernel's state */
     double known[MODEL_KNOWN];              /* the inputs evaluated last, and whether the outputs are theirs */
     double time;
+    double stop;                            /* no step goes beyond it */
     char text[MODEL_STRINGS][MODEL_TEXT];   /* the Strings */
     int32_t phase;
     int32_t built;                          /* the tables belong to the parameters as last initialised */
@@ -41,6 +43,12 @@ typedef struct {
     wheelset_core core;
 } wheelset_saved;
 
+/* A saved state of an instance: what the host holds a pointer to.  A pointer that is not in the list is never followed. */
+typedef struct wheelset_state {
+    struct wheelset_state *next;
+    wheelset_saved saved;
+} wheelset_state;
+
 typedef void wheelset_tell(void *owner, const char *sentence);
 
 typedef struct {
@@ -52,6 +60,7 @@ typedef struct {
     double *workspace;
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */
     char built_text[MODEL_STRINGS][MODEL_TEXT];
+    wheelset_state *states;                 /* those that the host has not freed */
     char sentence[MODEL_SENTENCE];
 } wheelset;
 
@@ -62,12 +71,16 @@ void wheelset_reset(wheelset *self);
 int wheelset_refuse(wheelset *self, const char *format, ...);   /* 1, with this sentence */
 int wheelset_check(wheelset *self, uint32_t reference, model_type type);
 
-int wheelset_set_real(wheelset *self, uint32_t reference, double value);
-int wheelset_set_string(wheelset *self, uint32_t reference, const char *value);
-int wheelset_set_integer(wheelset *self, uint32_t reference);   /* none can be set */
+int wheelset_may_set_real(wheelset *self, uint32_t reference, double value);
+int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *value);
+int wheelset_may_set_integer(wheelset *self, uint32_t reference);       /* none can be set */
+int wheelset_may_get(wheelset *self, uint32_t reference, model_type type);
+void wheelset_set_real(wheelset *self, uint32_t reference, double value);
+void wheelset_set_string(wheelset *self, uint32_t reference, const char *value);
 int32_t wheelset_integer(const wheelset *self, uint32_t reference);
 int wheelset_refresh(wheelset *self);                           /* bring the outputs up to date, before they are read */
 
+int wheelset_experiment(wheelset *self, double start, bool stops, double stop);        /* where the steps begin and end */
 int wheelset_configure(wheelset *self);                         /* configuration mode, in which stations can be set */
 int wheelset_set_stations(wheelset *self, uint64_t stations);
 int wheelset_configured(wheelset *self);                        /* and out of it */
@@ -76,7 +89,12 @@ int wheelset_exit(wheelset *self);                              /* and out of it
 int wheelset_step(wheelset *self, double time, double size);
 int wheelset_terminate(wheelset *self);
 
-void wheelset_save(const wheelset *self, wheelset_saved *saved);
-int wheelset_restore(wheelset *self, const wheelset_saved *saved, size_t size);
+/* The host's pointers to states; a new one is made where `*state` is NULL, and for bytes also where it is unknown. */
+int wheelset_save_state(wheelset *self, void **state);
+int wheelset_restore_state(wheelset *self, const void *state);
+int wheelset_free_state(wheelset *self, void **state);
+int wheelset_state_size(wheelset *self, const void *state, size_t *size);
+int wheelset_write_state(wheelset *self, const void *state, void *bytes, size_t size);
+int wheelset_read_state(wheelset *self, const void *bytes, size_t size, void **state);
 
 #endif

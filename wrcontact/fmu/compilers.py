@@ -1,17 +1,19 @@
 """C compilers for the native FMU: the machine's own, or ziglang, which builds for other machines too."""
 
+import hashlib
 import importlib.util
 import os
 import platform
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 #: No fused a*b + c: the results are those of the kernel's Python source, to the last bit.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
-         "-DWRCONTACT_EXPORT=", "-shared")
+         "-DWRCONTACT_EXPORT=")
 
 
 @dataclass(frozen=True)
@@ -48,25 +50,48 @@ def host_platform():
 
 
 def compile_platform(name, folder, sources, identifier, cache):
-    """The library for a platform as bytes, from ``sources`` in ``folder``; zig keeps what it made in ``cache``.
+    """The library for a platform as bytes, from ``sources`` in ``folder``.
 
-    The machine's own platform is compiled by its own compiler where no ziglang is installed.
+    Compiled sources are kept in ``cache``: those in a folder of their own, as the kernel's, include nothing else, and are
+    the same in every version of FMI.  The machine's own platform is compiled by its own compiler where no ziglang is installed.
     """
     if name not in PLATFORMS:
         raise CompilerProblem(f"platform is {name!r}; permitted are {', '.join(PLATFORMS)}")
     chosen = PLATFORMS[name]
-    command = compiler_for(chosen)
-    flags = [*FLAGS, *chosen.flags]
-    if chosen.suffix == ".dylib":
-        flags.append(f"-Wl,-install_name,@rpath/{identifier}.dylib")
+    command, cache = [*compiler_for(chosen), *FLAGS, *chosen.flags], Path(cache)
+    cache.mkdir(parents=True, exist_ok=True)
+
+    def run(*arguments):
+        done = subprocess.run([*command, *arguments], cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              env={**os.environ, "ZIG_LOCAL_CACHE_DIR": str(cache), "ZIG_GLOBAL_CACHE_DIR": str(cache)})
+        if done.returncode:
+            raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{done.stdout}")
+
+    def compiled(source):
+        kept = cache / f"{digest(command, folder, source)}.o"
+        if not kept.exists():
+            part = kept.with_suffix(f".{os.getpid()}.part.o")
+            run("-c", source, "-o", str(part))
+            part.replace(kept)
+        return str(kept)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        objects = list(pool.map(compiled, sources))
     output = Path(folder, identifier + chosen.suffix)
-    run = subprocess.run([*command, *flags, *sources, "-o", output.name, *([] if chosen.suffix == ".dll" else ["-lm"])],
-                         cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                         stderr=subprocess.STDOUT,
-                         env={**os.environ, "ZIG_LOCAL_CACHE_DIR": str(cache), "ZIG_GLOBAL_CACHE_DIR": str(cache)})
-    if run.returncode:
-        raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{run.stdout}")
+    install_name = [f"-Wl,-install_name,@rpath/{identifier}.dylib"] if chosen.suffix == ".dylib" else []
+    run("-shared", *install_name, *objects, "-o", output.name, *([] if chosen.suffix == ".dll" else ["-lm"]))
     return output.read_bytes()
+
+
+def digest(command, folder, source):
+    """A name for the compiled ``source``: of the command, and of all files that it can include."""
+    top = Path(folder, Path(source).parts[0])
+    files = top.rglob("*.[ch]") if top.is_dir() else Path(folder).rglob("*.[ch]")
+    found = hashlib.sha256(repr((command, source)).encode())
+    for file in sorted(files):
+        found.update(f"{file.name}\0{file.stat().st_size}\0".encode() + file.read_bytes())
+    return found.hexdigest()
 
 
 def compiler_for(chosen):

@@ -23,7 +23,7 @@ HEADERS = {2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
 DESCRIPTIONS = {2: description.model_description, 3: description3.model_description}
 
 
-def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None):
+def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None):
     """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return their paths.
 
     Parameters
@@ -31,6 +31,7 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None):
     output : folder of the FMUs; made if it is not there.
     wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
     platforms : names of :data:`~wrcontact.fmu.compilers.PLATFORMS`; None is this machine's.
+    cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
 
     Raises
     ------
@@ -39,7 +40,8 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None):
     """
     starts, profiles = packed_profiles(wheel_profile=wheel, rail_profile=rail)
     with tempfile.TemporaryDirectory() as folder:
-        made = {version: native_fmu(version, starts, profiles, platforms or [host_platform()], folder) for version in HEADERS}
+        platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
+        made = {version: native_fmu(version, starts, profiles, platforms, folder, cache) for version in HEADERS}
     targets = []
     for version, data in made.items():
         targets.append(Path(output, f"{MODEL}_native_fmi{version}.fmu"))
@@ -57,11 +59,11 @@ def packed_profiles(**chosen):
     return starts, {**profiles, **{name: own[parameter] for parameter, name in starts.items()}}
 
 
-def native_fmu(version, starts, profiles, platforms, folder):
-    """The archive of one version of FMI as bytes; ``folder`` is for scratch."""
+def native_fmu(version, starts, profiles, platforms, folder, cache):
+    """The archive of one version of FMI as bytes; ``folder`` is for scratch, ``cache`` for compiled sources."""
     entries = uncompiled(version, starts, profiles, platforms)
     contents = {name.removeprefix("sources/"): content for name, content in entries.items() if name.startswith("sources/")}
-    for platform, library in libraries(contents, compiled_units(version), platforms, folder).items():
+    for platform, library in libraries(contents, compiled_units(version), platforms, folder, cache).items():
         place = PLATFORMS[platform]
         entries[f"binaries/{place.fmi2 if version == 2 else place.name}/{MODEL}{place.suffix}"] = library
     data = archive(entries)
@@ -120,11 +122,11 @@ def compiled_units(version):
     return [f"fmi{version}.c", "wheelset.c", "model.c", "kernel/native/wrcontact_kernel.c", "kernel/native/wrcontact_prepare.c"]
 
 
-def libraries(contents, units, platforms, folder):
+def libraries(contents, units, platforms, folder, cache):
     """The library of each platform as bytes, made in a scratch folder of its own inside ``folder``."""
     place = Path(tempfile.mkdtemp(dir=folder))
     write_sources(contents, place)
-    return {platform: compile_platform(platform, place, units, MODEL, cache=Path(folder, "cache")) for platform in platforms}
+    return {platform: compile_platform(platform, place, units, MODEL, cache) for platform in platforms}
 
 
 def write_sources(contents, folder):

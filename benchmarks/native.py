@@ -1,0 +1,83 @@
+"""What a step of the native FMUs costs from a C host on the hunting run: set five inputs, step, get all Real outputs.
+
+    python -m benchmarks.native [FMU ...]
+
+Without an argument the FMUs are built into a temporary folder.  The host is tests/native_host.c, compiled by the system's
+``cc`` against the archive alone; the errors are those of the same run's values against the half-space.
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+from wrcontact import ContactSystem
+from wrcontact.fmu.compilers import PLATFORMS, host_platform
+
+from . import errors, machine, runs
+from .fmu_step import MOVED
+from .table import figure, markdown, percent
+
+HOST = runs.TESTS / "native_host.c"
+ROUNDS = 5
+TARGET = 12.5   # units
+
+
+def main(fmus=()):
+    with tempfile.TemporaryDirectory() as folder:
+        if not fmus:
+            from wrcontact.fmu.native import build_native_fmus
+
+            fmus = build_native_fmus(folder)
+        found = errors.hunting(ContactSystem())
+        rows = []
+        for number, fmu in enumerate(fmus):
+            version, cost = cost_of(fmu, Path(folder, str(number)))
+            figures = figure(cost.units), figure(cost.microseconds), percent(found.mean), percent(found.worst)
+            rows.append([f"FMI {version}.0", *figures])
+    print(markdown("Native FMUs from a C host, hunting with yaw: 5 inputs in, step, all outputs out",
+                   ["", "units", "µs", "error, mean", "error, worst"], rows))
+    print(f"Errors in % of penetration / area / peak pressure. Target: {TARGET} units.")
+    print(machine.description())
+
+
+def cost_of(fmu, folder):
+    """Version of FMI, and :class:`~benchmarks.machine.Cost` of a step; ``folder`` is for scratch."""
+    with zipfile.ZipFile(fmu) as archive:
+        version = 3 if "sources/buildDescription.xml" in archive.namelist() else 2
+    host, file = native_host(fmu, version, folder), folder / "rows.txt"
+    run = runs.stored(runs.HUNTING)
+    count = len(run["lateral_shift"])
+    file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED} for k in range(count)]))
+    best = None
+    for _ in range(ROUNDS):     # the unit in turn with the work
+        done = subprocess.run([str(host), "cost", str(file)], text=True, capture_output=True, check=True)
+        seconds = 1e-6 * json.loads(done.stdout)["microseconds"]
+        best = machine.Cost(seconds, seconds / machine.unit()).least(best)
+    return version, best
+
+
+def rows_text(rows):
+    """Rows of inputs as native_host reads them."""
+    return "".join(" ".join(repr(float(row[name])) for name in MOVED) + "\n" for row in rows)
+
+
+def native_host(fmu, version, folder):
+    """The program native_host, compiled with the headers and linked with the library in an FMU, unpacked into ``folder``."""
+    with zipfile.ZipFile(fmu) as archive:
+        archive.extractall(folder)
+    place = PLATFORMS[host_platform()]
+    binaries = Path(folder, "binaries", place.fmi2 if version == 2 else place.name).resolve()
+    library = binaries / f"WheelsetContact{place.suffix}"
+    sources = Path(folder, "sources")
+    shutil.copy(HOST, sources)
+    subprocess.run(["cc", "-std=gnu11", "-O2", f"-DFMI={version}", "-DINTERPOSE", HOST.name, "model.c", str(library),
+                    f"-Wl,-rpath,{binaries}", "-o", "native_host", "-lm", "-pthread"], cwd=sources, check=True)
+    return sources / "native_host"
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
