@@ -18,12 +18,12 @@ from pathlib import Path
 import pythonfmu
 
 from .. import ContactSystem, __version__
+from ..kernel.platforms import PLATFORMS
 from ..profiles.files import prepared_text
 from . import SOURCES
-from .compilers import PLATFORMS
 from .description import MODEL, model_description
 from .documentation import documentation_page
-from .online import PACKAGE, online_files
+from .online import PACKAGE, kernel_libraries, online_files
 
 SLAVE = "wheelset_contact"
 #: The package's ``__init__`` in an FMU.
@@ -89,7 +89,7 @@ def runtime():
 def package(starts):
     """What wrcontact needs online, with the start values of this FMU."""
     made = {"__init__.py": LOADER, "interface/starts.py": f"STARTS = {starts!r}\n".encode()}
-    return {f"resources/wrcontact/{name}": content for name, content in {**online_files(), **made}.items()}
+    return {f"resources/wrcontact/{name}": content for name, content in {**online_files(), **kernel_libraries(), **made}.items()}
 
 
 def documentation(starts):
