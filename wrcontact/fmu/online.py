@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from ..kernel.library import HERE, LibraryUnusable, open_library
-from ..kernel.platforms import LIBRARY_NAME, PLATFORMS, library_name
+from ..kernel.platforms import LIBRARY_NAME, library_name
 from .compilers import CompilerProblem, compile_kernel, has_zig
 
 PACKAGE = Path(__file__).resolve().parent.parent
@@ -20,16 +20,16 @@ def online_files():
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 
-def kernel_libraries():
-    """Contents of the kernel's libraries by their path in the package: for every platform of the table where ziglang is
-    installed, and for this machine's; with a warning where there are none."""
+def kernel_libraries(platforms):
+    """Contents of the kernel's libraries by their path in the package: where ziglang is installed for each of ``platforms``,
+    and for this machine; with a warning where there are none."""
     made = {}
     try:
         if has_zig():
-            print("compiling the kernel for all platforms, at the first time for some minutes", file=sys.stderr)
-            made = {library_name(name): compile_kernel(name) for name in PLATFORMS}
+            print(f"compiling the kernel for {', '.join(platforms)}; the first time takes a minute or two", file=sys.stderr)
+            made = {library_name(name): compile_kernel(name) for name in platforms}
     except CompilerProblem as problem:
-        print(f"WARNING: the FMU gets no compiled kernels for other machines: {problem}", file=sys.stderr)
+        print(f"WARNING: the FMU gets no compiled kernel for other machines: {problem}", file=sys.stderr)
     try:
         if LIBRARY_NAME not in made:
             open_library()
