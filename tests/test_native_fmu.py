@@ -1,7 +1,6 @@
 """The native FMUs as an importer sees them, each in a fresh process, against the package."""
 
 import ctypes
-import importlib.util
 import json
 import math
 import re
@@ -14,6 +13,7 @@ import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
 
+import fmpy
 import numpy as np
 import pytest
 from fmpy import read_model_description
@@ -23,10 +23,11 @@ from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRON
                             run_scenario, stored)
 from wrcontact import ContactSystem
 from wrcontact.fmu import compilers, native
-from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
+from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
+from wrcontact.kernel.platforms import PLATFORMS, host_platform
 
 HERE = Path(__file__).resolve().parent
 SAME = 1e-12   # [relative] to the package; the same compiler and libm give the same bits
@@ -142,9 +143,13 @@ def test_fmi3_dependencies_are_those_of_the_table(fmus):
 
 @pytest.mark.parametrize("version", (2, 3))
 def test_every_function_of_the_standard_is_exported(fmus, tmp_path, version):
-    import fmpy
-
     library = ctypes.CDLL(str(unpacked_library(fmus[version], version, tmp_path)))
+    assert [name for name in standard_functions(version) if not hasattr(library, name)] == []
+    assert not hasattr(library, "wrcontact_step"), "the kernel's own functions stay inside"
+
+
+def standard_functions(version):
+    """Names of the functions of a version of FMI; of FMI 2 those of co-simulation."""
     text = Path(fmpy.__file__).parent.joinpath("c-code", f"fmi{version}Functions.h").read_text()
     names = re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +(fmi{version}\w+);", text, re.MULTILINE)
     exchange = ("EventMode", "DiscreteStates", "ContinuousTimeMode", "CompletedIntegratorStep", "SetTime", "ContinuousStates",
@@ -152,8 +157,7 @@ def test_every_function_of_the_standard_is_exported(fmus, tmp_path, version):
     if version == 2:
         names = [name for name in names if not name.endswith(exchange) or name.endswith(("InputDerivatives", "OutputDerivatives"))]
     assert len(names) > (30 if version == 2 else 70)
-    assert [name for name in names if not hasattr(library, name)] == []
-    assert not hasattr(library, "wrcontact_step"), "the kernel's own functions stay inside"
+    return names
 
 
 def unpacked_library(fmu, version, folder):
@@ -489,28 +493,6 @@ def test_cost_and_allocations(host, version, tmp_path):
 
 
 # --- building -------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(not importlib.util.find_spec("ziglang"), reason="ziglang is not installed")
-def test_all_platforms_are_built_on_this_machine(tmp_path):
-    """Each library in its place, of the right kind, needing nothing but libc and libm."""
-    magic = {".so": b"\x7fELF", ".dll": b"MZ", ".dylib": b"\xcf\xfa\xed\xfe"}
-    for version, fmu in zip((2, 3), native.build_native_fmus(tmp_path, platforms=list(PLATFORMS))):
-        with zipfile.ZipFile(fmu) as archive:
-            for place in PLATFORMS.values():
-                library = archive.read(f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}")
-                assert library.startswith(magic[place.suffix]), place.name
-                if place.suffix == ".so":
-                    needed = set(re.findall(rb"[\w-]+\.so\.\d+", library)) - {b"ld-linux-aarch64.so.1"}
-                    assert needed <= {b"libm.so.6", b"libc.so.6"}, place.name
-                    versions = [tuple(map(int, found.split(b"."))) for found in re.findall(rb"GLIBC_([\d.]+)", library)]
-                    assert versions and max(versions) <= (2, 17), place.name
-                if place.suffix == ".dll":
-                    needed = {name.lower() for name in re.findall(rb"[\w-]+\.dll", library)}
-                    system = (b"kernel32", b"api-ms-win-crt-", b"wheelsetcontact")
-                    assert all(name.startswith(system) for name in needed), place.name
-        assert validate_fmu(str(fmu)) == []
 
 
 def test_unknown_platform_is_refused(tmp_path):
