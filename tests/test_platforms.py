@@ -37,9 +37,12 @@ REFERENCE = "x86_64-linux"      # the platform that others are compared with
 ARM_ROOT = Path("/usr/aarch64-linux-gnu")
 WINE = shutil.which("wine") or shutil.which("wine64")
 
-#: Relative to a value or, where that is smaller, to its nominal value; of Windows, whose atan, atan2, sin and cos differ in
-#: the last bit here and there.  At the jumps two places carry nearly as much, and pressures and loads amplify that.
-TOLERANCES = {"hunting": 1e-12, "jumps": 1e-10, "load": 1e-12}
+RUNS = ("hunting", "jumps", "load")
+# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan, atan2, sin and cos
+# differ in the last bit here and there.
+SAME = 1e-12
+SEARCHED = 1e-11    # height and roll of elastic contact, which a search ends close to
+AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify what the positions differ by
 KERNEL_EXPORTS = {"wrcontact_abi", "wrcontact_step", "wrcontact_step_many", "wrcontact_prepare", "wrcontact_prepare_room"}
 
 
@@ -260,21 +263,23 @@ NOMINAL = np.array([v.nominal or 1.0 for v in VARIABLES if v.causality == OUTPUT
 def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, settings):
     """The library is loaded and stepped through the stored runs; aarch64's C library gives the same bits."""
     emulator_of(name, tmp_path)
-    description = read_model_description(str(fmus[version]))
+    description, plan = read_model_description(str(fmus[version])), tmp_path / "plan.txt"
     reference = {v.name: v.valueReference for v in description.modelVariables}
     texts = [f"{reference[key]}={text}" for key, text in settings.items()]
-    for run, tolerance in TOLERANCES.items():
-        plan, rows = tmp_path / f"{run}.txt", rows_of(run)
-        plan.write_text(plan_of(description, rows))
-        (ours, our_status), (theirs, status) = (
-            answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid, plan, *texts))
-            for place in (REFERENCE, name))
-        assert len(ours) == len(rows) and status == our_status and set(status) <= {0, 1}, run
-        if name == "aarch64-linux":
-            np.testing.assert_array_equal(theirs.view(np.int64), ours.view(np.int64))
-        else:
-            difference = np.abs(theirs - ours) / np.maximum(np.abs(ours), NOMINAL)
-            assert difference.max() <= tolerance, f"{run}: {difference.max():.2g} in row {difference.max(axis=1).argmax()}"
+    rows = {run: rows_of(run) for run in RUNS}
+    plan.write_text(plan_of(description, sum(rows.values(), [])))
+    (ours, our_status), (theirs, status) = (
+        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid, plan, *texts))
+        for place in (REFERENCE, name))
+    assert len(ours) == sum(map(len, rows.values())) and status == our_status and set(status) <= {0, 1}
+    if name == "aarch64-linux":
+        np.testing.assert_array_equal(theirs.view(np.int64), ours.view(np.int64))
+        return
+    difference = (np.abs(theirs - ours) / np.maximum(np.abs(ours), NOMINAL)).max(axis=1)
+    for run, start in zip(RUNS, np.cumsum([0, *map(len, rows.values())])):
+        largest = difference[start:start + len(rows[run])].max()
+        print(f"FMI {version} {settings} {run}: {largest:.1e}")
+        assert largest <= (AT_JUMPS if run == "jumps" else SEARCHED if "contact_mode" in settings else SAME), run
 
 
 # --- the Python FMU ---------------------------------------------------------------------------------------------
@@ -345,7 +350,7 @@ def test_kernel_on_other_machines(kernels, run_on, tmp_path, name):
     for row, values, outcome in zip(rows, found, status, strict=True):
         stepper.inputs[:] = row
         assert stepper.step() == outcome
-        np.testing.assert_allclose(values, stepper.outputs, rtol=TOLERANCES["hunting"], atol=1e-12)
+        np.testing.assert_allclose(values, stepper.outputs, rtol=SAME, atol=SAME)
 
 
 # --- the same bytes again ---------------------------------------------------------------------------------------
@@ -355,25 +360,25 @@ import sys
 from wrcontact.fmu import build_fmu
 from wrcontact.fmu.native import build_native_fmus
 build_native_fmus(sys.argv[1], platforms=sys.argv[2:])
-if len(sys.argv) > 3:
-    build_fmu(sys.argv[1])
+build_fmu(sys.argv[1])
 """
 
 
 @pytest.mark.slow
 @needs_zig
-@pytest.mark.parametrize("names", [["x86_64-linux"], list(PLATFORMS)], ids=["linux", "all"])
-def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path, names):
-    """Two processes in folders of their own; the compiler's cache is empty for the one, and that of this user for the other."""
+def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
+    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own, with the products of matrices
+    of two processors; the compiler's cache is that of this user for the one and empty for the other."""
     made = []
-    for folder, caches in (("one", {}), ("an other", {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")})):
+    cache = {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")}
+    for folder, changed in (("one", {"OPENBLAS_CORETYPE": "Haswell"}), ("an other", {"OPENBLAS_CORETYPE": "Prescott", **cache})):
         place = tmp_path / folder
         (place / "scratch").mkdir(parents=True)
-        subprocess.run([sys.executable, "-c", BUILD, "out", *names], cwd=place, check=True, stderr=subprocess.DEVNULL,
-                       env={**os.environ, **caches, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
+        subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True, stderr=subprocess.DEVNULL,
+                       env={**os.environ, **changed, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
                             "TMPDIR": str(place / "scratch")})
         made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})
-    assert len(made[0]) == (3 if len(names) > 1 else 2)
+    assert len(made[0]) == 3
     assert made[0].keys() == made[1].keys()
     assert [name for name, content in made[0].items() if content != made[1][name]] == []
 
