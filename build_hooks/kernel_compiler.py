@@ -92,8 +92,9 @@ def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
     """Run the compiler; unless ``keeps_cache``, zig has its cache beside ``library``, so that nothing is left behind."""
     cache = str(library.parent / "cache")
     changed = {} if keeps_cache else {"ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache}
-    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True, errors="replace",
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **changed})
+    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True,
+                          errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={**os.environ, **changed})
 
 
 def requirements():

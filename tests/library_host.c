@@ -1,4 +1,4 @@
-/* Loads a library built for the machine it runs on, a native FMU's or the kernel's, and prints what it computes, bit for bit.
+/* Loads a library for the machine it runs on, a native FMU's or the kernel's, and prints what it computes, bit for bit.
  *
  *     library_host fmi2 <library> <token> <plan> [<value reference>=<text>] ...
  *     library_host fmi3 <library> <token> <plan> [<value reference>=<text>] ...
@@ -103,7 +103,8 @@ static void check(int status, const char *call)
         fail("an error from", call);
 }
 
-static void note2(fmi2ComponentEnvironment e, fmi2String name, fmi2Status status, fmi2String category, fmi2String message, ...)
+static void note2(fmi2ComponentEnvironment e, fmi2String name, fmi2Status status, fmi2String category, fmi2String message,
+                  ...)
 {
     (void)e, (void)name, (void)status, (void)category;
     fprintf(stderr, "%s\n", message);
@@ -119,8 +120,8 @@ static void *started(int version, const char *token, char **settings, int count)
 {
     static const fmi2CallbackFunctions callbacks = {note2, calloc, free, NULL, NULL};
     void *c = version == 2 ? FUNCTION(fmi2Instantiate)("host", fmi2CoSimulation, token, "", &callbacks, fmi2False, fmi2True)
-                           : FUNCTION(fmi3InstantiateCoSimulation)("host", token, "", false, true, false, false, NULL, 0, NULL,
-                                                                   note3, NULL);
+                           : FUNCTION(fmi3InstantiateCoSimulation)("host", token, "", false, true, false, false, NULL, 0,
+                                                                   NULL, note3, NULL);
     if (!c)
         fail("no", "instance");
     for (int i = 0; i < count; i += 1)

@@ -1,4 +1,4 @@
-"""Libraries and wheels for other machines: what they need and export, and those of Windows and aarch64 run under emulation."""
+"""Libraries and wheels for other machines: what they need and export; those of Windows and aarch64 run under emulators."""
 
 import importlib.util
 import os
@@ -38,8 +38,8 @@ ARM_ROOT = Path("/usr/aarch64-linux-gnu")
 WINE = shutil.which("wine") or shutil.which("wine64")
 
 RUNS = ("hunting", "jumps", "load")
-# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan, atan2, sin and cos
-# differ in the last bit here and there.
+# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan, atan2, sin and
+# cos differ in the last bit here and there.
 SAME = 1e-12
 SEARCHED = 1e-11    # height and roll of elastic contact, which a search ends close to
 AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify what the positions differ by
@@ -52,8 +52,8 @@ def needs(condition, reason):
 
 needs_zig = needs(importlib.util.find_spec("ziglang"), "ziglang is not installed")
 needs_lief = needs(importlib.util.find_spec("lief"), "lief, which reads libraries of every platform, is not installed")
-needs_build = needs(importlib.util.find_spec("build") and importlib.util.find_spec("setuptools"), "build or setuptools is not installed")
-needs_reference = needs(host_platform() == REFERENCE, f"values are compared with those of {REFERENCE}, and this is {host_platform()}")
+needs_build = needs(all(map(importlib.util.find_spec, ("build", "setuptools"))), "build or setuptools is not installed")
+needs_reference = needs(host_platform() == REFERENCE, f"this is not {REFERENCE}, with whose values others are compared")
 
 
 # --- names ----------------------------------------------------------------------------------------------------
@@ -82,7 +82,7 @@ def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
     monkeypatch.setenv("WRCONTACT_PLATFORM", "x86_64-windows")
     assert chosen_platform() == "x86_64-windows" and requirements() == ["ziglang"]
     monkeypatch.setenv("WRCONTACT_PLATFORM", "amiga")
-    with pytest.raises(kernel_compiler.CompilerProblem, match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, x86_64-w"):
+    with pytest.raises(kernel_compiler.CompilerProblem, match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
         requirements()
 
 
@@ -114,7 +114,8 @@ def test_a_failing_compiler_leaves_this_machines_kernel(monkeypatch, capsys):
 def fmus(tmp_path_factory):
     """The native FMUs for every platform, unpacked, by version of FMI."""
     folders = {}
-    for version, fmu in zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"), platforms=list(PLATFORMS))):
+    made = native.build_native_fmus(tmp_path_factory.mktemp("native"), platforms=list(PLATFORMS))
+    for version, fmu in zip((2, 3), made):
         assert validate_fmu(str(fmu)) == []
         folders[version] = Path(fmpy.extract(str(fmu), tmp_path_factory.mktemp(f"fmi{version}")))
     return folders
@@ -144,12 +145,12 @@ MACHINES = {"x86_64-linux": "X86_64", "aarch64-linux": "AARCH64", "x86_64-window
 
 
 def check_library(content, name, identifier, wanted):
-    """Right machine, nothing needed beyond the C library of the oldest system that is promised, exactly ``wanted`` exported."""
+    """Right machine, nothing needed beyond the C library of the oldest system promised, exactly ``wanted`` exported."""
     read, suffix = parsed(content), PLATFORMS[name].suffix
     if suffix == ".so":
         assert read.header.machine_type.name == MACHINES[name]
         assert set(read.libraries) <= {"libm.so.6", "libc.so.6"}
-        versions = [text for need in read.symbols_version_requirement for text in (a.name for a in need.get_auxiliary_symbols())]
+        versions = [symbol.name for need in read.symbols_version_requirement for symbol in need.get_auxiliary_symbols()]
         assert versions and all(tuple(map(int, text.removeprefix("GLIBC_").split("."))) <= (2, 17) for text in versions)
         exported = {symbol.name for symbol in read.exported_symbols}
     elif suffix == ".dll":
@@ -173,7 +174,8 @@ def check_library(content, name, identifier, wanted):
 @pytest.mark.parametrize("name", PLATFORMS)
 @pytest.mark.parametrize("version", (2, 3))
 def test_libraries_need_the_c_library_alone_and_export_the_standard(fmus, version, name):
-    check_library(library_of(fmus[version], version, name).read_bytes(), name, "WheelsetContact", set(standard_functions(version)))
+    content = library_of(fmus[version], version, name).read_bytes()
+    check_library(content, name, "WheelsetContact", set(standard_functions(version)))
 
 
 @pytest.mark.slow
@@ -199,9 +201,10 @@ def run_on(tmp_path_factory):
             headers = ["-I", str(Path(fmpy.__file__).parent / "c-code"), "-I", str(KERNEL / "native")]
             subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HERE / "library_host.c"), "-o", str(made[name]),
                             *([] if name.endswith("windows") else ["-ldl"])], check=True)
-        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True, capture_output=True, timeout=600,
-                              env={**os.environ, "WINEPREFIX": str(folder / "wine"), "WINEDEBUG": "-all", "DISPLAY": "",
-                                   "WINEDLLOVERRIDES": "mscoree,mshtml="})
+        quiet = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml=", "DISPLAY": "",
+                 "WINEPREFIX": str(folder / "wine")}
+        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True, capture_output=True,
+                              timeout=600, env={**os.environ, **quiet})
         assert done.returncode == 0, done.stderr
         return done.stdout.splitlines()
 
@@ -230,7 +233,8 @@ def listed(references):
 def answers(lines):
     """Outputs (n, m) and status (n,) of the host's lines."""
     rows = [line.split() for line in lines]
-    return np.array([[int(word, 16) for word in row[:-1]] for row in rows], np.uint64).view(float), [int(row[-1], 16) for row in rows]
+    outputs = np.array([[int(word, 16) for word in row[:-1]] for row in rows], np.uint64)
+    return outputs.view(float), [int(row[-1], 16) for row in rows]
 
 
 def rows_of(run):
@@ -246,7 +250,7 @@ def plan_of(description, rows):
     words = listed([variables[name].valueReference for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
     count = len([v for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
     return " ".join([*words, f"{count:x}", f"{variables['status'].valueReference:x}", f"{len(rows):x}",
-                     *(word for row in rows for word in bits(row))])
+                     *bits(sum(rows, []))])
 
 
 SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"}, {"normal_model": "hertz"},
@@ -342,7 +346,7 @@ def test_kernel_on_other_machines(kernels, run_on, tmp_path, name):
     stepper, rows = ContactSystem().stepper(), rows_of("hunting")
     sizes = (layout.STATE_SIZE, layout.WORK_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT, len(rows))
     tables = stepper._tables
-    plan = [f"{len(tables):x}", *bits(tables), *(f"{size:x}" for size in sizes), *(word for row in rows for word in bits(row))]
+    plan = [f"{len(tables):x}", *bits(tables), *(f"{size:x}" for size in sizes), *bits(sum(rows, []))]
     (tmp_path / "plan.txt").write_text(" ".join(plan))
     version, *lines = run_on(name, "kernel", library, tmp_path / "plan.txt")
     assert int(version, 16) == fingerprint()
@@ -367,16 +371,16 @@ build_fmu(sys.argv[1])
 @pytest.mark.slow
 @needs_zig
 def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
-    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own, with the products of matrices
-    of two processors; the compiler's cache is that of this user for the one and empty for the other."""
+    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own, with the products of
+    matrices of two processors; the compiler's cache is that of this user for the one and empty for the other."""
     made = []
     cache = {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")}
-    for folder, changed in (("one", {"OPENBLAS_CORETYPE": "Haswell"}), ("an other", {"OPENBLAS_CORETYPE": "Prescott", **cache})):
+    for folder, processor, caches in (("one", "Haswell", {}), ("an other", "Prescott", cache)):
         place = tmp_path / folder
         (place / "scratch").mkdir(parents=True)
         subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True, stderr=subprocess.DEVNULL,
-                       env={**os.environ, **changed, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
-                            "TMPDIR": str(place / "scratch")})
+                       env={**os.environ, **caches, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
+                            "TMPDIR": str(place / "scratch"), "OPENBLAS_CORETYPE": processor})
         made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})
     assert len(made[0]) == 3
     assert made[0].keys() == made[1].keys()
@@ -390,17 +394,20 @@ def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
 def sources(tmp_path_factory):
     """A copy of the checkout, with a library in it that belongs to no wheel."""
     copy = tmp_path_factory.mktemp("sources") / "wrcontact"
-    ignored = shutil.ignore_patterns(".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", "*.so", "*.dll", "*.dylib", "out")
-    shutil.copytree(ROOT, copy, ignore=ignored)
+    ignored = (".git", ".venv", "build", "dist", "out", "*.egg-info", "__pycache__", "*.so", "*.dll", "*.dylib")
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*ignored))
     (copy / "wrcontact" / "kernel" / "_wrcontact_kernel-amiga.so").write_bytes(b"a stray one")
     return copy
+
+
+PACK = [sys.executable, "-m", "build", "--no-isolation"]
 
 
 def built_wheel(sources, folder, **settings):
     """``python -m build --wheel`` with these settings; the wheel."""
     clean = {key: value for key, value in os.environ.items() if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")}
-    done = subprocess.run([sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(folder), str(sources)], text=True,
-                          capture_output=True, env={**clean, **settings})
+    done = subprocess.run([*PACK, "--wheel", "--outdir", str(folder), str(sources)], text=True, capture_output=True,
+                          env={**clean, **settings})
     assert done.returncode == 0, done.stdout + done.stderr
     wheel, = folder.iterdir()
     return wheel
@@ -415,8 +422,9 @@ def install(wheel, folder):
     """An environment of its own with the wheel and the libraries that Python has here; its interpreter."""
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
     python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    subprocess.run([sys.executable, "-m", "pip", "--python", str(python), "install", "-q", "--no-deps", "--no-index", str(wheel)],
-                   check=True, env={**os.environ, "PATH": ""})
+    pip = [sys.executable, "-m", "pip", "--python", str(python)]
+    subprocess.run([*pip, "install", "-q", "--no-deps", "--no-index", str(wheel)], check=True,
+                   env={**os.environ, "PATH": ""})
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
     site = Path(subprocess.run([str(python), "-c", where], text=True, capture_output=True, check=True).stdout.strip())
     site.joinpath("theirs.pth").write_text(f"{sysconfig.get_path('purelib')}\n{sysconfig.get_path('platlib')}\n")
@@ -427,7 +435,8 @@ EVALUATE = """
 import wrcontact
 from wrcontact.kernel import library
 kernel = library.default_kernel()
-print(library.__file__, kernel.compiled, wrcontact.ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration.hex())
+state = wrcontact.ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3)
+print(library.__file__, kernel.compiled, state.right.penetration.hex())
 """
 
 
@@ -442,15 +451,16 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
     assert wheel.name.endswith(f"-py3-none-{place.wheel}.whl")
     with zipfile.ZipFile(wheel) as archive:
         metadata = archive.read(next(entry for entry in archive.namelist() if entry.endswith(".dist-info/WHEEL"))).decode()
-    assert [line.removeprefix("Tag: py3-none-") for line in metadata.splitlines() if "Tag:" in line] == place.wheel.split(".")
+    tags = [line for line in metadata.splitlines() if line.startswith("Tag: ")]
+    assert tags == [f"Tag: py3-none-{tag}" for tag in place.wheel.split(".")]
     found = libraries_in(wheel)
     assert list(found) == [f"wrcontact/kernel/{library_name(name)}"]
     if importlib.util.find_spec("lief"):
         check_library(*found.values(), name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
     if name == host_platform():
         python = install(wheel, tmp_path / "environment")
-        done = subprocess.run([str(python), "-I", "-W", "error", "-c", EVALUATE], cwd=tmp_path, text=True, capture_output=True,
-                              env={"PATH": "", "WRCONTACT_KERNEL": "auto"})
+        done = subprocess.run([str(python), "-I", "-W", "error", "-c", EVALUATE], cwd=tmp_path, text=True,
+                              capture_output=True, env={"PATH": "", "WRCONTACT_KERNEL": "auto"})
         assert done.returncode == 0, done.stderr
         file, compiled, penetration = done.stdout.split()
         assert Path(file).is_relative_to(tmp_path / "environment") and compiled == "True"
@@ -470,8 +480,7 @@ def test_wheel_of_this_machine(sources, tmp_path):
 @pytest.mark.slow
 @needs_build
 def test_source_archive_has_no_library(sources, tmp_path):
-    subprocess.run([sys.executable, "-m", "build", "--sdist", "--no-isolation", "--outdir", str(tmp_path), str(sources)], check=True,
-                   capture_output=True)
+    subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True, capture_output=True)
     with tarfile.open(next(tmp_path.iterdir())) as archive:
         names = archive.getnames()
     assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []

@@ -1,7 +1,7 @@
 """C compilers for libraries in FMUs: the machine's own, or ziglang, which builds for other machines too.
 
-zig compiles a part of the C library for every platform at first, which takes a minute or two, most of it for Windows; it keeps
-that in its own cache (``ZIG_GLOBAL_CACHE_DIR`` moves it).
+zig compiles a part of the C library for every platform at first, which takes a minute or two, most of it for Windows; it
+keeps that in its own cache (``ZIG_GLOBAL_CACHE_DIR`` moves it).
 """
 
 import importlib.util
