@@ -15,7 +15,9 @@ import tempfile
 from pathlib import Path
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
-LIBRARY_NAME = runpy.run_path(str(KERNEL / "files.py"))["LIBRARY_NAME"]
+_NAMES = runpy.run_path(str(KERNEL / "platforms.py"))
+PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
+LIBRARY_NAME = library_name(host_platform())
 
 #: What steps, and what prepares: units of their own, so that the second takes nothing from the optimising of the first.
 SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c")]
@@ -23,6 +25,7 @@ SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontac
 # No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-shared", "-fPIC")
+ZIG = (sys.executable, "-m", "ziglang", "cc")
 PROBE = "#include <math.h>\ndouble probe(double x) { return sin(x); }\n"
 ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64"), ("Darwin", "arm64"), ("Windows", "AMD64"),
                  ("Windows", "ARM64")}
@@ -32,17 +35,23 @@ class CompilerProblem(Exception):
     """There is no compiler, or it failed; the message says which."""
 
 
-def compile_library(target_folder, *, compiler=None, extra_flags=()):
+def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=()):
     """Compile the kernel into ``target_folder`` and return the library's path.
 
-    ``compiler`` is a command as a list of words, by default the first that works.
+    ``platform`` is a name among PLATFORMS, which ziglang compiles for and keeps a part of its C library, by default this
+    machine; ``compiler`` is a command as a list of words, by default the first that works here.
     """
-    compiler = compiler or find_compiler()
+    if platform:
+        chosen = PLATFORMS[platform]
+        name, compiler = library_name(platform), [*ZIG, "-target", chosen.target, "-s"]
+        extra_flags = [*chosen.link_flags(name), *extra_flags]
+    else:
+        name, compiler = LIBRARY_NAME, compiler or find_compiler()
     if compiler is None:
         raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were tried")
     with tempfile.TemporaryDirectory() as scratch:
-        built = Path(scratch, LIBRARY_NAME)
-        run = run_compiler(compiler, SOURCES, built, extra_flags)
+        built = Path(scratch, name)
+        run = run_compiler(compiler, SOURCES, built, extra_flags, keeps_cache=bool(platform))
         if run.returncode:
             raise CompilerProblem(f"{' '.join(compiler)} failed on the kernel:\n{run.stdout}")
         return place(built, target_folder)
@@ -50,7 +59,7 @@ def compile_library(target_folder, *, compiler=None, extra_flags=()):
 
 def place(library, folder):
     """Copy a library into ``folder`` under another name and move it: there is a whole one, or the one from before."""
-    target = Path(folder) / LIBRARY_NAME
+    target = Path(folder) / library.name
     part = target.with_name(f"{target.name}.{os.getpid()}.part")
     try:
         shutil.copyfile(library, part)
@@ -67,7 +76,7 @@ def find_compiler():
         if command and shutil.which(command[0]) and makes_library(command):
             return command
     if importlib.util.find_spec("ziglang"):
-        return [sys.executable, "-m", "ziglang", "cc", "-mcpu=baseline"]     # else zig takes the builder's own processor
+        return [*ZIG, "-mcpu=baseline"]      # else zig takes the builder's own processor
     return None
 
 
@@ -79,21 +88,32 @@ def makes_library(command):
         return run_compiler(command, [source], Path(scratch, LIBRARY_NAME)).returncode == 0
 
 
-def run_compiler(command, sources, library, extra_flags=()):
-    """Run the compiler; zig keeps its cache beside ``library``, so that nothing is left behind."""
+def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
+    """Run the compiler; unless ``keeps_cache``, zig has its cache beside ``library``, so that nothing is left behind."""
     cache = str(library.parent / "cache")
-    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True, errors="replace",
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          env={**os.environ, "ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache})
+    changed = {} if keeps_cache else {"ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache}
+    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True,
+                          errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={**os.environ, **changed})
 
 
 def requirements():
-    """What a build needs from PyPI: ziglang where no compiler works and there is a ziglang for this machine."""
-    if not wanted() or find_compiler() or (platform.system(), platform.machine()) not in ZIG_PLATFORMS:
+    """What a build needs from PyPI: ziglang for a chosen platform, and where no compiler works and there is one for this
+    machine."""
+    if not wanted():
         return []
-    return ["ziglang"]
+    here = (platform.system(), platform.machine()) in ZIG_PLATFORMS
+    return ["ziglang"] if chosen_platform() or here and not find_compiler() else []
 
 
 def wanted():
     """Whether a library is wanted: WRCONTACT_KERNEL=python at installation says no."""
     return os.environ.get("WRCONTACT_KERNEL") != "python"
+
+
+def chosen_platform():
+    """The platform that WRCONTACT_PLATFORM names; None is this machine."""
+    name = os.environ.get("WRCONTACT_PLATFORM") or None
+    if name not in (None, *PLATFORMS):
+        raise CompilerProblem(f"WRCONTACT_PLATFORM is {name!r}; permitted are {', '.join(PLATFORMS)}")
+    return name

@@ -4,6 +4,8 @@
 * The library goes into the wheel, whose tag is then ``py3-none-<platform>``, and beside its sources too: an editable
   installation runs it there, and so does Python started in the checkout (``python -m benchmarks``), which finds the
   package there before the installed one.  Git ignores it, and the loader refuses it once its sources are edited.
+* ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with ziglang, whatever
+  compilers there are; kernel_compiler.py tells the platforms.
 * The FMU's sources, ``fmu_src`` at the top of the checkout, go into the wheel as ``wrcontact/fmu_src``.
 * Where compiling fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the package then runs
   its Python source, slowly, and says so.  pip shows the warning with ``-v`` only.
@@ -18,7 +20,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from kernel_compiler import KERNEL, LIBRARY_NAME, CompilerProblem, compile_library, place, requirements, wanted
+from kernel_compiler import (KERNEL, LIBRARY_NAME, PLATFORMS, CompilerProblem, chosen_platform, compile_library, place,
+                             requirements, wanted)
 from setuptools import build_meta
 from setuptools.build_meta import *  # noqa: F401,F403  the hooks that stay as they are
 from setuptools.command.bdist_wheel import bdist_wheel
@@ -64,13 +67,18 @@ class PlatformWheel(bdist_wheel):
         super().finalize_options()
 
     def get_tag(self):
-        if getattr(self.distribution, "has_kernel_library", True):
-            return "py3", "none", super().get_tag()[2]
-        return "py3", "none", "any"
+        if not getattr(self.distribution, "has_kernel_library", True):
+            return "py3", "none", "any"
+        return "py3", "none", PLATFORMS[chosen_platform()].wheel if chosen_platform() else super().get_tag()[2]
 
 
 def compiled_into(folder):
-    """Compile the library into ``folder``, and into the checkout; False, after a warning, where that is not possible."""
+    """Compile the library into ``folder``, and into the checkout; False, after a warning, where that is not possible.
+
+    For a chosen platform into ``folder`` alone, and an error is one.
+    """
+    if chosen_platform():
+        return bool(compile_library(folder, platform=chosen_platform()))
     try:
         library = compile_library(folder)
     except (CompilerProblem, OSError) as problem:

@@ -1,7 +1,6 @@
 """The native FMUs as an importer sees them, each in a fresh process, against the package."""
 
 import ctypes
-import importlib.util
 import json
 import math
 import os
@@ -27,10 +26,11 @@ from tests.test_fmu import (CASES, INPUT_NAMES, OUTPUT_NAMES, TRAJECTORIES, WRON
 from wrcontact import ContactSystem
 from wrcontact.cli import demo
 from wrcontact.fmu import compilers, native
-from wrcontact.fmu.compilers import PLATFORMS, CompilerProblem, compiler_for, host_platform
+from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
+from wrcontact.kernel.platforms import PLATFORMS, host_platform
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.state import WheelsetState
 
@@ -850,28 +850,6 @@ def test_cost_is_measured(fmus, capsys):
 
 
 # --- building -------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(not importlib.util.find_spec("ziglang"), reason="ziglang is not installed")
-def test_all_platforms_are_built_on_this_machine(tmp_path):
-    """Each library in its place, of the right kind, needing nothing but libc and libm."""
-    magic = {".so": b"\x7fELF", ".dll": b"MZ", ".dylib": b"\xcf\xfa\xed\xfe"}
-    for version, fmu in zip((2, 3), native.build_native_fmus(tmp_path, platforms=list(PLATFORMS))):
-        with zipfile.ZipFile(fmu) as archive:
-            for place in PLATFORMS.values():
-                library = archive.read(f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}")
-                assert library.startswith(magic[place.suffix]), place.name
-                if place.suffix == ".so":
-                    needed = set(re.findall(rb"[\w-]+\.so\.\d+", library)) - {b"ld-linux-aarch64.so.1"}
-                    assert needed <= {b"libm.so.6", b"libc.so.6"}, place.name
-                    versions = [tuple(map(int, found.split(b"."))) for found in re.findall(rb"GLIBC_([\d.]+)", library)]
-                    assert versions and max(versions) <= (2, 17), place.name
-                if place.suffix == ".dll":
-                    needed = {name.lower() for name in re.findall(rb"[\w-]+\.dll", library)}
-                    system = (b"kernel32", b"api-ms-win-crt-", b"wheelsetcontact")
-                    assert all(name.startswith(system) for name in needed), place.name
-        assert validate_fmu(str(fmu)) == []
 
 
 def test_unknown_platform_is_refused(tmp_path):

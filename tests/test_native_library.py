@@ -16,9 +16,10 @@ import wrcontact
 from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel import library
-from wrcontact.kernel.files import LIBRARY_NAME, fingerprint
+from wrcontact.kernel.files import fingerprint
 from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUTPUT_COUNT,
                                      SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE)
+from wrcontact.kernel.platforms import LIBRARY_NAME
 
 PACKAGE = Path(wrcontact.__file__).parent
 KERNEL = PACKAGE / "kernel"

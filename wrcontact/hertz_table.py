@@ -51,14 +51,25 @@ def coefficients(log_ratio):
     return np.where(across, K / E, K * q**2 / E) / a_share, 2 / np.pi * np.where(across, K, K * q)
 
 
+def basis(nodes):
+    """Coefficients of 1, t, t^2, ... of the polynomials that are 1 at one of the nodes and 0 at the others (node, power)."""
+    rows = []
+    for node in nodes:
+        row = np.eye(1, len(nodes))[0]
+        for other in nodes[nodes != node]:
+            row = (np.roll(row, 1) - other * row) / (node - other)
+        rows.append(row)
+    return np.array(rows)
+
+
 @lru_cache(maxsize=1)
 def hertz_table():
-    """The table as the kernel reads it (n,)."""
+    """The table as the kernel reads it (n,): without products of matrices, whose last bits depend on the processor."""
     count = int(2 * LIMIT * CELLS_PER_UNIT)
     nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
     cells = -LIMIT + (np.arange(count)[:, None] + nodes) / CELLS_PER_UNIT
-    to_powers = np.linalg.inv(np.vander(nodes, increasing=True))
-    columns = [np.asarray(values).reshape(count, -1) @ to_powers.T for values in coefficients(cells.ravel())]
+    columns = [sum(value[:, None] * row for value, row in zip(values.reshape(count, -1).T, basis(nodes)))
+               for values in coefficients(cells.ravel())]
     head = np.array([count, -LIMIT, CELLS_PER_UNIT, 0.0])
     assert len(head) == layout.TABLE_CELLS and 2 * (DEGREE + 1) == layout.TABLE_ROW
     return np.concatenate([head, np.hstack(columns).ravel()])

@@ -19,15 +19,16 @@ import pythonfmu
 
 from .. import ContactSystem, __version__
 from ..interface.variables import VARIABLES
+from ..kernel.platforms import PLATFORMS
 from ..profiles.files import prepared_text
 from . import SOURCES
-from .compilers import PLATFORMS
 from .description import MODEL, model_description
 from .documentation import about_python, documentation_page
-from .online import PACKAGE, online_files
+from .online import PACKAGE, kernel_libraries, online_files
 from .terminals import terminals_and_icons
 
 SLAVE = "wheelset_contact"
+RUNTIME = Path(pythonfmu.__file__).parent
 #: The package's ``__init__`` in an FMU.
 LOADER = b'''"""wrcontact as packed in an FMU, loaded whole: the folder may be gone when the next instance is made."""
 
@@ -83,17 +84,22 @@ def chosen_profiles(**chosen):
 
 def runtime():
     """PythonFMU: its Python side, and the libraries that an importer loads."""
-    home = Path(pythonfmu.__file__).parent
-    entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in home.glob("*.py")}
-    for library in (home / "resources" / "binaries").glob("*/*"):
+    entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in RUNTIME.glob("*.py")}
+    for library in RUNTIME.glob("resources/binaries/*/*"):
         entries[f"binaries/{library.parent.name}/{MODEL}{library.suffix}"] = library.read_bytes()
     return entries
+
+
+def runtime_platforms():
+    """Names of the platforms that PythonFMU has libraries for."""
+    return [name for name, place in PLATFORMS.items() if RUNTIME.joinpath("resources", "binaries", place.fmi2).is_dir()]
 
 
 def package(starts):
     """What wrcontact needs online, with the start values of this FMU."""
     made = {"__init__.py": LOADER, "interface/starts.py": f"STARTS = {starts!r}\n".encode()}
-    return {f"resources/wrcontact/{name}": content for name, content in {**online_files(), **made}.items()}
+    files = {**online_files(), **kernel_libraries(runtime_platforms()), **made}
+    return {f"resources/wrcontact/{name}": content for name, content in files.items()}
 
 
 def documentation(starts):

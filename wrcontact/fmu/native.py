@@ -8,16 +8,18 @@ import fmpy
 
 from .. import ContactSystem, __version__
 from ..interface.variables import VARIABLES
+from ..kernel.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from . import SOURCES, description, description3, native_model
 from .build import archive, chosen_profiles, fingerprint, licence, problems_of, write_whole
-from .compilers import PLATFORMS, compile_platform, host_platform
+from .compilers import compile_platform
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
 from .terminals import terminals_and_icons
 
 NATIVE = SOURCES / "native"
 MODEL = description.MODEL
+HIDDEN = ("-DWRCONTACT_EXPORT=",)       # the kernel's own functions stay inside
 HEADERS = {2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
            3: ("fmi3Functions.h", "fmi3FunctionTypes.h", "fmi3PlatformTypes.h")}
 DESCRIPTIONS = {2: description.model_description, 3: description3.model_description}
@@ -30,7 +32,7 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     ----------
     output : folder of the FMUs; made if it is not there.
     wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
-    platforms : names of :data:`~wrcontact.fmu.compilers.PLATFORMS`; None is this machine's.
+    platforms : names of :data:`~wrcontact.kernel.platforms.PLATFORMS`; None is this machine's.
     cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
 
     Raises
@@ -126,7 +128,7 @@ def libraries(contents, units, platforms, folder, cache):
     """The library of each platform as bytes, made in a scratch folder of its own inside ``folder``."""
     place = Path(tempfile.mkdtemp(dir=folder))
     write_sources(contents, place)
-    return {platform: compile_platform(platform, place, units, MODEL, cache) for platform in platforms}
+    return {platform: compile_platform(platform, place, units, MODEL, HIDDEN, cache) for platform in platforms}
 
 
 def write_sources(contents, folder):

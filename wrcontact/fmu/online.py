@@ -1,8 +1,12 @@
-"""Which files of the package a simulation needs: what the session imports, and the kernel with its compiled library."""
+"""Which files of the package a simulation needs: what the session imports, and the kernel with its compiled libraries."""
 
 import ast
 import sys
 from pathlib import Path
+
+from ..kernel.library import HERE, LibraryUnusable, open_library
+from ..kernel.platforms import LIBRARY_NAME, library_name
+from .compilers import CompilerProblem, compile_kernel, has_zig
 
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "interface/session.py"
@@ -12,20 +16,27 @@ OFFLINE = frozenset({"cli", "plots", "study", "fmu", "fmu_src", "halfspace", "tr
 
 def online_files():
     """Contents of the needed files by their path in the package."""
-    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").glob("*.py")) | set(compiled_kernel())
+    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").glob("*.py"))
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 
-def compiled_kernel():
-    """The kernel's library for this platform, or a warning where there is no usable one."""
-    from ..kernel.library import HERE, LIBRARY_NAME, LibraryUnusable, open_library
-
+def kernel_libraries(platforms):
+    """Contents of the kernel's libraries by their path in the package: where ziglang is installed for each of ``platforms``,
+    and for this machine; with a warning where there are none."""
+    made = {}
     try:
-        open_library()
-        return [HERE / LIBRARY_NAME]
+        if has_zig():
+            print(f"compiling the kernel for {', '.join(platforms)}; the first time takes a minute or two", file=sys.stderr)
+            made = {library_name(name): compile_kernel(name) for name in platforms}
+    except CompilerProblem as problem:
+        print(f"WARNING: the FMU gets no compiled kernel for other machines: {problem}", file=sys.stderr)
+    try:
+        if LIBRARY_NAME not in made:
+            open_library()
+            made[LIBRARY_NAME] = HERE.joinpath(LIBRARY_NAME).read_bytes()
     except LibraryUnusable as reason:
         print(f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}", file=sys.stderr)
-        return []
+    return {f"kernel/{name}": library for name, library in made.items()}
 
 
 def imported_from(file):

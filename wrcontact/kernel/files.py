@@ -1,16 +1,14 @@
-"""The files of the kernel: which are its source, what its compiled library is called, and which version they are.
+"""The files of the kernel: which are its source, and which version they are.
 
 Standard library only and no imports from the package, so that build tools can run this file by its path.
 """
 
 import hashlib
-import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-NOT_KERNEL = frozenset({"__init__.py", "files.py", "library.py"})      # they load the kernel and are not part of it
+NOT_KERNEL = frozenset({"__init__.py", "files.py", "library.py", "platforms.py"})      # they load the kernel, no part of it
 HANDLE_VERSION = 2      # raise when the functions or the handle in native/*.h change
-LIBRARY_NAME = "_wrcontact_kernel" + {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
 
 def kernel_modules(folder=HERE):

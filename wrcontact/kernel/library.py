@@ -19,9 +19,10 @@ from pathlib import Path
 
 import numpy as np
 
-from .files import HERE, LIBRARY_NAME, fingerprint
+from .files import HERE, fingerprint
 from .layout import INPUT_COUNT, IN_LATERAL_SHIFT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
 from .outline import row_size
+from .platforms import LIBRARY_NAME
 from .prepare_tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
 from .starts import START_ROW
 
