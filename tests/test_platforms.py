@@ -21,7 +21,7 @@ from fmpy.validation import validate_fmu
 from build_hooks import kernel_compiler
 from build_hooks.kernel_compiler import chosen_platform, requirements
 from tests.test_fmu import INPUT_NAMES, stored
-from tests.test_native_fmu import standard_functions
+from tests.test_native_fmu import header_functions
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu, native, online
 from wrcontact.fmu.compilers import CompilerProblem, compile_kernel, compiler_for
@@ -175,7 +175,7 @@ def check_library(content, name, identifier, wanted):
 @pytest.mark.parametrize("version", (2, 3))
 def test_libraries_need_the_c_library_alone_and_export_the_standard(fmus, version, name):
     content = library_of(fmus[version], version, name).read_bytes()
-    check_library(content, name, "WheelsetContact", set(standard_functions(version)))
+    check_library(content, name, "WheelsetContact", set(header_functions(version)))
 
 
 @pytest.mark.slow
