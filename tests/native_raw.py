@@ -482,6 +482,9 @@ def threads(fmi, count=4, rounds=40):
 
 def memory(fmi, rounds=300):
     """Growth of the process [bytes] over instances that are made, misused, and freed with states that nobody has freed."""
+    if sys.platform != "linux":
+        return {}
+
     def resident():
         gc.collect()
         return int(Path("/proc/self/statm").read_text().split()[1]) * 4096

@@ -686,6 +686,7 @@ def test_threads_of_python(raw):
     assert all(all(equal) for equal in seen["threads"]["equal"])
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is read from /proc")
 def test_no_memory_is_left_behind(raw):
     """Instances that were misused and freed, with states that nobody has freed."""
     _, seen = raw
