@@ -18,6 +18,7 @@ import fmpy
 import numpy as np
 import pytest
 from fmpy import read_model_description
+from fmpy.build import build_platform_binary
 from fmpy.validation import validate_fmu
 
 import benchmarks.native
@@ -540,19 +541,20 @@ SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that 
 @pytest.mark.slow
 @pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
 @pytest.mark.parametrize("version", (2, 3))
-def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version):
-    """Compiled by the system's compiler alone, from what the archive itself says."""
+@pytest.mark.parametrize("builder", ("system", "fmpy"))
+def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, builder):
+    """Compiled from what the archive itself says: by the system's compiler alone, and as fmpy does, by CMake."""
+    if builder == "fmpy" and not shutil.which("cmake"):
+        pytest.skip("no CMake here")
     with zipfile.ZipFile(fmus[version]) as archive:
         archive.extractall(tmp_path / "sources only")
     place, description = PLATFORMS[host_platform()], tmp_path / "sources only" / "modelDescription.xml"
-    sources = description.parent / "sources"
-    listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
-    units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
-    assert len(units) == 5
     library = description.parent / "binaries" / (place.fmi2 if version == 2 else place.name) / f"WheelsetContact{place.suffix}"
     library.unlink()
-    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True, capture_output=True)
-    assert done.returncode == 0, done.stderr
+    if builder == "fmpy":
+        build_platform_binary(description.parent)
+    else:
+        compile_as_described(version, description, library)
     again = tmp_path / "again.fmu"
     with zipfile.ZipFile(again, "w") as archive:
         for file in sorted(description.parent.rglob("*")):
@@ -561,6 +563,16 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version):
     one, other = (outputs_of(script, file, tmp_path / f"unpacked {k}", rows) for k, file in enumerate((fmus[version], again)))
     for ours, theirs in zip(one, other, strict=True):
         assert_same(theirs, ours)
+
+
+def compile_as_described(version, description, library):
+    """By the system's compiler, the files that the archive lists."""
+    sources = description.parent / "sources"
+    listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
+    units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
+    assert len(units) == 5
+    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True, capture_output=True)
+    assert done.returncode == 0, done.stderr
 
 
 # --- bad input, one call after the other ------------------------------------------------------------------------
