@@ -22,6 +22,7 @@ from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS
 from ..profiles.files import prepared_text
 from . import SOURCES
+from .compilers import has_zig
 from .description import MODEL, model_description
 from .documentation import about_python, documentation_page
 from .online import PACKAGE, kernel_libraries, online_files
@@ -191,6 +192,8 @@ def main(arguments=None):
     native, platforms = chosen.pop("native"), chosen.pop("platforms")
     if platforms and not native:
         parser.error("--platforms belongs to --native")
+    if has_zig():
+        print("compiling with ziglang; the first time for a platform takes up to two minutes", file=sys.stderr)
     try:
         if native:
             from .native import build_native_fmus

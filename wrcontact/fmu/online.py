@@ -26,7 +26,6 @@ def kernel_libraries(platforms):
     made = {}
     try:
         if has_zig():
-            print(f"compiling the kernel for {', '.join(platforms)}; the first time takes a minute or two", file=sys.stderr)
             made = {library_name(name): compile_kernel(name) for name in platforms}
     except CompilerProblem as problem:
         print(f"WARNING: the FMU gets no compiled kernel for other machines: {problem}", file=sys.stderr)
