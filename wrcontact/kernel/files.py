@@ -9,7 +9,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 NOT_KERNEL = frozenset({"__init__.py", "files.py", "library.py"})      # they load the kernel and are not part of it
-HANDLE_VERSION = 2      # raise when the functions or the handle in native/*.h change
+HANDLE_VERSION = 3      # raise when the functions or the handle in native/*.h change
 LIBRARY_NAME = "_wrcontact_kernel" + {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
 
