@@ -10,24 +10,24 @@ lets the result move by them.  Values are left as they are.  What the rules call
 ``tools/tangent.py``; this module is an input of that one and is not translated itself.
 """
 
-from math import fabs, log, sqrt
+from math import cos, fabs, log, sin, sqrt
 
 from .analyn import influence, load_regions, region_load, solve_levels
 from .contact_plane import TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, normal_gap, start_tracer
 from .elastic import bear_side, carry_side
 from .gap import gap_per_roll, vertical_gap
 from .hertz import table_value, upright_coefficients
-from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OUT_ROLL, OUT_VERTICAL_SHIFT,
+from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OUT_ROLL, OUT_VERTICAL_SHIFT,
                      PLACE_BLOCK, SET_MODE, SET_RAIL, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK, SUPPORT_BLOCK,
                      WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT, WORK_SYSTEM)
-from .locus import outline_jet
+from .locus import PLACE_COS_YAW, PLACE_SIN_YAW, PLACE_YAWED, mirror_place, outline_jet, turn_wheelset
 from .overlaps import (DEEP_BETWEEN, DEEP_DEPTH, DEEP_FIRST, DEEP_HUMP, DEEP_RAIL, DEEP_SIZE, DEEP_WHEEL, find_overlaps)
 from .pressed import normal_line
 from .profile_table import height_slope_bend
 from .regions import (FAR, PLACE_SHARP, REGION_GAP, REGION_LEVEL, REGION_LOAD, REGION_SHARE, REGION_STATION, REGION_TURN, TRACE, find_hump,
                       open_region, region_block)
 from .resultant import write_resultant
-from .roll import place_both
+from .roll import LEFT_PLACE, RIGHT_PLACE, place_both
 from .separation import arc_length, curve_jet, curve_speed, move_across, move_arc, move_chord
 from .side import SUPPORT_HEIGHT, side_resultant
 from .step import side_force, stand_rigid, withhold
@@ -60,6 +60,19 @@ def differentiated(x: float):
     return x
 
 
+def place_moving(tables: 'float[:]', work: 'float[:]', roll: float):
+    """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
+    place_both(tables, work, roll)
+    yaw = work[WORK_INPUTS + IN_YAW]
+    if yaw == 0.0 and rate_of(yaw) != 0.0:
+        work[RIGHT_PLACE + PLACE_SIN_YAW] = sin(yaw)
+        work[RIGHT_PLACE + PLACE_COS_YAW] = cos(yaw)
+        work[RIGHT_PLACE + PLACE_YAWED] = 1.0
+        turn_wheelset(work, RIGHT_PLACE, roll)
+        mirror_place(work, RIGHT_PLACE, LEFT_PLACE)
+    return 0
+
+
 def follow_minimum(tables: 'float[:]', work: 'float[:]', index: int):
     """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of wheel and rail agree,
     mismatch(y) = 0."""
@@ -77,18 +90,18 @@ def follow_minimum(tables: 'float[:]', work: 'float[:]', index: int):
 def follow_roll(tables: 'float[:]', work: 'float[:]'):
     """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for how it follows the roll."""
     roll = held(work[WORK_OUTPUTS + OUT_ROLL])
-    place_both(tables, work, roll)
+    place_moving(tables, work, roll)
     left = held(work[WORK_SIDE + SIDE_BEST_Y])
     right = held(work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y])
-    gap_left, mismatch_left, rate_left = vertical_gap(tables, work, WORK_PLACE, left)
-    gap_right, mismatch_right, rate_right = vertical_gap(tables, work, WORK_PLACE + PLACE_BLOCK, right)
-    lever = (gap_per_roll(tables, work, WORK_PLACE + PLACE_BLOCK, right) + gap_per_roll(tables, work, WORK_PLACE, left))
+    gap_left, mismatch_left, rate_left = vertical_gap(tables, work, LEFT_PLACE, left)
+    gap_right, mismatch_right, rate_right = vertical_gap(tables, work, RIGHT_PLACE, right)
+    lever = (gap_per_roll(tables, work, RIGHT_PLACE, right) + gap_per_roll(tables, work, LEFT_PLACE, left))
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
 def follow_stand(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, height: float):
     """Both sides of an elastic wheelset that stands at ``roll`` and ``height``, each under its load."""
-    place_both(tables, work, roll)
+    place_moving(tables, work, roll)
     for index in range(2):
         follow_minimum(tables, work, index)
         carry_side(tables, work, state, index, side_force(work, index), height)
@@ -123,7 +136,7 @@ def follow_compliant(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     """Both sides of a wheelset that stands at the height and roll of the inputs."""
     roll = work[WORK_INPUTS + IN_ROLL]
     height = work[WORK_INPUTS + IN_VERTICAL_SHIFT]
-    place_both(tables, work, roll)
+    place_moving(tables, work, roll)
     work[WORK_OUTPUTS + OUT_ROLL] = roll
     work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = height
     for index in range(2):
@@ -137,7 +150,7 @@ def differentiate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
     mode = int(tables[SET_MODE])
     if mode == MODE_RIGID:
         roll = follow_roll(tables, work)
-        place_both(tables, work, roll)
+        place_moving(tables, work, roll)
         for index in range(2):
             follow_minimum(tables, work, index)
         stand_rigid(tables, work, state, roll)

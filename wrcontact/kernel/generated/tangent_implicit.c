@@ -5,6 +5,28 @@
 
 #include "tangent_implicit.h"
 
+/* Tangent of ``place_moving``. */
+static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+{
+    double yaw_t;
+    double yaw;
+    tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
+    yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_YAW));
+    yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW));
+    if ((yaw == 0.0) && (yaw_t != 0.0))
+    {
+        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
+        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
+        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_YAWED)) = 0.0;
+        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_YAWED)) = 1.0;
+        tangent_locus__turn_wheelset_t(work, work_t, roll__RIGHT_PLACE, roll, roll_t);
+        tangent_locus__mirror_place_t(work, work_t, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+    }
+    return INT64_C(0);
+}
+
 /* Tangent of ``follow_minimum``. */
 static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
 {
@@ -58,13 +80,13 @@ static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* resu
     double lever;
     double v3;
     (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL));
-    tangent_roll__place_both_t(tables, work, work_t, (*roll), 0.0);
+    tangent_implicit__place_moving_t(tables, work, work_t, (*roll), 0.0);
     left = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
-    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__WORK_PLACE, left, 0.0);
-    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__WORK_PLACE + layout__PLACE_BLOCK, right, 0.0);
-    tangent_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__WORK_PLACE + layout__PLACE_BLOCK, right, 0.0);
-    tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__WORK_PLACE, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, roll__LEFT_PLACE, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, roll__RIGHT_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, roll__RIGHT_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, roll__LEFT_PLACE, left, 0.0);
     lever_t = v1_t + v2_t;
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
@@ -78,7 +100,7 @@ static inline int64_t tangent_implicit__follow_stand_t(array_double_1d tables, a
     int64_t index;
     double v1;
     double v1_t;
-    tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
+    tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         tangent_implicit__follow_minimum_t(tables, work, work_t, index);
@@ -144,7 +166,7 @@ static inline int64_t tangent_implicit__follow_compliant_t(array_double_1d table
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL));
     height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
-    tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
+    tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height_t;
@@ -172,7 +194,7 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
         tangent_implicit__follow_roll_t(&v1, &v1_t, tables, work, work_t);
         roll_t = v1_t;
         roll = v1;
-        tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
+        tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
         for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
         {
             tangent_implicit__follow_minimum_t(tables, work, work_t, index);

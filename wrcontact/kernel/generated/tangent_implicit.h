@@ -8,13 +8,17 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "locus.h"
+#include "roll.h"
 #include "side.h"
 #include "tangent_elastic.h"
 #include "tangent_gap.h"
+#include "tangent_locus.h"
 #include "tangent_resultant.h"
 #include "tangent_roll.h"
 #include "tangent_step.h"
 
+static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
 static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);
 static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t);
 static inline int64_t tangent_implicit__follow_stand_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t);
