@@ -22,14 +22,14 @@ from collections import namedtuple
 
 #: What stands in for an iteration when the kernel is differentiated: a function of implicit.py.
 RULES = {
-    "open_region": "minimum_rule", "find_hump": "hump_rule", "solve_levels": "levels_rule", "touching_pair": "pair_rule",
+    "open_region": "minimum_rule", "zone_width": "width_rule", "find_hump": "hump_rule", "solve_levels": "levels_rule", "touching_pair": "pair_rule",
     "upright_coefficients": "upright_rule", "move_arc": "arc_rule", "move_chord": "chord_rule", "move_across": "across_rule",
     "normal_line": "line_rule", "find_overlaps": "overlaps_rule",
 }
 #: Called as they are: they look for places from which an iteration starts.
 SEARCHES = {"scan_side"}
 #: A part of a rule, and the function whose rule it is a part of.
-PARTS = {"turning_rule": "find_overlaps"}
+PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: Called by the rules as it is: it solves for rates.
 RATE_SOLVER = "eliminate"
 RULE_MODULE = "implicit"

@@ -23,12 +23,12 @@ from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, MODE_COMPLIANT, MODE_EL
 from .locus import PLACE_COS_YAW, PLACE_SIN_YAW, PLACE_YAWED, mirror_place, outline_jet, turn_wheelset
 from .overlaps import (DEEP_BETWEEN, DEEP_DEPTH, DEEP_FIRST, DEEP_HUMP, DEEP_RAIL, DEEP_SIZE, DEEP_WHEEL, find_overlaps)
 from .pressed import normal_line
-from .profile_table import height_slope_bend
-from .regions import (FAR, PLACE_SHARP, REGION_GAP, REGION_LEVEL, REGION_LOAD, REGION_SHARE, REGION_STATION, REGION_TURN, TRACE, find_hump,
+from .profile_table import START, STOP, height_slope_bend
+from .regions import (FAR, HALVED_SHARP, PLACE_SHARP, REGION_GAP, REGION_HIGH, REGION_LEVEL, REGION_LOAD, REGION_LOW, REGION_RAIL, REGION_REACHED, REGION_SHARE, REGION_STATION, REGION_WHEEL, zone_width, REGION_TURN, TRACE, WIDTH_TRACE, find_hump,
                       open_region, region_block)
 from .resultant import write_resultant
 from .roll import LEFT_PLACE, RIGHT_PLACE, place_both
-from .separation import arc_length, curve_jet, curve_speed, move_across, move_arc, move_chord
+from .separation import arc_length, curve_jet, curve_speed, move_across, move_arc, move_chord, separation
 from .side import SUPPORT_HEIGHT, side_resultant
 from .step import side_force, stand_rigid, withhold
 from .strips import eliminate
@@ -189,6 +189,42 @@ def hump_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int,
     return station, gap
 
 
+def width_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, level: float,
+               guess: float):
+    """``zone_width``: its Newton steps are followed as they are.  A width that halving has found ends where a profile ends, and
+    stays on that point; or else where the gap has risen by ``level``."""
+    width = differentiated(zone_width(tables, work, state, block, direction, level, guess))
+    limit = work[block + REGION_HIGH] - work[block + REGION_STATION]
+    if direction < 0.0:
+        limit = work[block + REGION_STATION] - work[block + REGION_LOW]
+    if width < limit and work[block + REGION_REACHED] != level:
+        inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
+        gap, rate = width_jet(tables, work, state, block, direction, inner)
+        rail_rate = rate_of(work[TRACER_RAIL])
+        wheel_rate = rate_of(work[TRACER_WHEEL])
+        moved = rate_of(level - gap + work[block + REGION_GAP]) / held(rate * direction)
+        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, 1.0))
+        rail = int(tables[SET_RAIL])
+        wheel = int(tables[SET_WHEEL])
+        x = work[TRACER_RAIL]
+        y = work[TRACER_WHEEL]
+        if x < tables[rail + START] + WIDTH_TRACE or x > tables[rail + STOP] - WIDTH_TRACE:
+            moved = -rail_rate / (rate_of(x) - rail_rate)
+        if y < tables[wheel + START] + WIDTH_TRACE or y > tables[wheel + STOP] - WIDTH_TRACE:
+            moved = -wheel_rate / (rate_of(y) - wheel_rate)
+        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, moved))
+        width = seeded(width, moved)
+        work[block + REGION_REACHED] = moving(work[block + REGION_REACHED], gap - work[block + REGION_GAP])
+    return width
+
+
+def width_jet(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, width: float):
+    """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as ``zone_width`` measures it."""
+    start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
+    gap, rate, bend, curvature = separation(tables, work, state, work[block + REGION_STATION] + direction * width, TRACE)
+    return gap, rate
+
+
 def levels_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
                 prescribed: int, sharp: float):
     """``solve_levels``: of each region level = turn penetration - gap - sum of pushes, and of all the load is the force.
@@ -289,8 +325,12 @@ def arc_rule(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
     exists = move_arc(tables, work, tracer, length)
     if exists == 1:
         u = held(work[tracer])
-        rest = length - arc_length(tables, work, tracer, start, u)
-        work[tracer] = moving(u, rest / held(curve_speed(tables, work, tracer, u)))
+        place = length / held(curve_speed(tables, work, tracer, u))
+        if u == start:
+            place = start + place
+        else:
+            place -= arc_length(tables, work, tracer, start, u) / held(curve_speed(tables, work, tracer, u))
+        work[tracer] = moving(u, place)
     return exists
 
 

@@ -103,7 +103,7 @@ static inline int64_t tangent_normal_contact__measure_widths_t(array_double_1d t
         high_t = (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown_t;
         high = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown;
     }
-    tangent_regions__zone_width_t(&v6, &v6_t, tables, work, work_t, state, block, 1.0, 0.0, level, level_t, high, high_t);
+    tangent_regions__width_rule_t(&v6, &v6_t, tables, work, work_t, state, block, 1.0, 0.0, level, level_t, high, high_t);
     high_t = v6_t;
     high = v6;
     high_reached_t = (*cspan_at(&work_t, block + regions__REGION_REACHED));
@@ -124,7 +124,7 @@ static inline int64_t tangent_normal_contact__measure_widths_t(array_double_1d t
         low_t = high_t;
         low = high;
     }
-    tangent_regions__zone_width_t(&v8, &v8_t, tables, work, work_t, state, block, -1.0, 0.0, level, level_t, low, low_t);
+    tangent_regions__width_rule_t(&v8, &v8_t, tables, work, work_t, state, block, -1.0, 0.0, level, level_t, low, low_t);
     low_t = v8_t;
     low = v8;
     if (yawed == INT64_C(1))

@@ -80,6 +80,78 @@ static inline int64_t tangent_regions__hump_rule_t(double* station, double* stat
     return 0;
 }
 
+/* Tangent of ``width_rule``. */
+static inline int64_t tangent_regions__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
+{
+    double v1;
+    double v1_t;
+    double limit_t;
+    double limit;
+    double inner;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double rail_rate;
+    double wheel_rate;
+    double moved;
+    int64_t rail;
+    int64_t wheel;
+    double x_t;
+    double x;
+    double y_t;
+    double y;
+    tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
+    (*width_t) = v1_t;
+    (*width) = v1;
+    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
+    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    if (direction < 0.0)
+    {
+        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
+        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+    }
+    if (((*width) < limit) && ((*cspan_at(&work, block + regions__REGION_REACHED)) != level))
+    {
+        inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0);
+        rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+        wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+        moved = (level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP))) / (rate * direction);
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0);
+        rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+        x_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+        x = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+        y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+        y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+        if ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE))
+        {
+            moved = (-rail_rate) / (x_t - rail_rate);
+        }
+        if ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE))
+        {
+            moved = (-wheel_rate) / (y_t - wheel_rate);
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved);
+        (*width_t) = moved;
+        (*cspan_at(&work_t, block + regions__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
+    }
+    return 0;
+}
+
+/* Tangent of ``width_jet``. */
+static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t)
+{
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), regions__TRACE, 0.0);
+    return 0;
+}
+
 /* Tangent of ``open_region``. */
 static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
 {

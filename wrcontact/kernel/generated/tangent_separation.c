@@ -13,10 +13,11 @@ static inline int64_t tangent_separation__arc_rule_t(array_double_1d tables, arr
     int64_t n1;
     double u;
     double v2;
-    double v2_t;
-    double rest_t;
-    double rest;
+    double place_t;
+    double place;
     double v3;
+    double v3_t;
+    double v4;
     int64_t exists;
     start_t = (*cspan_at(&work_t, tracer));
     start = (*cspan_at(&work, tracer));
@@ -25,11 +26,22 @@ static inline int64_t tangent_separation__arc_rule_t(array_double_1d tables, arr
     if (exists == INT64_C(1))
     {
         u = (*cspan_at(&work, tracer));
-        tangent_separation__arc_length_t(&v2, &v2_t, tables, work, work_t, tracer, start, start_t, u, 0.0);
-        rest_t = length_t - v2_t;
-        rest = length - v2;
-        v3 = separation__curve_speed(tables, work, tracer, u);
-        (*cspan_at(&work_t, tracer)) = rest_t / v3;
+        v2 = separation__curve_speed(tables, work, tracer, u);
+        place_t = length_t / v2;
+        place = length / v2;
+        if (u == start)
+        {
+            place_t = start_t + place_t;
+            place = start + place;
+        }
+        else
+        {
+            tangent_separation__arc_length_t(&v3, &v3_t, tables, work, work_t, tracer, start, start_t, u, 0.0);
+            v4 = separation__curve_speed(tables, work, tracer, u);
+            place_t = place_t - v3_t / v4;
+            place = place - v3 / v4;
+        }
+        (*cspan_at(&work_t, tracer)) = place_t;
         (*cspan_at(&work, tracer)) = u;
     }
     return exists;
