@@ -199,11 +199,14 @@ def width_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
         limit = work[block + REGION_STATION] - work[block + REGION_LOW]
     if width < limit and work[block + REGION_REACHED] != level:
         inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
-        gap, rate = width_jet(tables, work, state, block, direction, inner)
+        tolerance = 1e-3 * held(guess)
+        if tolerance > WIDTH_TRACE:
+            tolerance = WIDTH_TRACE
+        gap, rate = width_jet(tables, work, state, block, direction, inner, tolerance)
         rail_rate = rate_of(work[TRACER_RAIL])
         wheel_rate = rate_of(work[TRACER_WHEEL])
         moved = rate_of(level - gap + work[block + REGION_GAP]) / held(rate * direction)
-        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, 1.0))
+        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, 1.0), tolerance)
         rail = int(tables[SET_RAIL])
         wheel = int(tables[SET_WHEEL])
         x = work[TRACER_RAIL]
@@ -212,16 +215,18 @@ def width_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
             moved = -rail_rate / (rate_of(x) - rail_rate)
         if y < tables[wheel + START] + WIDTH_TRACE or y > tables[wheel + STOP] - WIDTH_TRACE:
             moved = -wheel_rate / (rate_of(y) - wheel_rate)
-        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, moved))
+        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
         work[block + REGION_REACHED] = moving(work[block + REGION_REACHED], gap - work[block + REGION_GAP])
     return width
 
 
-def width_jet(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, width: float):
+def width_jet(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, width: float,
+              tolerance: float):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as ``zone_width`` measures it."""
     start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    gap, rate, bend, curvature = separation(tables, work, state, work[block + REGION_STATION] + direction * width, TRACE)
+    gap, rate, bend, curvature = separation(tables, work, state, work[block + REGION_STATION] + direction * width,
+                                        tolerance)
     return gap, rate
 
 

@@ -88,6 +88,7 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
     double limit_t;
     double limit;
     double inner;
+    double tolerance;
     double gap;
     double gap_t;
     double rate;
@@ -114,11 +115,16 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
     if (((*width) < limit) && ((*cspan_at(&work, block + regions__REGION_REACHED)) != level))
     {
         inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0);
+        tolerance = 0.001 * guess;
+        if (tolerance > regions__WIDTH_TRACE)
+        {
+            tolerance = regions__WIDTH_TRACE;
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
         rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
         wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
         moved = (level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP))) / (rate * direction);
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0);
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
         rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
         wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
         x_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
@@ -133,7 +139,7 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
         {
             moved = (-wheel_rate) / (y_t - wheel_rate);
         }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved);
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
         (*width_t) = moved;
         (*cspan_at(&work_t, block + regions__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
     }
@@ -141,14 +147,14 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
 }
 
 /* Tangent of ``width_jet``. */
-static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t)
+static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
 {
     double bend;
     double bend_t;
     double curvature;
     double curvature_t;
     tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
-    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), regions__TRACE, 0.0);
+    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }
 
