@@ -179,6 +179,14 @@ fmi3Status fmi3DoStep(fmi3Instance component, fmi3Float64 time, fmi3Float64 size
 
 /* --- values ---------------------------------------------------------------------------------------------- */
 
+static int check_reference(instance *self, fmi3ValueReference reference)
+{
+    if (reference < 1 || reference > MODEL_BLOCKS)
+        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
+                               (unsigned long)reference, MODEL_BLOCKS);
+    return 0;
+}
+
 /* Whether a list of variables can be read or written, all known and of this type, with as many values as they hold. */
 static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
                       size_t value_count, model_type type)
@@ -188,9 +196,8 @@ static int check_list(instance *self, const char *function, reference_list refer
         return wheelset_refuse(self->wheelset, "%s: %s is a NULL pointer", function, references ? "values" : "valueReferences");
     for (size_t i = 0; i < count; i += 1)
     {
-        if (references[i] < 1 || references[i] > MODEL_BLOCKS)
-            return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
-                                   (unsigned long)references[i], MODEL_BLOCKS);
+        if (check_reference(self, references[i]))
+            return 1;
         const model_block *block = model_blocks + references[i];
         if (block->first < 0 ? type != MODEL_REAL : wheelset_check(self->wheelset, (uint32_t)block->first, type))
             return block->first < 0 ? wheelset_refuse(self->wheelset, "time is of type Real, not of this function's") : 1;
@@ -286,6 +293,93 @@ fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference refere
     for (size_t i = 0; i < count && !refused; i += 1)
         refused = wheelset_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
     return answer(self, refused);
+}
+
+/* --- directional derivatives ------------------------------------------------------------------------------ */
+
+typedef int check(wheelset *wheelset, uint32_t reference);
+
+/* Whether every variable of a list passes `check`, and together they have `value_count` values. */
+static int check_derivative(instance *self, const char *function, reference_list references, size_t count, const void *values,
+                            size_t value_count, check *check)
+{
+    size_t needed = 0;
+    if ((count > 0 && !references) || (value_count > 0 && !values))
+        return wheelset_refuse(self->wheelset, "%s: a list is a NULL pointer", function);
+    for (size_t i = 0; i < count; i += 1)
+    {
+        if (check_reference(self, references[i]))
+            return 1;
+        const model_block *block = model_blocks + references[i];
+        if (block->first < 0)
+            return wheelset_refuse(self->wheelset, "%s: time is neither an input nor an output", function);
+        if (check(self->wheelset, (uint32_t)block->first))
+            return 1;
+        needed += (size_t)block->count;
+    }
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
+fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count,
+                                        reference_list knowns, size_t known_count, const fmi3Float64 seed[], size_t seed_count,
+                                        fmi3Float64 sensitivity[], size_t sensitivity_count)
+{
+    static const char NAME[] = "fmi3GetDirectionalDerivative";
+    instance *self = component;
+    double along[MODEL_INPUTS] = {0.0}, rates[MODEL_OUTPUTS];
+    if (!self)
+        return fmi3Error;
+    if (check_derivative(self, NAME, unknowns, unknown_count, sensitivity, sensitivity_count, wheelset_check_unknown)
+        || check_derivative(self, NAME, knowns, known_count, seed, seed_count, wheelset_check_known))
+        return answer(self, 1);
+    for (size_t i = 0; i < known_count; i += 1)
+        along[model_blocks[knowns[i]].first] += seed[i];
+    if (wheelset_differentiate(self->wheelset, along, rates))
+        return answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+    {
+        const model_block *block = model_blocks + unknowns[i];
+        for (int k = 0; k < block->count; k += 1)
+            *sensitivity++ = rates[block->first - MODEL_FIRST_OUTPUT + k];
+    }
+    return fmi3OK;
+}
+
+/* Seeds of outputs, sensitivities of inputs: one directional derivative along each input that is asked for. */
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count, reference_list knowns,
+                                    size_t known_count, const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[],
+                                    size_t sensitivity_count)
+{
+    static const char NAME[] = "fmi3GetAdjointDerivative";
+    instance *self = component;
+    double weights[MODEL_OUTPUTS] = {0.0}, rates[MODEL_OUTPUTS], sums[MODEL_INPUTS] = {0.0};
+    if (!self)
+        return fmi3Error;
+    if (check_derivative(self, NAME, unknowns, unknown_count, seed, seed_count, wheelset_check_unknown)
+        || check_derivative(self, NAME, knowns, known_count, sensitivity, sensitivity_count, wheelset_check_known))
+        return answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+    {
+        const model_block *block = model_blocks + unknowns[i];
+        for (int k = 0; k < block->count; k += 1)
+            weights[block->first - MODEL_FIRST_OUTPUT + k] += *seed++;
+    }
+    for (size_t i = 0; i < known_count; i += 1)
+    {
+        double along[MODEL_INPUTS] = {0.0}, *sum = sums + model_blocks[knowns[i]].first;
+        along[model_blocks[knowns[i]].first] = 1.0;
+        if (wheelset_differentiate(self->wheelset, along, rates))
+            return answer(self, 1);
+        *sum = 0.0;
+        for (int k = 0; k < MODEL_OUTPUTS; k += 1)
+            *sum += weights[k] * rates[k];
+    }
+    for (size_t i = 0; i < known_count; i += 1)
+        sensitivity[i] = sums[model_blocks[knowns[i]].first];
+    return fmi3OK;
 }
 
 /* --- saved states ---------------------------------------------------------------------------------------- */
@@ -419,10 +513,6 @@ NOT_HERE(fmi3ActivateModelPartition, CLOCKLESS, fmi3ValueReference clock, fmi3Fl
 NOT_HERE(fmi3GetNumberOfVariableDependencies, "dependencies are in the model description", fmi3ValueReference r, size_t *n)
 NOT_HERE(fmi3GetVariableDependencies, "dependencies are in the model description", fmi3ValueReference r, size_t e[],
          fmi3ValueReference i[], size_t f[], fmi3DependencyKind k[], size_t n)
-NOT_HERE(fmi3GetDirectionalDerivative, "there are no directional derivatives", reference_list u, size_t n, reference_list k,
-         size_t m, const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
-NOT_HERE(fmi3GetAdjointDerivative, "there are no adjoint derivatives", reference_list u, size_t n, reference_list k, size_t m,
-         const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
 NOT_HERE(fmi3GetOutputDerivatives, "there are no output derivatives", reference_list r, size_t n, const fmi3Int32 orders[],
          fmi3Float64 values[], size_t m)
 NO_MODE(fmi3EnterConfigurationMode, "there are no structural parameters")

@@ -303,7 +303,7 @@ static int initialise(wheelset *self)
         return 1;
     memset(self->core.memory, 0, sizeof self->core.memory);
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
-    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, (MODEL_STATUS - MODEL_FIRST_OUTPUT) * sizeof(double));
+    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, MODEL_OUTPUTS * sizeof(double));
     self->core.built = self->core.stale = 1;
     return 0;
 }
@@ -318,9 +318,10 @@ wheelset *wheelset_new(wheelset_tell *tell, void *owner)
     self->tell = tell;
     self->owner = owner;
     self->workspace = calloc(MODEL_WORK, sizeof(double));
-    if (!self->workspace)
+    self->tangent_room = calloc((size_t)wrcontact_tangent_room(), sizeof(double));
+    if (!self->workspace || !self->tangent_room)
     {
-        free(self);
+        wheelset_free(self);
         return NULL;
     }
     wheelset_reset(self);
@@ -331,6 +332,7 @@ void wheelset_free(wheelset *self)
 {
     free(self->tables);
     free(self->workspace);
+    free(self->tangent_room);
     free(self);
 }
 
@@ -448,13 +450,21 @@ int wheelset_set_integer(wheelset *self, uint32_t reference)
     return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
 }
 
-/* One step of the kernel, and its outcome. */
-static void evaluate(wheelset *self)
+/* The kernel's arrays. */
+static wrcontact_handle handle_of(wheelset *self)
 {
     wheelset_core *core = &self->core;
     const wrcontact_handle handle = {
         span_of(self->tables, self->table_size), span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
-        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, MODEL_STATUS - MODEL_FIRST_OUTPUT)};
+        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, MODEL_OUTPUTS)};
+    return handle;
+}
+
+/* One step of the kernel, and its outcome. */
+static void evaluate(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const wrcontact_handle handle = handle_of(self);
     const int status = wrcontact_step(&handle);
     core->values[MODEL_STATUS] = status;
     core->stale = 0;
@@ -486,6 +496,40 @@ int wheelset_step(wheelset *self, double time, double size)
         tell_status(self);
     self->core.told = 0;
     self->core.time = time + size;
+    return 0;
+}
+
+/* --- directional derivatives ------------------------------------------------------------------------- */
+
+int wheelset_check_known(wheelset *self, uint32_t reference)
+{
+    if (wheelset_check(self, reference, MODEL_REAL))
+        return 1;
+    if (model_variables[reference].causality != MODEL_INPUT)
+        return wheelset_refuse(self, "%s is not an input; derivatives are with respect to inputs", model_variables[reference].name);
+    return 0;
+}
+
+int wheelset_check_unknown(wheelset *self, uint32_t reference)
+{
+    if (wheelset_check(self, reference, MODEL_REAL))
+        return 1;
+    if (model_variables[reference].causality != MODEL_OUTPUT)
+        return wheelset_refuse(self, "%s is not an output; derivatives are those of outputs", model_variables[reference].name);
+    return 0;
+}
+
+int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], double rates[MODEL_OUTPUTS])
+{
+    if (self->core.phase == PHASE_INSTANTIATED)
+        return wheelset_refuse(self, "there are no derivatives before the initialisation");
+    if (!self->core.locked && wheelset_refresh(self))
+        return 1;
+    for (int i = 0; i < MODEL_INPUTS; i += 1)
+        if (!isfinite(seed[i]))
+            return wheelset_refuse(self, "the seed of %s is not finite; permitted are finite numbers", model_variables[i].name);
+    const wrcontact_handle handle = handle_of(self);
+    wrcontact_tangent(&handle, seed, rates, self->tangent_room);
     return 0;
 }
 

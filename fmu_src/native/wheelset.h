@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 #include "kernel/native/wrcontact_prepare.h"
+#include "kernel/native/wrcontact_tangent.h"
 #include "model.h"
 
 typedef enum { PHASE_INSTANTIATED, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED } wheelset_phase;
@@ -47,6 +48,7 @@ typedef struct {
     double *tables;
     int64_t table_size;
     double *workspace;
+    double *tangent_room;                   /* memory of a directional derivative */
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */
     char built_text[MODEL_STRINGS][MODEL_TEXT];
     char sentence[MODEL_SENTENCE];
@@ -68,6 +70,11 @@ int wheelset_enter(wheelset *self);                             /* initialisatio
 int wheelset_exit(wheelset *self);                              /* and out of it */
 int wheelset_step(wheelset *self, double time, double size);
 int wheelset_terminate(wheelset *self);
+
+/* Directional derivatives of the outputs at the present inputs; they change nothing of the instance. */
+int wheelset_check_known(wheelset *self, uint32_t reference);
+int wheelset_check_unknown(wheelset *self, uint32_t reference);
+int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], double rates[MODEL_OUTPUTS]);
 
 void wheelset_save(const wheelset *self, wheelset_saved *saved);
 int wheelset_restore(wheelset *self, const wheelset_saved *saved, size_t size);

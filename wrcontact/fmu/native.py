@@ -99,7 +99,8 @@ def sources(version, token, starts, profiles):
 
 def compiled_units(version):
     """The sources that are compiled; all others are included by them."""
-    return [f"fmi{version}.c", "wheelset.c", "model.c", "kernel/native/wrcontact_kernel.c", "kernel/native/wrcontact_prepare.c"]
+    kernel = [f"kernel/native/wrcontact_{unit}.c" for unit in ("kernel", "prepare", "tangent")]
+    return [f"fmi{version}.c", "wheelset.c", "model.c", *kernel]
 
 
 def libraries(contents, units, platforms, folder):
