@@ -14,7 +14,7 @@ from math import cos, fabs, log, sin, sqrt
 
 from .analyn import influence, load_regions, region_load, solve_levels
 from .contact_plane import TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, normal_gap, start_tracer
-from .elastic import bear_side, carry_side
+from .elastic import ELASTIC_SHARP, bear_side, carry_side
 from .gap import gap_per_roll, vertical_gap
 from .hertz import table_value, upright_coefficients
 from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OUT_ROLL, OUT_VERTICAL_SHIFT,
@@ -109,12 +109,18 @@ def follow_stand(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
 
 
 def follow_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """The elastic stand: what both sides lack of the height vanishes, over height and roll."""
+    """The elastic stand: what both sides lack of the height vanishes, over height and roll.
+
+    1 where it does not, else 0: then the wheelset stands where a side's load jumps past its force (elastic.bracket_height), and
+    no equation tells how that place moves.
+    """
     roll = work[WORK_OUTPUTS + OUT_ROLL]
     height = work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT]
     left = WORK_SUPPORT + SUPPORT_HEIGHT
     right = WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT
     follow_stand(tables, work, state, held(roll), held(height))
+    if fabs(work[left] - height) + fabs(work[right] - height) > 1e4 * ELASTIC_SHARP:
+        return 1
     lack_left = rate_of(work[left])
     lack_right = rate_of(work[right])
     follow_stand(tables, work, state, held(roll), seeded(height, 1.0))
@@ -146,8 +152,10 @@ def follow_compliant(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
 
 
 def differentiate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
-    """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step left it."""
+    """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step left it.
+    1 where that cannot be told (``follow_elastic``), else 0."""
     mode = int(tables[SET_MODE])
+    outcome = 0
     if mode == MODE_RIGID:
         roll = follow_roll(tables, work)
         place_moving(tables, work, roll)
@@ -155,12 +163,12 @@ def differentiate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
             follow_minimum(tables, work, index)
         stand_rigid(tables, work, state, roll)
     if mode == MODE_ELASTIC:
-        follow_elastic(tables, work, state)
+        outcome = follow_elastic(tables, work, state)
     if mode == MODE_COMPLIANT:
         follow_compliant(tables, work, state)
     write_resultant(tables, work, side_resultant(0), side_resultant(1))
     withhold(tables, work)
-    return 0
+    return outcome
 
 
 def minimum_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, station: float):

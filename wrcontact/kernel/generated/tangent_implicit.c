@@ -135,6 +135,10 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
     left = layout__WORK_SUPPORT + side__SUPPORT_HEIGHT;
     right = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT;
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
+    if (fabs((*cspan_at(&work, left)) - height) + fabs((*cspan_at(&work, right)) - height) > 10000.0 * elastic__ELASTIC_SHARP)
+    {
+        return INT64_C(1);
+    }
     lack_left = (*cspan_at(&work_t, left));
     lack_right = (*cspan_at(&work_t, right));
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 1.0);
@@ -188,7 +192,10 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     double roll_t;
     double roll;
     int64_t index;
+    int64_t n2;
+    int64_t outcome;
     mode = (int64_t)((*cspan_at(&tables, layout__SET_MODE)));
+    outcome = INT64_C(0);
     if (mode == layout__MODE_RIGID)
     {
         tangent_implicit__follow_roll_t(&v1, &v1_t, tables, work, work_t);
@@ -203,7 +210,8 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     }
     if (mode == layout__MODE_ELASTIC)
     {
-        tangent_implicit__follow_elastic_t(tables, work, work_t, state);
+        n2 = tangent_implicit__follow_elastic_t(tables, work, work_t, state);
+        outcome = n2;
     }
     if (mode == layout__MODE_COMPLIANT)
     {
@@ -211,5 +219,5 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     }
     tangent_resultant__write_resultant_t(tables, work, work_t, side__side_resultant(INT64_C(0)), side__side_resultant(INT64_C(1)));
     tangent_step__withhold_t(tables, work, work_t);
-    return INT64_C(0);
+    return outcome;
 }

@@ -7,6 +7,7 @@
 #define WRCONTACT_KERNEL_TANGENT_IMPLICIT_H
 
 #include "../native/spans.h"
+#include "elastic.h"
 #include "layout.h"
 #include "locus.h"
 #include "roll.h"
