@@ -38,7 +38,9 @@ import tempfile
 import types
 from pathlib import Path
 
-from tangent import RULE_MODULE, tangent_modules
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from tangent import RULE_MODULE, tangent_modules  # noqa: E402  found through the line above
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version may write other C
