@@ -30,6 +30,7 @@ FAMILY = np.unique([re.sub(r"\[\d+\]", "", name) for name in NAMES], return_inve
 
 AGREE = 1e-6        # [of the derivative's scale] to differences
 CLEAR = 3e-7        # [likewise] differences that agree with each other to this are held against derivatives
+KINK = 1e-4         # [likewise] by which differences across a kink are off that their steps do not notice
 STEPS = 16          # steps of differences, each twice the one before; the first, as a share of the input's nominal value:
 FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 4e-7, 4e-6)
 
@@ -44,10 +45,10 @@ CASES = {
     "strip": ({"normal_model": "analyn_strip"}, 1e-3),
     "elastic hertz": ({"contact_mode": "elastic", "normal_model": "hertz"}, 1e-3),
     "elastic": ({"contact_mode": "elastic"}, 1e-3),
-    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 1e-3),
+    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 2e-2),
     "compliant": ({"contact_mode": "compliant"}, 1e-3),
     "vertical separation": ({"separation": "vertical"}, 1e-3),
-    "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 1e-3),
+    "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 1e-2),
     "chord, elastic": ({"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"}, 1e-3),
     "smooth": ({"lateral_curvature": "smooth"}, 1e-2),
     "rough": ({"lateral_curvature": "rough"}, 1e-2),
@@ -129,7 +130,7 @@ def test_derivatives_are_those_of_differences(case):
     deviations, spreads = np.concatenate(deviations), np.concatenate(spreads)
     clear = spreads <= CLEAR
     assert clear.mean() > 0.9
-    assert (deviations[clear] > AGREE).mean() <= kinked
+    assert (deviations[clear] > AGREE).mean() <= kinked and deviations[clear].max() < KINK
     assert np.median(deviations) < 1e-8
 
 
