@@ -126,13 +126,19 @@ static int integers(component c, const value_reference *r, size_t n, int *v, int
 {
     return set ? fmi2SetInteger(c, r, n, v) : fmi2GetInteger(c, r, n, v);
 }
+static int differentiate(component c, const value_reference *r, size_t n, const value_reference *known, double *rates, size_t m)
+{
+    const double one = 1.0;
+    (void)m;
+    return fmi2GetDirectionalDerivative(c, r, n, known, 1, &one, rates);
+}
 static int odd_call(component c, const value_reference *r, size_t n)
 {
     int integer = 0;
     switch (pick(9))
     {
     case 0: return fmi2GetBoolean(c, r, n, &integer);
-    case 1: return fmi2GetDirectionalDerivative(c, r, n, r, n, numbers, numbers);
+    case 1: return fmi2GetDirectionalDerivative(c, r, n, pick(9) ? r : NULL, n, numbers, numbers);
     case 2: return fmi2SetRealInputDerivatives(c, r, n, &integer, numbers);
     case 3: return fmi2GetRealOutputDerivatives(c, r, n, &integer, numbers);
     case 4: return fmi2CancelStep(c);
@@ -187,6 +193,13 @@ static int integers(component c, const value_reference *r, size_t n, int *v, int
 {
     return set ? fmi3SetInt32(c, r, n, v, n) : fmi3GetInt32(c, r, n, v, n);
 }
+static int differentiate(component c, const value_reference *r, size_t n, const value_reference *known, double *rates, size_t m)
+{
+    const double one = 1.0;
+    if (pick(3) == 0)
+        return fmi3GetAdjointDerivative(c, r, n, known, 1, rates, m, numbers, 1);
+    return fmi3GetDirectionalDerivative(c, r, n, known, 1, &one, 1, rates, m);
+}
 static int odd_call(component c, const value_reference *r, size_t n)
 {
     bool flag;
@@ -194,7 +207,7 @@ static int odd_call(component c, const value_reference *r, size_t n)
     switch (pick(10))
     {
     case 0: return fmi3GetBoolean(c, r, n, &flag, n);
-    case 1: return fmi3GetDirectionalDerivative(c, r, n, r, n, numbers, n, numbers, n);
+    case 1: return fmi3GetDirectionalDerivative(c, r, n, pick(9) ? r : NULL, n, numbers, n, numbers, n);
     case 2: return fmi3GetInt64(c, r, n, NULL, n);
     case 3: return fmi3EnterConfigurationMode(c);
     case 4: return fmi3ExitConfigurationMode(c);
@@ -263,6 +276,24 @@ static int usual_start(component c)
     return (int)CALL(ExitInitializationMode)(c);
 }
 
+/* Derivatives of some outputs along an input, now and then along what is none. */
+static int some_derivative(component c)
+{
+    const value_reference first = FMI == 2 ? MODEL_FIRST_OUTPUT : MODEL_FIRST_OUTPUT + 2;
+    const value_reference known = FIRST_REFERENCE + (FMI == 3) + pick(MODEL_INPUTS + (pick(9) == 0));
+    value_reference references[LIST];
+    const size_t count = pick(LIST);
+    size_t values = 0;
+    for (size_t i = 0; i < count; i += 1)
+    {
+        references[i] = first + pick(pick(9) ? 8 : REFERENCES - first);
+        values += values_of(references[i]);
+    }
+    for (size_t i = 0; i < values; i += 1)
+        numbers[i] = 1.0;
+    return differentiate(c, references, count, &known, numbers, values);
+}
+
 static int some_call(void)
 {
     component *slot = instances + pick(INSTANCES), c = *slot;
@@ -301,7 +332,7 @@ static int some_call(void)
     case 4: return pick(60) ? OK : CALL(Terminate)(c);
     case 5: return texts(c, references, count, words, 1);
     case 6: return texts(c, references, count, words, 0);
-    case 7: return integers(c, references, count, integer, pick(4) == 0);
+    case 7: return pick(2) ? some_derivative(c) : integers(c, references, count, integer, pick(4) == 0);
     case 8: return odd_call(c, references, count);
     case 9: return CALL(SetDebugLogging)(c, true, count, words);
     case 10: return get_state(c, pick(20) ? states + k : NULL);
@@ -437,8 +468,18 @@ static int cost(const char *path)
         const double passed = (now() - start) / row_count;
         best = passed < best ? passed : best;
     }
-    printf("{\"microseconds\": %.3f, \"rows\": %d, \"outputs\": %lu, \"allocations\": %ld}\n", best, row_count,
-           (unsigned long)values, allocations - before);
+    double derivative = 0.0;
+    for (int k = 0; k < row_count; k += 1)
+    {
+        int status = set_reals(c, inputs, 5, rows[k], 5) | get_reals(c, references, count, outputs, values);
+        const double start = now();
+        status |= differentiate(c, references, count, inputs, outputs, values);
+        derivative += (now() - start) / row_count;
+        if (status)
+            return printf("a derivative fails in row %d\n", k), 1;
+    }
+    printf("{\"microseconds\": %.3f, \"derivative\": %.3f, \"rows\": %d, \"outputs\": %lu, \"allocations\": %ld}\n", best,
+           derivative, row_count, (unsigned long)values, allocations - before);
     CALL(FreeInstance)(c);
     return 0;
 }
