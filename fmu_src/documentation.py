@@ -26,6 +26,9 @@ its value and the limit. The step itself always succeeds, and the next valid inp
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
 <tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td><td>last valid values</td></tr>
 </table>
+<p>The native FMU has directional derivatives of all continuous outputs against all inputs, those of FMI 3.0 adjoint ones too. At a
+jump it is the derivative of the side on which the pose stands; with status 1 the lifted wheel's patch has none, and with status 2 and
+more, where outputs are held, all are zero.</p>
 
 <h2>Conventions</h2>
 <p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y to

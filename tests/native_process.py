@@ -260,6 +260,7 @@ def derivatives(fmu, rows, outputs, inputs, start=None):
     early.set(**rows[0])
     inside = matrix(early.slave)
     slave, reference = instance.slave, {v.name: v.valueReference for v in fmu.variables.values()}
+    fresh = fmu.instance(log=instance.log).slave
     calls = {
         "parameter": lambda: slave.getDirectionalDerivative(unknowns, [reference["gauge"]], [1.0], nSensitivity=count),
         "output as known": lambda: slave.getDirectionalDerivative(unknowns, [reference["roll"]], [1.0], nSensitivity=count),
@@ -270,7 +271,7 @@ def derivatives(fmu, rows, outputs, inputs, start=None):
         "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count - 1),
         "too many seeds": lambda: slave.getAdjointDerivative(unknowns, knowns[:1], [1.0] * (count + 1)),
         "not a number": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [math.nan], nSensitivity=count),
-        "too early": lambda: fmu.instance(log=instance.log).slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count),
+        "too early": lambda: fresh.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count),
     }
     instance.told()
     answers = {name: (refused(call), instance.told()) for name, call in calls.items()}

@@ -451,7 +451,7 @@ HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_r
 SANITIZERS = ["-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all"]
 CALLS = 100_000
 COST = 25.0 / 2.0   # of set 5, do step, get all on the run "hunting", in units of np.sqrt over 2000 numbers
-DERIVATIVE_COST = 20.0      # of one directional derivative of all outputs there, likewise
+DERIVATIVE_COST = 25.0      # of one directional derivative of all outputs there, likewise
 NOISE = 2.0         # of a shared machine
 
 

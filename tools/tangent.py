@@ -22,7 +22,8 @@ from collections import namedtuple
 
 #: What stands in for an iteration when the kernel is differentiated: a function of implicit.py.
 RULES = {
-    "open_region": "minimum_rule", "zone_width": "width_rule", "find_hump": "hump_rule", "solve_levels": "levels_rule", "touching_pair": "pair_rule",
+    "open_region": "minimum_rule", "zone_width": "width_rule", "find_hump": "hump_rule", "solve_levels": "levels_rule",
+    "touching_pair": "pair_rule",
     "upright_coefficients": "upright_rule", "move_arc": "arc_rule", "move_chord": "chord_rule", "move_across": "across_rule",
     "normal_line": "line_rule", "find_overlaps": "overlaps_rule",
 }
@@ -489,7 +490,7 @@ class Differentiated(Scope):
             before = len(self.lines)
             parts = [self.operand(part) for part in node.values]
             if len(self.lines) > before:
-                raise ValueError(f"{self.module}.py, line {node.lineno}: a condition of several parts calls what changes something")
+                raise ValueError(f"{self.module}.py, line {node.lineno}: one of several conditions calls what changes something")
             return (" and " if isinstance(node.op, ast.And) else " or ").join(parts)
         if isinstance(node, ast.Call):
             return f"{node.func.id}({', '.join(self.value(argument) for argument in node.args)})"
@@ -580,7 +581,8 @@ class Differentiated(Scope):
         tangent = self.kernel.called(self.module, node)
         if tangent:
             result = self.fresh("v")
-            self.write(f"{result}, {result}_t = {self.tangent_call(node.args[0] if name == 'differentiated' else node, tangent)}")
+            call = node.args[0] if name == "differentiated" else node
+            self.write(f"{result}, {result}_t = {self.tangent_call(call, tangent)}")
             return Pair(result, result + "_t")
         if name == "atan2":
             up, along = self.atom(node.args[0]), self.atom(node.args[1])

@@ -18,14 +18,15 @@ from .elastic import ELASTIC_SHARP, bear_side, carry_side
 from .gap import gap_per_roll, vertical_gap
 from .hertz import table_value, upright_coefficients
 from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OUT_ROLL, OUT_VERTICAL_SHIFT,
-                     PLACE_BLOCK, SET_MODE, SET_RAIL, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK, SUPPORT_BLOCK,
-                     WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT, WORK_SYSTEM)
+                     PLACE_BLOCK, SET_MODE, SET_RAIL, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK,
+                     SUPPORT_BLOCK, WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT, WORK_SYSTEM)
 from .locus import PLACE_COS_YAW, PLACE_SIN_YAW, PLACE_YAWED, mirror_place, outline_jet, turn_wheelset
 from .overlaps import (DEEP_BETWEEN, DEEP_DEPTH, DEEP_FIRST, DEEP_HUMP, DEEP_RAIL, DEEP_SIZE, DEEP_WHEEL, find_overlaps)
 from .pressed import normal_line
 from .profile_table import START, STOP, height_slope_bend
-from .regions import (FAR, HALVED_SHARP, PLACE_SHARP, REGION_GAP, REGION_HIGH, REGION_LEVEL, REGION_LOAD, REGION_LOW, REGION_RAIL, REGION_REACHED, REGION_SHARE, REGION_STATION, REGION_WHEEL, zone_width, REGION_TURN, TRACE, WIDTH_TRACE, find_hump,
-                      open_region, region_block)
+from .regions import (FAR, HALVED_SHARP, PLACE_SHARP, REGION_GAP, REGION_HIGH, REGION_LEVEL, REGION_LOAD, REGION_LOW,
+                      REGION_RAIL, REGION_REACHED, REGION_SHARE, REGION_STATION, REGION_TURN, REGION_WHEEL, TRACE,
+                      WIDTH_TRACE, find_hump, open_region, region_block, zone_width)
 from .resultant import write_resultant
 from .roll import LEFT_PLACE, RIGHT_PLACE, place_both
 from .separation import arc_length, curve_jet, curve_speed, move_across, move_arc, move_chord, separation
@@ -74,8 +75,8 @@ def place_moving(tables: 'float[:]', work: 'float[:]', roll: float):
 
 
 def follow_minimum(tables: 'float[:]', work: 'float[:]', index: int):
-    """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of wheel and rail agree,
-    mismatch(y) = 0."""
+    """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of wheel and rail
+    agree, mismatch(y) = 0."""
     side = WORK_SIDE + SIDE_BLOCK * index
     at = WORK_PLACE + PLACE_BLOCK * index
     y = held(work[side + SIDE_BEST_Y])

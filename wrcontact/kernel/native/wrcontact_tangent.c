@@ -45,7 +45,8 @@ static void difference(const wrcontact_handle *own, const wrcontact_handle *hand
 
 int wrcontact_tangent(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
 {
-    const array_double_1d work = span_of(room, layout__WORK_SIZE), work_t = span_of(work.data + layout__WORK_SIZE, layout__WORK_SIZE);
+    const array_double_1d work = span_of(room, layout__WORK_SIZE);
+    const array_double_1d work_t = span_of(work.data + layout__WORK_SIZE, layout__WORK_SIZE);
     const array_double_1d state = span_of(work_t.data + layout__WORK_SIZE, layout__STATE_SIZE);
     const array_double_1d inputs = span_of(state.data + layout__STATE_SIZE, layout__INPUT_COUNT);
     const array_double_1d outputs = span_of(inputs.data + layout__INPUT_COUNT, layout__OUTPUT_COUNT);

@@ -10,7 +10,7 @@
 /* Numbers of memory that a directional derivative needs. */
 WRCONTACT_EXPORT int64_t wrcontact_tangent_room(void);
 
-/* Rates of all outputs of the step at handle->inputs, of which each moves at its rate in `seed`; the status of that step.
+/* Rates of all outputs of the step at handle->inputs, where each input moves at its rate in `seed`; the status of that step.
  *
  * The step starts where handle->state says and is made in `room`, wrcontact_tangent_room() numbers, of which nothing is kept;
  * the handle's own arrays are left as they are.  Where the status is neither 0 nor 1 the outputs are held: rates are 0. */
