@@ -19,8 +19,8 @@ _NAMES = runpy.run_path(str(KERNEL / "platforms.py"))
 PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
 LIBRARY_NAME = library_name(host_platform())
 
-#: What steps, and what prepares: units of their own, so that the second takes nothing from the optimising of the first.
-SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c")]
+#: What steps, what prepares and what differentiates: units of their own, so that no other takes from the optimising of the first.
+SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
 
 # No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",

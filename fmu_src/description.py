@@ -19,6 +19,9 @@ CAPABILITIES = {
     "providesDirectionalDerivative": "false",
 }
 
+#: The native FMU has directional derivatives, the Python FMU has not.
+NATIVE_CAPABILITIES = {**CAPABILITIES, "providesDirectionalDerivative": "true"}
+
 LOG_CATEGORIES = {
     "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the limit",
     "logStatusError": "Why a call failed: a parameter, a saved state or a value that was refused",
@@ -27,7 +30,7 @@ LOG_CATEGORIES = {
 
 def model_description(guid, tool, version, starts, units=()):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C files to compile of
-    an FMU with sources."""
+    a native FMU, which has its sources with it."""
     root = Element(
         "fmiModelDescription",
         fmiVersion="2.0",
@@ -38,7 +41,7 @@ def model_description(guid, tool, version, starts, units=()):
         generationTool=tool,
         variableNamingConvention="structured",
     )
-    abilities = SubElement(root, "CoSimulation", CAPABILITIES)
+    abilities = SubElement(root, "CoSimulation", NATIVE_CAPABILITIES if units else CAPABILITIES)
     if units:
         files = SubElement(abilities, "SourceFiles")
         for name in units:

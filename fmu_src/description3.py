@@ -13,7 +13,8 @@ CAPABILITIES = {
     "canBeInstantiatedOnlyOncePerProcess": "false",
     "canGetAndSetFMUState": "true",
     "canSerializeFMUState": "true",
-    "providesDirectionalDerivatives": "false",
+    "providesDirectionalDerivatives": "true",
+    "providesAdjointDerivatives": "true",
     "canHandleVariableCommunicationStepSize": "true",
 }
 

@@ -24,7 +24,8 @@ TYPES = {REAL: "MODEL_REAL", INTEGER: "MODEL_INTEGER", STRING: "MODEL_STRING"}
 def sizes_header(token, profiles, blocks):
     """The text of model_sizes.h."""
     sizes = {
-        "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "FIRST_OUTPUT": FIRST_OUTPUT, "STATUS": STATUS,
+        "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "FIRST_OUTPUT": FIRST_OUTPUT, "OUTPUTS": STATUS - FIRST_OUTPUT,
+        "STATUS": STATUS,
         "TOLERANCE": REFERENCE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),

@@ -258,6 +258,31 @@ def _go_on(instance, rows):
     return seen
 
 
+def derivatives(fmu, rows, outputs, inputs, start):
+    """Directional derivatives after steps, with whether the instance stayed as it was; and which calls are refused."""
+    instance, seen = fmu.running(**start), []
+    slave, reference = instance.slave, {v.name: v.valueReference for v in fmu.variables.values()}
+    unknowns, knowns = ([reference[name] for name in names] for names in (outputs, inputs))
+    for row in rows:
+        instance.step(**row)
+        state = slave.getFMUstate()
+        before = slave.serializeFMUstate(state)
+        found = [list(slave.getDirectionalDerivative(unknowns, [known], [1.0])) for known in knowns]
+        again = slave.getFMUstate()
+        seen.append({"matrix": found, "kept": slave.serializeFMUstate(again) == before})
+        slave.freeFMUstate(state)
+        slave.freeFMUstate(again)
+    calls = {"parameter": (unknowns, [reference["gauge"]]), "output as known": (unknowns, [reference["roll"]]),
+             "input as unknown": ([reference["yaw"]], knowns[:1]), "integer": ([reference["status"]], knowns[:1]),
+             "unknown reference": ([4711], knowns[:1])}
+    del instance.log[:]
+    answers = {}
+    for name, (one, other) in calls.items():
+        answers[name] = refused(slave.getDirectionalDerivative, one, other, [1.0]), list(instance.log)
+        del instance.log[:]
+    return {"seen": seen, "calls": answers}
+
+
 def reset(fmu, start):
     """Values before and after a reset, and a second run that repeats the first."""
     instance = fmu.running(**start)

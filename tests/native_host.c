@@ -187,6 +187,12 @@ static int integers(component c, const value_reference *r, size_t n, int *v, int
 {
     return set ? CALL(SetInteger)(c, r, n, v) : CALL(GetInteger)(c, r, n, v);
 }
+static int differentiate(component c, const value_reference *r, size_t n, const value_reference *known, double *rates, size_t m)
+{
+    const double one = 1.0;
+    (void)m;
+    return CALL(GetDirectionalDerivative)(c, r, n, known, 1, &one, rates);
+}
 static int odd_call(component c, const value_reference *r, size_t n)
 {
     int integer[64 * LIST] = {0};
@@ -302,6 +308,15 @@ static unsigned long long some_stations(void)
 #define OTHER_TYPE(number, name)                                                        \
     case 2 * number: return CALL(Get##name)(c, r, n, (void *)numbers, n);               \
     case 2 * number + 1: return CALL(Set##name)(c, r, n, (void *)numbers, n);
+
+
+static int differentiate(component c, const value_reference *r, size_t n, const value_reference *known, double *rates, size_t m)
+{
+    const double one = 1.0;
+    if (pick(3) == 0)
+        return CALL(GetAdjointDerivative)(c, r, n, known, 1, rates, m, numbers, 1);
+    return CALL(GetDirectionalDerivative)(c, r, n, known, 1, &one, 1, rates, m);
+}
 
 static int odd_call(component c, const value_reference *r, size_t n)
 {
@@ -487,6 +502,24 @@ static int take_back(component c, unsigned k)
     return OK + 1;
 }
 
+/* Derivatives of some outputs along an input, now and then along what is none. */
+static int some_derivative(component c)
+{
+    const value_reference first = MODEL_FIRST_OUTPUT + FIRST_INPUT;
+    const value_reference known = FIRST_INPUT + pick(MODEL_INPUTS + (pick(9) == 0));
+    value_reference references[LIST];
+    const size_t count = pick(LIST);
+    size_t values = 0;
+    for (size_t i = 0; i < count; i += 1)
+    {
+        references[i] = first + pick(pick(9) ? 8 : REFERENCES - first);
+        values += values_of(c, references[i]);
+    }
+    for (size_t i = 0; i < values; i += 1)
+        numbers[i] = 1.0;
+    return differentiate(c, references, count, &known, numbers, values);
+}
+
 static int some_call(void)
 {
     component *slot = instances + pick(INSTANCES), c = *slot;
@@ -529,7 +562,7 @@ static int some_call(void)
     case 4: return pick(60) ? OK : (int)CALL(Terminate)(c);
     case 5: return texts(c, maybe, count, MAYBE(words), 1);
     case 6: return texts(c, maybe, count, MAYBE(words), 0);
-    case 7: return integers(c, maybe, count, MAYBE(integer), pick(4) == 0);
+    case 7: return pick(2) ? some_derivative(c) : integers(c, maybe, count, MAYBE(integer), pick(4) == 0);
     case 8:
     case 9:
     case 10: return odd_call(c, maybe, maybe ? count : 0);
@@ -709,7 +742,18 @@ static int cost(void)
         const double passed = (now() - start) / row_count;
         best = passed < best ? passed : best;
     }
-    printf("{\"microseconds\": %.3f, \"rows\": %d, \"outputs\": %lu}\n", best, row_count, (unsigned long)value_count);
+    double derivative = 0.0;
+    for (int k = 0; k < row_count; k += 1)
+    {
+        int status = usual_row(c, rows[k], values);
+        const double start = now();
+        status |= differentiate(c, outputs, output_count, five, values, value_count);
+        derivative += (now() - start) / row_count;
+        if (status)
+            return printf("a derivative fails in row %d\n", k), 1;
+    }
+    printf("{\"microseconds\": %.3f, \"derivative\": %.3f, \"rows\": %d, \"outputs\": %lu}\n", best, derivative, row_count,
+           (unsigned long)value_count);
     CALL(FreeInstance)(c);
     return 0;
 }

@@ -338,6 +338,7 @@ def misuse(fmu):
         "events": lambda: raw("fmi3EnterEventMode"),
         "derivative": lambda: raw("fmi3GetDirectionalDerivative", two, c_size_t(1), two, c_size_t(1), values, c_size_t(1),
                                   values, c_size_t(1)),
+        "output derivative": lambda: raw("fmi3GetOutputDerivatives", two, c_size_t(1), None, values, c_size_t(1)),
         "category": lambda: slave.setDebugLogging(True, ["everything"]),
     }
     instance.told()
@@ -353,6 +354,55 @@ def misuse(fmu):
     slave.exitInitializationMode()
     instance.step(lateral_shift=1e-3)
     return {"calls": answers, "after": instance.get("status", "roll"), "not_made": not_made(fmu)}
+
+
+def derivatives(fmu, rows, outputs, inputs, start=None):
+    """Directional and adjoint derivatives after steps and in initialisation mode, each with whether the instance stayed as it
+    was; and which calls are refused, each with its log lines."""
+    unknowns, knowns = ([fmu.variables[name].valueReference for name in names] for names in (outputs, inputs))
+    sizes = [math.prod(int(d.start) for d in fmu.variables[name].dimensions) for name in outputs]
+    count = sum(sizes)
+
+    def matrix(slave):
+        return [slave.getDirectionalDerivative(unknowns, [known], [1.0], nSensitivity=count) for known in knowns]
+
+    def saved(slave):
+        state = slave.getFMUState()
+        data = list(slave.serializeFMUState(state))
+        slave.freeFMUState(state)
+        return data
+
+    instance, seen = fmu.running(**(start or {})), []
+    for row in rows:
+        instance.step(**row)
+        before, values = saved(instance.slave), instance.get()
+        found = matrix(instance.slave)
+        together = instance.slave.getDirectionalDerivative(unknowns, knowns, [1.0] * len(knowns), nSensitivity=count)
+        adjoint = instance.slave.getAdjointDerivative(unknowns, knowns, [1.0] * count, nSensitivity=len(knowns))
+        kept = saved(instance.slave) == before and instance.get() == values
+        seen.append({"matrix": found, "together": together, "adjoint": adjoint, "kept": kept})
+    early = fmu.instance()
+    early.set(**(start or {}))
+    early.slave.enterInitializationMode()
+    early.set(**rows[0])
+    inside = matrix(early.slave)
+    slave, reference = instance.slave, {v.name: v.valueReference for v in fmu.variables.values()}
+    fresh = fmu.instance(log=instance.log).slave
+    calls = {
+        "parameter": lambda: slave.getDirectionalDerivative(unknowns, [reference["gauge"]], [1.0], nSensitivity=count),
+        "output as known": lambda: slave.getDirectionalDerivative(unknowns, [reference["roll"]], [1.0], nSensitivity=count),
+        "input as unknown": lambda: slave.getDirectionalDerivative([reference["yaw"]], knowns[:1], [1.0]),
+        "integer": lambda: slave.getDirectionalDerivative([reference["status"]], knowns[:1], [1.0]),
+        "time": lambda: slave.getDirectionalDerivative(unknowns, [1], [1.0], nSensitivity=count),
+        "unknown reference": lambda: slave.getDirectionalDerivative([4711], knowns[:1], [1.0]),
+        "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count - 1),
+        "too many seeds": lambda: slave.getAdjointDerivative(unknowns, knowns[:1], [1.0] * (count + 1)),
+        "not a number": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [math.nan], nSensitivity=count),
+        "too early": lambda: fresh.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count),
+    }
+    instance.told()
+    answers = {name: (refused(call), instance.told()) for name, call in calls.items()}
+    return {"seen": seen, "inside": inside, "calls": answers, "after": matrix(slave) == seen[-1]["matrix"]}
 
 
 def not_made(fmu):

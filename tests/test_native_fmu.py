@@ -31,6 +31,7 @@ from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
+from wrcontact.kernel.library import default_kernel
 from wrcontact.kernel.platforms import PLATFORMS, host_platform
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.state import WheelsetState
@@ -451,6 +452,46 @@ def test_outlines_by_simulate_fmu(run3):
         assert values == pytest.approx(wanted[name], rel=SAME, abs=1e-15), name
 
 
+DERIVATIVE_OUTPUTS = ["roll", "force.y", "left.contact.y_wheel", "right.curvature_y", "right.area", "left.patch[1].length"]
+DERIVATIVE_INPUTS = ["lateral_shift", "yaw", "normal_force", "load_transfer", "roll_guess"]
+
+
+def kernel_rates(start, row, names, inputs):
+    """The kernel's own rates of the outputs that are named, along each input."""
+    keywords = {VARIABLES[REFERENCE[name]].keyword or name: value for name, value in start.items()}
+    stepper = ContactSystem(**keywords).stepper()
+    made = session(**start)
+    stepped(made, row)
+    stepper.inputs[:] = made._values[:len(stepper.inputs)]
+    stepper.step()
+    places = [REFERENCE[name] - variables.FIRST_OUTPUT for name in names]
+    return [stepper._bound.tangent(np.eye(len(stepper.inputs))[REFERENCE[name]])[1][places].tolist() for name in inputs]
+
+
+@pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
+@pytest.mark.parametrize("start", [{}, {"contact_mode": "elastic", "normal_model": "hertz"}], ids=["rigid", "elastic"])
+def test_directional_derivatives(run, run3, start):
+    rows = poses(3)
+    given = {"rows": rows, "inputs": DERIVATIVE_INPUTS, "start": start}
+    seen = run("derivatives", outputs=DERIVATIVE_OUTPUTS, **given)
+    seen3 = run3("derivatives", outputs=[*DERIVATIVE_OUTPUTS, "right.station"], **given)
+    names = [*DERIVATIVE_OUTPUTS, *(f"right.station[{k + 1}]" for k in range(31))]
+    for row, found, found3 in zip(rows, seen["seen"], seen3["seen"]):
+        wanted = kernel_rates(start, row, names, DERIVATIVE_INPUTS)
+        assert found["kept"] and found3["kept"]
+        matrix = np.array(found3["matrix"])
+        # the last digits of the warm start, and in elastic contact of the equilibrium
+        assert matrix == pytest.approx(np.array(wanted), rel=1e-6, abs=1e-12)
+        assert np.array(found["matrix"]) == pytest.approx(matrix[:, :len(DERIVATIVE_OUTPUTS)], rel=1e-6, abs=1e-12)
+        assert found3["together"] == pytest.approx(matrix.sum(axis=0), rel=1e-9, abs=1e-12 * np.abs(matrix).max())
+        assert found3["adjoint"] == pytest.approx(matrix.sum(axis=1), rel=1e-9, abs=1e-15 * np.abs(matrix).max())
+        assert not matrix[DERIVATIVE_INPUTS.index("roll_guess")].any()
+    assert np.array(seen3["inside"]) == pytest.approx(np.array(seen3["seen"][0]["matrix"]), rel=1e-6, abs=1e-12)
+    assert seen3["after"]
+    for name, (refused, lines) in {**seen["calls"], **seen3["calls"]}.items():
+        assert refused and len(lines) == 1 and len(lines[0][-1]) > 30, f"{name}: {lines}"
+
+
 def test_reset(run):
     start = {"rail_inclination": 0.05, "normal_model": "hertz"}
     seen = run("reset", start=start)
@@ -570,7 +611,7 @@ def compile_as_described(version, description, library):
     sources = description.parent / "sources"
     listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
     units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
-    assert len(units) == 5
+    assert len(units) == 6
     done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True, capture_output=True)
     assert done.returncode == 0, done.stderr
 

@@ -271,6 +271,34 @@ fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference refe
     return component && count == 0 ? fmi2OK : refuse(component, "fmi2SetBoolean", "there are no Booleans");
 }
 
+/* --- directional derivatives ------------------------------------------------------------------------------ */
+
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[], size_t unknown_count,
+                                        const fmi2ValueReference knowns[], size_t known_count, const fmi2Real seed[],
+                                        fmi2Real sensitivity[])
+{
+    instance *self = component;
+    double along[MODEL_INPUTS] = {0.0}, rates[ROW];
+    if (!self)
+        return fmi2Error;
+    if ((unknown_count > 0 && (!unknowns || !sensitivity)) || (known_count > 0 && (!knowns || !seed)))
+        return refuse(self, "fmi2GetDirectionalDerivative", "a list is a NULL pointer");
+    for (size_t i = 0; i < unknown_count; i += 1)
+        if (wheelset_check_unknown(self->wheelset, unknowns[i]))
+            return answer(self, 1);
+    for (size_t i = 0; i < known_count; i += 1)
+    {
+        if (wheelset_check_known(self->wheelset, knowns[i]))
+            return answer(self, 1);
+        along[knowns[i]] += seed[i];
+    }
+    if (wheelset_differentiate(self->wheelset, along, rates))
+        return answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+        sensitivity[i] = rates[unknowns[i] - MODEL_FIRST_OUTPUT];
+    return fmi2OK;
+}
+
 /* --- saved states ---------------------------------------------------------------------------------------- */
 
 fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate *state)
@@ -310,14 +338,6 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes
 }
 
 /* --- what there is not ------------------------------------------------------------------------------------- */
-
-fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[], size_t unknown_count,
-                                        const fmi2ValueReference knowns[], size_t known_count, const fmi2Real seed[],
-                                        fmi2Real sensitivity[])
-{
-    (void)unknowns, (void)unknown_count, (void)knowns, (void)known_count, (void)seed, (void)sensitivity;
-    return refuse(component, "fmi2GetDirectionalDerivative", "there are no directional derivatives");
-}
 
 fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueReference references[], size_t count,
                                        const fmi2Integer orders[], const fmi2Real values[])

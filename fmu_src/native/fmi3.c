@@ -203,6 +203,12 @@ static const double *block_values(const instance *self, const model_block *block
     return core->values + MODEL_STATUS + (size_t)block->run * core->stations;
 }
 
+/* Where the values of an output begin in the kernel's row. */
+static size_t place_in_row(const instance *self, const model_block *block)
+{
+    return (size_t)(block_values(self, block) - (self->wheelset->core.values + MODEL_FIRST_OUTPUT));
+}
+
 /* Whether a variable is of this type; `reading`: and can be read. */
 static int check_type(instance *self, const model_block *block, model_type type, bool reading)
 {
@@ -216,6 +222,14 @@ static int check_type(instance *self, const model_block *block, model_type type,
                            block->first == BLOCK_TIME ? "time is of type Real" : "stations is of type UInt64");
 }
 
+static int check_reference(instance *self, fmi3ValueReference reference)
+{
+    if (reference < 1 || reference > MODEL_BLOCKS)
+        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
+                               (unsigned long)reference, MODEL_BLOCKS);
+    return 0;
+}
+
 /* Whether a list of variables is known and of this type, with as many values as they hold; `reading`: and can be read. */
 static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
                       size_t value_count, model_type type, bool reading)
@@ -227,9 +241,8 @@ static int check_list(instance *self, const char *function, reference_list refer
         return wheelset_refuse(self->wheelset, "%s: permitted in configuration mode is stations", function);
     for (size_t i = 0; i < count; i += 1)
     {
-        if (references[i] < 1 || references[i] > MODEL_BLOCKS)
-            return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
-                                   (unsigned long)references[i], MODEL_BLOCKS);
+        if (check_reference(self, references[i]))
+            return 1;
         const model_block *block = model_blocks + references[i];
         if (check_type(self, block, type, reading))
             return 1;
@@ -356,6 +369,95 @@ fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference refere
     return answer(self, refused);
 }
 
+/* --- directional derivatives ------------------------------------------------------------------------------ */
+
+typedef int check(wheelset *wheelset, uint32_t reference);
+
+/* Whether every variable of a list passes `check`, and together they have `value_count` values. */
+static int check_derivative(instance *self, const char *function, reference_list references, size_t count, const void *values,
+                            size_t value_count, check *check)
+{
+    size_t needed = 0;
+    if ((count > 0 && !references) || (value_count > 0 && !values))
+        return wheelset_refuse(self->wheelset, "%s: a list is a NULL pointer", function);
+    for (size_t i = 0; i < count; i += 1)
+    {
+        if (check_reference(self, references[i]))
+            return 1;
+        const model_block *block = model_blocks + references[i];
+        if (block->first < 0)
+            return wheelset_refuse(self->wheelset, "%s: %s is neither an input nor an output", function,
+                                   block->first == BLOCK_TIME ? "time" : "stations");
+        if (check(self->wheelset, (uint32_t)block->first))
+            return 1;
+        needed += block_size(self, block);
+    }
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
+fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count,
+                                        reference_list knowns, size_t known_count, const fmi3Float64 seed[], size_t seed_count,
+                                        fmi3Float64 sensitivity[], size_t sensitivity_count)
+{
+    static const char NAME[] = "fmi3GetDirectionalDerivative";
+    instance *self = component;
+    double along[MODEL_INPUTS] = {0.0}, rates[ROW];
+    if (!self)
+        return fmi3Error;
+    if (check_derivative(self, NAME, unknowns, unknown_count, sensitivity, sensitivity_count, wheelset_check_unknown)
+        || check_derivative(self, NAME, knowns, known_count, seed, seed_count, wheelset_check_known))
+        return answer(self, 1);
+    for (size_t i = 0; i < known_count; i += 1)
+        along[model_blocks[knowns[i]].first] += seed[i];
+    if (wheelset_differentiate(self->wheelset, along, rates))
+        return answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+    {
+        const model_block *block = model_blocks + unknowns[i];
+        memcpy(sensitivity, rates + place_in_row(self, block), block_size(self, block) * sizeof(double));
+        sensitivity += block_size(self, block);
+    }
+    return fmi3OK;
+}
+
+/* Seeds of outputs, sensitivities of inputs: one directional derivative along each input that is asked for. */
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count, reference_list knowns,
+                                    size_t known_count, const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[],
+                                    size_t sensitivity_count)
+{
+    static const char NAME[] = "fmi3GetAdjointDerivative";
+    instance *self = component;
+    double weights[ROW] = {0.0}, rates[ROW], sums[MODEL_INPUTS] = {0.0};
+    if (!self)
+        return fmi3Error;
+    if (check_derivative(self, NAME, unknowns, unknown_count, seed, seed_count, wheelset_check_unknown)
+        || check_derivative(self, NAME, knowns, known_count, sensitivity, sensitivity_count, wheelset_check_known))
+        return answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+    {
+        const model_block *block = model_blocks + unknowns[i];
+        double *weight = weights + place_in_row(self, block);
+        for (size_t k = 0; k < block_size(self, block); k += 1)
+            weight[k] += *seed++;
+    }
+    for (size_t i = 0; i < known_count; i += 1)
+    {
+        double along[MODEL_INPUTS] = {0.0}, *sum = sums + model_blocks[knowns[i]].first;
+        along[model_blocks[knowns[i]].first] = 1.0;
+        if (wheelset_differentiate(self->wheelset, along, rates))
+            return answer(self, 1);
+        *sum = 0.0;
+        for (int k = 0; k < ROW; k += 1)
+            *sum += weights[k] * rates[k];
+    }
+    for (size_t i = 0; i < known_count; i += 1)
+        sensitivity[i] = sums[model_blocks[knowns[i]].first];
+    return fmi3OK;
+}
+
 /* --- saved states ---------------------------------------------------------------------------------------- */
 
 fmi3Status fmi3GetFMUState(fmi3Instance component, fmi3FMUState *state)
@@ -459,10 +561,6 @@ NOT_HERE(fmi3ActivateModelPartition, CLOCKLESS, fmi3ValueReference clock, fmi3Fl
 NOT_HERE(fmi3GetNumberOfVariableDependencies, "dependencies are in the model description", fmi3ValueReference r, size_t *n)
 NOT_HERE(fmi3GetVariableDependencies, "dependencies are in the model description", fmi3ValueReference r, size_t e[],
          fmi3ValueReference i[], size_t f[], fmi3DependencyKind k[], size_t n)
-NOT_HERE(fmi3GetDirectionalDerivative, "there are no directional derivatives", reference_list u, size_t n, reference_list k,
-         size_t m, const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
-NOT_HERE(fmi3GetAdjointDerivative, "there are no adjoint derivatives", reference_list u, size_t n, reference_list k, size_t m,
-         const fmi3Float64 seed[], size_t s, fmi3Float64 sensitivity[], size_t t)
 NOT_HERE(fmi3GetOutputDerivatives, "there are no output derivatives", reference_list r, size_t n, const fmi3Int32 orders[],
          fmi3Float64 values[], size_t m)
 NO_MODE(fmi3EnterEventMode, EVENTLESS)

@@ -12,7 +12,7 @@
 static const char FORMAT[16] = "wrcontact 2", TOKEN[48] = MODEL_TOKEN;
 static const char KEPT[] = "the outputs keep their last valid values";
 static const double ROUNDING = 1e-9;     /* of a time that a host has added up over many steps, relative */
-enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000, OUTPUT_ROOM = MODEL_STATUS + MODEL_OUTLINES - MODEL_FIRST_OUTPUT };
+enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
 
 /* --- sentences ------------------------------------------------------------------------------------ */
 
@@ -311,7 +311,7 @@ static int initialise(wheelset *self)
         return 1;
     memset(self->core.memory, 0, sizeof self->core.memory);
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
-    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, OUTPUT_ROOM * sizeof(double));
+    memset(self->core.values + MODEL_FIRST_OUTPUT, 0, ROW * sizeof(double));
     self->core.built = self->core.stale = 1;
     return 0;
 }
@@ -326,9 +326,10 @@ wheelset *wheelset_new(wheelset_tell *tell, void *owner)
     self->tell = tell;
     self->owner = owner;
     self->workspace = calloc(MODEL_WORK, sizeof(double));
-    if (!self->workspace)
+    self->tangent_room = calloc((size_t)wrcontact_tangent_room(), sizeof(double));
+    if (!self->workspace || !self->tangent_room)
     {
-        free(self);
+        wheelset_free(self);
         return NULL;
     }
     wheelset_reset(self);
@@ -345,6 +346,7 @@ void wheelset_free(wheelset *self)
     }
     free(self->tables);
     free(self->workspace);
+    free(self->tangent_room);
     free(self);
 }
 
@@ -537,13 +539,21 @@ int32_t wheelset_integer(const wheelset *self, uint32_t reference)
     return (int32_t)(reference == MODEL_STATUS ? self->core.status : self->core.values[reference]);
 }
 
-/* One step of the kernel, and its outcome. */
-static void evaluate(wheelset *self)
+/* The kernel's arrays. */
+static wrcontact_handle handle_of(wheelset *self)
 {
     wheelset_core *core = &self->core;
     const wrcontact_handle handle = {
         span_of(self->tables, self->table_size), span_of(core->memory, MODEL_MEMORY), span_of(self->workspace, MODEL_WORK),
-        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, OUTPUT_ROOM)};
+        span_of(core->values, MODEL_INPUTS), span_of(core->values + MODEL_FIRST_OUTPUT, ROW)};
+    return handle;
+}
+
+/* One step of the kernel, and its outcome. */
+static void evaluate(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    const wrcontact_handle handle = handle_of(self);
     const int status = wrcontact_step(&handle);
     core->status = status;
     core->stale = 0;
@@ -579,6 +589,41 @@ int wheelset_step(wheelset *self, double time, double size)
         tell_status(self);
     self->core.told = 0;
     self->core.time = time + size;
+    return 0;
+}
+
+/* --- directional derivatives ------------------------------------------------------------------------- */
+
+int wheelset_check_known(wheelset *self, uint32_t reference)
+{
+    if (wheelset_check(self, reference, MODEL_REAL))
+        return 1;
+    if (model_variables[reference].causality != MODEL_INPUT)
+        return wheelset_refuse(self, "%s is not an input; derivatives are with respect to inputs", model_variables[reference].name);
+    return 0;
+}
+
+int wheelset_check_unknown(wheelset *self, uint32_t reference)
+{
+    if (wheelset_check(self, reference, MODEL_REAL))
+        return 1;
+    if (model_variables[reference].causality != MODEL_OUTPUT)
+        return wheelset_refuse(self, "%s is not an output; derivatives are those of outputs", model_variables[reference].name);
+    return 0;
+}
+
+int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], double rates[ROW])
+{
+    if (self->core.phase == PHASE_INSTANTIATED || self->core.phase == PHASE_CONFIGURING)
+        return wheelset_refuse(self, "there are no derivatives before the initialisation");
+    if (!self->core.locked && wheelset_refresh(self))
+        return 1;
+    for (int i = 0; i < MODEL_INPUTS; i += 1)
+        if (!isfinite(seed[i]))
+            return wheelset_refuse(self, "the seed of %s is not finite; permitted are finite numbers", model_variables[i].name);
+    const wrcontact_handle handle = handle_of(self);
+    memset(rates, 0, ROW * sizeof(double));
+    wrcontact_tangent(&handle, seed, rates, self->tangent_room);
     return 0;
 }
 
@@ -635,7 +680,7 @@ static int restore(wheelset *self, const wheelset_saved *saved)
     }
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
     memcpy(self->workspace, saved->core.known, sizeof saved->core.known);
-    memcpy(self->workspace + MODEL_KNOWN, saved->core.values + MODEL_FIRST_OUTPUT, OUTPUT_ROOM * sizeof(double));
+    memcpy(self->workspace + MODEL_KNOWN, saved->core.values + MODEL_FIRST_OUTPUT, ROW * sizeof(double));
     return 0;
 }
 

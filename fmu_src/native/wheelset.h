@@ -11,14 +11,18 @@
 #include <stddef.h>
 
 #include "kernel/native/wrcontact_prepare.h"
+#include "kernel/native/wrcontact_tangent.h"
 #include "model.h"
 
 typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED } wheelset_phase;
 
+/* What the kernel gives: the outputs, and behind them the outlines, if they are of another number of stations than
+ * MODEL_STATIONS. */
+enum { ROW = MODEL_OUTPUTS + MODEL_OUTLINES };
+
 /* What a simulation goes on from: all that a saved state holds. */
 typedef struct {
-    double values[MODEL_STATUS + MODEL_OUTLINES];   /* by value reference; behind them the outlines, if they are of another
-                                               number of stations than MODEL_STATIONS */
+    double values[MODEL_FIRST_OUTPUT + ROW];        /* by value reference, and the rest of the row */
     double status;                          /* whose value reference is MODEL_STATUS */
     uint64_t stations;                      /* of an outline */
     double memory[MODEL_MEMORY];            /* the kernel's state */
@@ -58,6 +62,7 @@ typedef struct {
     double *tables;
     int64_t table_size;
     double *workspace;
+    double *tangent_room;                   /* memory of a directional derivative */
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */
     char built_text[MODEL_STRINGS][MODEL_TEXT];
     wheelset_state *states;                 /* those that the host has not freed */
@@ -96,5 +101,10 @@ int wheelset_free_state(wheelset *self, void **state);
 int wheelset_state_size(wheelset *self, const void *state, size_t *size);
 int wheelset_write_state(wheelset *self, const void *state, void *bytes, size_t size);
 int wheelset_read_state(wheelset *self, const void *bytes, size_t size, void **state);
+
+/* Directional derivatives of the outputs at the present inputs; they change nothing of the instance. */
+int wheelset_check_known(wheelset *self, uint32_t reference);
+int wheelset_check_unknown(wheelset *self, uint32_t reference);
+int wheelset_differentiate(wheelset *self, const double seed[MODEL_INPUTS], double rates[ROW]);
 
 #endif

@@ -20,7 +20,7 @@ from ..kernel.platforms import PLATFORMS, host_platform, library_name
 #: No fused a*b + c: the results are those of the kernel's Python source, to the last bit.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
          "-fPIC")
-KERNEL_UNITS = ("native/wrcontact_kernel.c", "native/wrcontact_prepare.c")
+KERNEL_UNITS = tuple(f"native/wrcontact_{part}.c" for part in ("kernel", "prepare", "tangent"))
 
 
 class CompilerProblem(ValueError):

@@ -121,7 +121,8 @@ def variable_names(version):
 
 def compiled_units(version):
     """The sources that are compiled; all others are included by them."""
-    return [f"fmi{version}.c", "wheelset.c", "model.c", "kernel/native/wrcontact_kernel.c", "kernel/native/wrcontact_prepare.c"]
+    kernel = [f"kernel/native/wrcontact_{unit}.c" for unit in ("kernel", "prepare", "tangent")]
+    return [f"fmi{version}.c", "wheelset.c", "model.c", *kernel]
 
 
 def libraries(contents, units, platforms, folder, cache):

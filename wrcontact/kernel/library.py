@@ -116,12 +116,22 @@ class CompiledKernel:
         handle = Handle(*map(span, arrays))
         handle.arrays = arrays                      # it holds bare addresses: they live as long as it, or a bare ``step``, does
         self._handle = ctypes.byref(handle)
+        self._room = None
         self.step = partial(library.wrcontact_step, self._handle)       # no method: a third of the cost is the look-up
 
     def step_many(self, count, inputs, outputs, statuses):
         """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses`` each."""
         blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
         return self._library.wrcontact_step_many(self._handle, count, *(block.ctypes.data for block in blocks))
+
+    def tangent(self, seed):
+        """Status of the step at the inputs, and how its outputs move where the inputs move at the rates in ``seed``."""
+        if self._room is None:
+            self._room = np.empty(self._library.wrcontact_tangent_room())
+        rates = np.empty(self._size)
+        seed = checked("seed", seed, INPUT_COUNT)
+        status = self._library.wrcontact_tangent(self._handle, seed.ctypes.data, rates.ctypes.data, self._room.ctypes.data)
+        return status, rates
 
 
 class PythonKernel:
@@ -182,6 +192,8 @@ def declare(library):
     library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
+    library.wrcontact_tangent.argtypes, library.wrcontact_tangent.restype = [address] * 4, ctypes.c_int
+    library.wrcontact_tangent_room.argtypes, library.wrcontact_tangent_room.restype = [], ctypes.c_int64
 
 
 def span(array):

@@ -38,8 +38,9 @@ SAMPLE_WHEEL: Final[int] = SAMPLE_RAIL + 2 * OVERLAP_LIMIT
 SAMPLE_RISE: Final[int] = SAMPLE_WHEEL + 2 * OVERLAP_LIMIT       # slope of the overlap [-]
 SAMPLE_NEXT: Final[int] = SAMPLE_RISE + 2 * OVERLAP_LIMIT        # 1 if the sample before it is its neighbour
 
-#: A deepest point is located to this on the rail [m]; its depth is then exact to rounding, being second order.
-DEEP_SHARP: Final[float] = 1e-11
+#: A deepest point is located to this on the rail [m], so that differences of its place between poses are its derivatives; its
+#: depth, being second order, asks for less.
+DEEP_SHARP: Final[float] = 1e-13
 DEEP_ITERATIONS: Final[int] = 60
 #: Slope of the overlap below which it has turned there [-]: standard profiles are joined with slopes that differ by up to 1e-5.
 LEVEL_RISE: Final[float] = 1e-4

@@ -1,0 +1,265 @@
+"""Directional derivatives of the kernel against central differences of its steps, and what they must be by symmetry."""
+
+import importlib
+import re
+import shutil
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import wrcontact
+from tools.tangent import tangent_modules
+from tools.transpile_kernel import FILES, Module
+from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
+from wrcontact.kernel import layout
+from wrcontact.kernel.library import default_kernel
+from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL, IN_ROLL_GUESS,
+                                     IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUTPUT_COUNT, SIDE_SIZE,
+                                     SIDE_Y_TRACK)
+
+pytestmark = pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
+
+OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
+NAMES = [variable.name for variable in OUTPUTS]
+CONTINUOUS = np.array([variable.type != INTEGER for variable in OUTPUTS])
+NOMINAL = np.array([variable.nominal or 1.0 for variable in OUTPUTS])
+USUAL = np.array([variable.nominal for variable in VARIABLES[:INPUT_COUNT]])
+FAMILY = np.unique([re.sub(r"\[\d+\]", "", name) for name in NAMES], return_inverse=True)[1]
+
+AGREE = 1e-6        # [of the derivative's scale] to differences
+CLEAR = 3e-7        # [likewise] differences that agree with each other to this are held against derivatives
+KINK = 1e-4         # [likewise] by which differences across a kink are off that their steps do not notice
+STEPS = 16          # steps of differences, each twice the one before; the first, as a share of the input's nominal value:
+FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 4e-7, 4e-6)
+
+INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_NORMAL_FORCE, IN_LOAD_TRANSFER)
+COMPLIANT_INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_VERTICAL_SHIFT, IN_ROLL)
+#: Parameters, and the share of clear differences that may be off: some lie across a kink that their steps do not notice; the
+#: source's curvatures have one at each of their nodes.
+CASES = {
+    "hertz": ({"normal_model": "hertz"}, 0.0),
+    "analyn": ({}, 1e-3),
+    "vertical load": ({"load": "vertical"}, 1e-3),
+    "strip": ({"normal_model": "analyn_strip"}, 1e-3),
+    "elastic hertz": ({"contact_mode": "elastic", "normal_model": "hertz"}, 1e-3),
+    "elastic": ({"contact_mode": "elastic"}, 1e-3),
+    "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 2e-2),
+    "compliant": ({"contact_mode": "compliant"}, 1e-3),
+    "vertical separation": ({"separation": "vertical"}, 1e-3),
+    "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 1e-2),
+    "chord, elastic": ({"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"}, 1e-3),
+    "smooth": ({"lateral_curvature": "smooth"}, 1e-2),
+    "rough": ({"lateral_curvature": "rough"}, 1e-2),
+}
+QUICK = ("hertz", "analyn", "elastic hertz", "compliant")
+SLOW = pytest.mark.slow
+
+
+def poses(count, seed, mode="rigid"):
+    """Inputs (count, 7) over tread and flange root, half of them without yaw; of a compliant wheelset the heights and rolls
+    that an elastic one has."""
+    rng = np.random.default_rng(seed)
+    rows = np.zeros((count, INPUT_COUNT))
+    rows[:, IN_LATERAL_SHIFT] = rng.uniform(-7e-3, 7e-3, count)
+    rows[:, IN_YAW] = rng.uniform(-0.02, 0.02, count) * (np.arange(count) % 2)
+    rows[:, IN_NORMAL_FORCE] = rng.uniform(1e4, 1.5e5, count)
+    rows[:, IN_LOAD_TRANSFER] = rng.uniform(-0.6, 0.6, count)
+    if mode == "compliant":
+        elastic = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(*rows[:, INPUTS].T)
+        rows[:, IN_VERTICAL_SHIFT], rows[:, IN_ROLL] = elastic.vertical_shift, elastic.roll
+    return rows
+
+
+def stepped(stepper, row):
+    stepper.inputs[:] = row
+    return stepper.step(), stepper.outputs.copy()
+
+
+def derivative(stepper, row, seed):
+    """Status and rates of the outputs at ``row`` along ``seed``: a number of one input, or a vector."""
+    along = np.eye(INPUT_COUNT)[seed] if isinstance(seed, int) else np.asarray(seed, float)
+    stepped(stepper, row)
+    return stepper._bound.tangent(along)
+
+
+def differences(stepper, row, number):
+    """Central differences along one input, extrapolated from two steps each, where neighbouring ones agree best; and how far
+    these are apart."""
+    found = []
+    for k in range(STEPS):
+        step = FIRST[number] * USUAL[number] * 2.0**k
+        low, high = row.copy(), row.copy()
+        low[number] -= step
+        high[number] += step
+        (worse, after), (bad, before) = stepped(stepper, high), stepped(stepper, low)
+        valid = max(worse, bad) <= layout.UNLOADED
+        found.append((after - before) / (high - low)[number] if valid else np.full(OUTPUT_COUNT, np.nan))
+    found = np.array(found)
+    sharper = (4.0 * found[:-1] - found[1:]) / 3.0
+    apart = np.abs(np.diff(sharper, axis=0))
+    apart = np.nan_to_num(np.maximum(apart[:-1], apart[1:]), nan=np.inf)
+    best, columns = apart.argmin(axis=0), np.arange(OUTPUT_COUNT)
+    return sharper[best + 1, columns], apart[best, columns]
+
+
+def scale(rates, number):
+    """What a deviation is measured by: the largest rate of an output's kind (of all stations of a side, for one), or a thousandth
+    of nominal values."""
+    largest = np.zeros(FAMILY.max() + 1)
+    np.maximum.at(largest, FAMILY, np.abs(rates))
+    return np.maximum(largest[FAMILY], 1e-3 * NOMINAL / USUAL[number])
+
+
+@pytest.mark.parametrize("case", [case if case in QUICK else pytest.param(case, marks=SLOW) for case in CASES])
+def test_derivatives_are_those_of_differences(case):
+    """All continuous outputs against all inputs at random poses."""
+    parameters, kinked = CASES[case]
+    mode = parameters.get("contact_mode", "rigid")
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    deviations, spreads = [], []
+    for row in poses(8, seed=11, mode=mode):
+        for number in COMPLIANT_INPUTS if mode == "compliant" else INPUTS:
+            status, rates = derivative(stepper, row, number)
+            assert status <= layout.UNLOADED and np.isfinite(rates).all()
+            wanted, apart = differences(stepper, row, number)
+            size = scale(rates, number)
+            deviations.append((np.abs(rates - wanted) / size)[CONTINUOUS])
+            spreads.append((apart / size)[CONTINUOUS])
+    deviations, spreads = np.concatenate(deviations), np.concatenate(spreads)
+    clear = spreads <= CLEAR
+    assert clear.mean() > 0.9
+    assert (deviations[clear] > AGREE).mean() <= kinked and deviations[clear].max() < KINK
+    assert np.median(deviations) < 1e-8
+
+
+@pytest.mark.parametrize("case", ["hertz", "analyn", "elastic", "compliant"])
+def test_derivatives_add_up(case):
+    """Along several inputs at once it is the sum."""
+    parameters, _ = CASES[case]
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    row = poses(4, seed=3, mode=parameters.get("contact_mode", "rigid"))[3]
+    seed = USUAL * [1.0, -2.0, 3.0, 0.5, -1.0, 0.01, 0.02]
+    total = derivative(stepper, row, seed)[1]
+    parts = np.array([derivative(stepper, row, number)[1] * seed[number] for number in range(INPUT_COUNT)])
+    rounding = 1e-10 * np.abs(parts).max(axis=0) + 1e-12 * NOMINAL
+    assert (np.abs(total - parts.sum(axis=0)) <= rounding).all()
+
+
+def jump(stepper, row):
+    """Lateral shifts 1e-12 m apart between which the right contact jumps."""
+    def contact(shift):
+        row[IN_LATERAL_SHIFT] = shift
+        return stepped(stepper, row)[1][OUT_RIGHT + layout.SIDE_Y_WHEEL]
+
+    shifts = np.linspace(4e-3, 7e-3, 301)
+    places = np.array([contact(shift) for shift in shifts])
+    k = np.abs(np.diff(places)).argmax()
+    low, high, before, after = shifts[k], shifts[k + 1], places[k], places[k + 1]
+    assert abs(after - before) > 2e-3
+    while high - low > 1e-12:
+        middle = 0.5 * (low + high)
+        if abs(contact(middle) - before) < abs(contact(middle) - after):
+            low = middle
+        else:
+            high = middle
+    return low, high
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.01])
+def test_at_a_jump_the_derivative_is_that_of_its_side(yaw):
+    stepper = wrcontact.ContactSystem(normal_model="hertz").stepper()
+    row = np.array([0.0, yaw, 0.0, 8e4, 0.1, 0.0, 0.0])
+    sides = []
+    for shift, sign in zip(jump(stepper, row), (-1.0, 1.0)):
+        for number in INPUTS:
+            row[IN_LATERAL_SHIFT] = shift
+            here = derivative(stepper, row, number)[1]
+            row[IN_LATERAL_SHIFT] = shift + sign * 1e-9
+            near = derivative(stepper, row, number)[1]
+            # 1 nm over the millimetre in which curvatures change
+            assert (np.abs(here - near) <= 1e-4 * scale(here, number)).all()
+            sides.append(here)
+    assert abs(sides[0][0] - sides[len(INPUTS)][0]) > 1e-3 * abs(sides[0][0])      # the roll goes on otherwise
+
+
+@pytest.mark.parametrize("case", ["hertz", "analyn", "elastic"])
+def test_mirror_image(case):
+    """A mirrored wheelset has the mirrored derivatives."""
+    parameters, _ = CASES[case]
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    left, right = slice(OUT_LEFT, OUT_LEFT + SIDE_SIZE), slice(OUT_RIGHT, OUT_RIGHT + SIDE_SIZE)
+    mirror = np.where(np.isin(np.arange(INPUT_COUNT), (IN_NORMAL_FORCE, IN_VERTICAL_SHIFT)), 1.0, -1.0)
+    sign = np.ones(SIDE_SIZE)
+    sign[SIDE_Y_TRACK] = -1.0
+    for row in poses(4, seed=5):
+        for number in INPUTS:
+            here, there = derivative(stepper, row, number)[1], derivative(stepper, row * mirror, number)[1]
+            size = scale(here, number)
+            # elastic: height and roll are met to 1e-13 m
+            for one, other in ((left, right), (right, left)):
+                assert (np.abs(here[one] - mirror[number] * sign * there[other]) <= 1e-7 * size[one]).all(), case
+
+
+def test_what_does_not_move():
+    """The roll's guess moves nothing, an unloaded wheel's patch stays empty, and held outputs are held."""
+    stepper = wrcontact.ContactSystem().stepper()
+    row = np.array([2e-3, 5e-3, 0.0, 8e4, 1.0, 0.0, 0.0])
+    status, rates = derivative(stepper, row, IN_LATERAL_SHIFT)
+    left = rates[OUT_LEFT:OUT_LEFT + SIDE_SIZE]
+    assert status == layout.UNLOADED and np.isfinite(rates).all()
+    assert left[layout.SIDE_Y_WHEEL] != 0.0 and not left[layout.SIDE_PENETRATION:].any()
+    assert not derivative(stepper, row, IN_ROLL_GUESS)[1].any()
+    for bad, wanted in (({IN_LATERAL_SHIFT: 0.02}, layout.OFF_PROFILE), ({IN_NORMAL_FORCE: np.nan}, layout.INVALID_INPUT)):
+        wrong = row.copy()
+        wrong[list(bad)] = list(bad.values())
+        status, rates = derivative(stepper, wrong, IN_LATERAL_SHIFT)
+        assert status == wanted and not rates.any()
+
+
+@pytest.mark.parametrize("case", ["analyn", "elastic"])
+def test_nothing_else_changes(case):
+    parameters, _ = CASES[case]
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    for row in poses(4, seed=8):
+        stepped(stepper, row)
+        before = [array.copy() for array in (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)]
+        derivative_again = [stepper._bound.tangent(np.eye(INPUT_COUNT)[0])[1] for _ in range(2)]
+        after = (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)
+        assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(before, after))
+        assert np.array_equal(*derivative_again)
+
+
+@pytest.fixture(scope="module")
+def differentiated(tmp_path_factory):
+    """The differentiated kernel as Python, beside a copy of the kernel: the module with ``differentiate_t``."""
+    folder = tmp_path_factory.mktemp("differentiated") / "differentiated_kernel"
+    folder.mkdir()
+    (folder / "__init__.py").touch()
+    paths = FILES["kernel_modules"]()
+    for path in paths:
+        shutil.copy(path, folder)
+    for name, text in tangent_modules([Module(path) for path in paths]).items():
+        Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
+    sys.path.insert(0, str(folder.parent))
+    yield importlib.import_module("differentiated_kernel.tangent_implicit"), importlib.import_module("differentiated_kernel.step")
+    sys.path.remove(str(folder.parent))
+
+
+@pytest.mark.parametrize("case", ["hertz", "analyn", pytest.param("strip", marks=SLOW), pytest.param("elastic hertz", marks=SLOW),
+                                  pytest.param("compliant", marks=SLOW), pytest.param("equidistant", marks=SLOW)])
+def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, case):
+    parameters, _ = CASES[case]
+    tangents, step = differentiated
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    for row in poses(2, seed=2, mode=parameters.get("contact_mode", "rigid")):
+        for number in (IN_YAW, IN_NORMAL_FORCE):
+            rates = derivative(stepper, row, number)[1]
+            work, state, outputs = [0.0] * layout.WORK_SIZE, stepper.state.tolist(), [0.0] * OUTPUT_COUNT
+            tables = stepper._tables.tolist()
+            assert step.step(tables, state, work, row.tolist(), outputs) <= layout.UNLOADED
+            work_t = [0.0] * layout.WORK_SIZE
+            work_t[layout.WORK_INPUTS + number] = 1.0
+            assert tangents.differentiate_t(tables, work, work_t, state) == 0
+            assert np.array_equal(rates, work_t[layout.WORK_OUTPUTS:layout.WORK_OUTPUTS + OUTPUT_COUNT])

@@ -1,0 +1,564 @@
+/* Generated from tangent_analyn.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of analyn.py.
+ */
+
+#include "tangent_analyn.h"
+
+/* Tangent of ``bend_of``. */
+static inline int64_t tangent_analyn__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t)
+{
+    double v1;
+    double v2;
+    double limit_t;
+    double limit;
+    v1 = before - 2.0 * low + high;
+    (*bend_t) = 0.5 * (before_t - 2.0 * low_t + high_t);
+    (*bend) = 0.5 * v1;
+    v2 = fabs(low) + fabs(high);
+    limit_t = 0.5 * (tangent_rates__size_rate(low, low_t) + tangent_rates__size_rate(high, high_t));
+    limit = 0.5 * v2;
+    if ((*bend) > limit)
+    {
+        (*bend_t) = limit_t;
+        (*bend) = limit;
+    }
+    if ((*bend) < -limit)
+    {
+        (*bend_t) = -limit_t;
+        (*bend) = -limit;
+    }
+    return 0;
+}
+
+/* Tangent of ``cell_part``. */
+static inline int64_t tangent_analyn__cell_part_t(double* start, double* start_t, double* stop, double* stop_t, double d_before, double d_before_t, double d_low, double d_low_t, double d_high, double d_high_t)
+{
+    double v1;
+    double v1_t;
+    double bend_t;
+    double bend;
+    double slope_t;
+    double slope;
+    double v2;
+    double spread_t;
+    double spread;
+    double v3;
+    double root_t;
+    double root;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    (*start_t) = 0.0;
+    (*start) = 0.0;
+    (*stop_t) = 0.0;
+    (*stop) = 1.0;
+    if ((d_low <= 0.0) && (d_high <= 0.0))
+    {
+        (*stop_t) = 0.0;
+        (*stop) = 0.0;
+    }
+    else if ((d_low <= 0.0) || (d_high <= 0.0))
+    {
+        tangent_analyn__bend_of_t(&v1, &v1_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
+        bend_t = v1_t;
+        bend = v1;
+        slope_t = d_high_t - d_low_t - bend_t;
+        slope = d_high - d_low - bend;
+        v2 = 4.0 * bend;
+        spread_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * d_low + v2 * d_low_t);
+        spread = slope * slope - v2 * d_low;
+        if (spread < 0.0)
+        {
+            spread_t = 0.0;
+            spread = 0.0;
+        }
+        v3 = sqrt(spread);
+        spread_t = tangent_rates__root_rate(v3, spread_t);
+        spread = v3;
+        root_t = 0.0;
+        root = 0.0;
+        if (d_low > 0.0)
+        {
+            v4 = 2.0 * d_low;
+            v5 = spread - slope;
+            v6 = v4 / v5;
+            root_t = (2.0 * d_low_t - v6 * (spread_t - slope_t)) / v5;
+            root = v6;
+            (*stop_t) = root_t;
+            (*stop) = root;
+        }
+        else
+        {
+            v7 = -2.0;
+            v8 = v7 * d_low;
+            v9 = spread + slope;
+            v10 = v8 / v9;
+            root_t = (v7 * d_low_t - v10 * (spread_t + slope_t)) / v9;
+            root = v10;
+            (*start_t) = root_t;
+            (*start) = root;
+        }
+    }
+    return 0;
+}
+
+/* Tangent of ``quadratic_integral``. */
+static inline int64_t tangent_analyn__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t)
+{
+    double v1;
+    double v1_t;
+    double bend_t;
+    double bend;
+    double slope_t;
+    double slope;
+    double v2;
+    double v3;
+    double v4;
+    double upper_t;
+    double upper;
+    double v5;
+    double v6;
+    double v7;
+    double lower_t;
+    double lower;
+    tangent_analyn__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
+    bend_t = v1_t;
+    bend = v1;
+    slope_t = high_t - low_t - bend_t;
+    slope = high - low - bend;
+    v2 = stop * bend;
+    v3 = slope / 2.0 + v2 / 3.0;
+    v4 = low + stop * v3;
+    upper_t = stop_t * v4 + stop * (low_t + (stop_t * v3 + stop * (slope_t / 2.0 + (stop_t * bend + stop * bend_t) / 3.0)));
+    upper = stop * v4;
+    v5 = start * bend;
+    v6 = slope / 2.0 + v5 / 3.0;
+    v7 = low + start * v6;
+    lower_t = start_t * v7 + start * (low_t + (start_t * v6 + start * (slope_t / 2.0 + (start_t * bend + start * bend_t) / 3.0)));
+    lower = start * v7;
+    (*result_0) = upper - lower;
+    (*result_1) = upper_t - lower_t;
+    return 0;
+}
+
+/* Tangent of ``clip_to_bound``. */
+static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t block, int64_t k, int64_t outward, double stop, double stop_t)
+{
+    double spacing_t;
+    double spacing;
+    double v1;
+    double v2;
+    double reach_t;
+    double reach;
+    double v3;
+    double v4;
+    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    v1 = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    v2 = v1 / spacing;
+    reach_t = ((*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION)) - v2 * spacing_t) / spacing;
+    reach = v2 - (double)(k);
+    if (outward < INT64_C(0))
+    {
+        v3 = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+        v4 = v3 / spacing;
+        reach_t = ((*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW)) - v4 * spacing_t) / spacing;
+        reach = v4 + (double)(k);
+    }
+    if (reach < stop)
+    {
+        stop_t = reach_t;
+        stop = reach;
+    }
+    if (stop < 0.0)
+    {
+        stop_t = 0.0;
+        stop = 0.0;
+    }
+    (*result_0) = stop;
+    (*result_1) = stop_t;
+    return 0;
+}
+
+/* Tangent of ``region_load``. */
+static inline int64_t tangent_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, double level, double level_t)
+{
+    int64_t block;
+    double spacing_t;
+    double spacing;
+    int64_t rises;
+    int64_t lines;
+    double load_t;
+    double load;
+    double stiffness_t;
+    double stiffness;
+    int64_t outward;
+    int64_t last;
+    double d_before_t;
+    double d_before;
+    double c_before_t;
+    double c_before;
+    double d_low_t;
+    double d_low;
+    double c_low_t;
+    double c_low;
+    int64_t k;
+    int64_t at;
+    double d_high_t;
+    double d_high;
+    double c_high_t;
+    double c_high;
+    double f_low_t;
+    double f_low;
+    double f_high_t;
+    double f_high;
+    double v1;
+    double v2;
+    double v2_t;
+    double v3;
+    double start;
+    double start_t;
+    double stop;
+    double stop_t;
+    double v4;
+    double v4_t;
+    double v5;
+    double v5_t;
+    double v6;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    block = regions__region_block(region);
+    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    rises = nodes__node_field(region, nodes__NODE_RISE);
+    lines = nodes__node_field(region, nodes__NODE_LINE);
+    load_t = 0.0;
+    load = 0.0;
+    stiffness_t = 0.0;
+    stiffness = 0.0;
+    if (level > 0.0)
+    {
+        for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
+        {
+            last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+            if (outward < INT64_C(0))
+            {
+                last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+            }
+            d_before_t = level_t - (*cspan_at(&work_t, rises - outward));
+            d_before = level - (*cspan_at(&work, rises - outward));
+            c_before_t = (*cspan_at(&work_t, lines - outward));
+            c_before = (*cspan_at(&work, lines - outward));
+            d_low_t = level_t - (*cspan_at(&work_t, rises));
+            d_low = level - (*cspan_at(&work, rises));
+            c_low_t = (*cspan_at(&work_t, lines));
+            c_low = (*cspan_at(&work, lines));
+            for (k = INT64_C(0); k < last; k += INT64_C(1))
+            {
+                at = outward * (k + INT64_C(1));
+                d_high_t = level_t - (*cspan_at(&work_t, rises + at));
+                d_high = level - (*cspan_at(&work, rises + at));
+                c_high_t = (*cspan_at(&work_t, lines + at));
+                c_high = (*cspan_at(&work, lines + at));
+                f_low_t = c_low_t * d_low + c_low * d_low_t;
+                f_low = c_low * d_low;
+                f_high_t = c_high_t * d_high + c_high * d_high_t;
+                f_high = c_high * d_high;
+                if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
+                {
+                    v1 = f_low + f_high;
+                    tangent_analyn__bend_of_t(&v2, &v2_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t);
+                    load_t = load_t + (0.5 * (f_low_t + f_high_t) - v2_t / 6.0);
+                    load = load + (0.5 * v1 - v2 / 6.0);
+                    v3 = c_low + c_high;
+                    stiffness_t = stiffness_t + 0.5 * (c_low_t + c_high_t);
+                    stiffness = stiffness + 0.5 * v3;
+                }
+                else if ((d_low > 0.0) || (d_high > 0.0))
+                {
+                    tangent_analyn__cell_part_t(&start, &start_t, &stop, &stop_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
+                    if (k == last - INT64_C(1))
+                    {
+                        tangent_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, block, outward * k, outward, stop, stop_t);
+                        stop_t = v4_t;
+                        stop = v4;
+                    }
+                    if (stop > start)
+                    {
+                        tangent_analyn__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t, stop, stop_t);
+                        load_t = load_t + v5_t;
+                        load = load + v5;
+                        v6 = stop - start;
+                        v7 = stop + start;
+                        v8 = 0.5 * v7;
+                        v9 = c_high - c_low;
+                        v10 = c_low + v8 * v9;
+                        stiffness_t = stiffness_t + ((stop_t - start_t) * v10 + v6 * (c_low_t + (0.5 * (stop_t + start_t) * v9 + v8 * (c_high_t - c_low_t))));
+                        stiffness = stiffness + v6 * v10;
+                    }
+                }
+                d_before_t = d_low_t;
+                d_before = d_low;
+                c_before_t = c_low_t;
+                c_before = c_low;
+                d_low_t = d_high_t;
+                d_low = d_high;
+                c_low_t = c_high_t;
+                c_low = c_high;
+            }
+        }
+    }
+    (*result_0) = load * spacing;
+    (*result_1) = load_t * spacing + load * spacing_t;
+    (*result_2) = stiffness * spacing;
+    (*result_3) = stiffness_t * spacing + stiffness * spacing_t;
+    return 0;
+}
+
+/* Tangent of ``influence``. */
+static inline int64_t tangent_analyn__influence_t(double* result, double* result_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
+{
+    int64_t one;
+    int64_t other;
+    double distance_t;
+    double distance;
+    double v1;
+    double v1_t;
+    double along_t;
+    double along;
+    double squares_t;
+    double squares;
+    double v2;
+    double v3;
+    double apart_t;
+    double apart;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v7_t;
+    (*result_t) = 0.0;
+    (*result) = 0.0;
+    if (first != second)
+    {
+        one = regions__region_block(first);
+        other = regions__region_block(second);
+        distance_t = (*cspan_at(&work_t, one + regions__REGION_OFFSET)) + (*cspan_at(&work_t, one + regions__REGION_MIDDLE)) - (*cspan_at(&work_t, other + regions__REGION_OFFSET)) - (*cspan_at(&work_t, other + regions__REGION_MIDDLE));
+        distance = (*cspan_at(&work, one + regions__REGION_OFFSET)) + (*cspan_at(&work, one + regions__REGION_MIDDLE)) - (*cspan_at(&work, other + regions__REGION_OFFSET)) - (*cspan_at(&work, other + regions__REGION_MIDDLE));
+        tangent_analyn__region_lead_t(&v1, &v1_t, work, work_t, first, second);
+        along_t = v1_t;
+        along = v1;
+        squares_t = (*cspan_at(&work_t, one + regions__REGION_SQUARE)) + (*cspan_at(&work_t, other + regions__REGION_SQUARE));
+        squares = (*cspan_at(&work, one + regions__REGION_SQUARE)) + (*cspan_at(&work, other + regions__REGION_SQUARE));
+        v2 = distance * distance + along * along + analyn__ELONGATED * squares;
+        v3 = sqrt(v2);
+        apart_t = tangent_rates__root_rate(v3, distance_t * distance + distance * distance_t + (along_t * along + along * along_t) + analyn__ELONGATED * squares_t);
+        apart = v3;
+        v4 = M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS));
+        v5 = v4 * apart;
+        v6 = 1.0 / v5;
+        (*result_t) = (-v6) * (v4 * apart_t) / v5;
+        (*result) = v6;
+        tangent_analyn__planes_cosine_t(&v7, &v7_t, work, work_t, first, second);
+        (*result_t) = (*result_t) * v7 + (*result) * v7_t;
+        (*result) = (*result) * v7;
+    }
+    return 0;
+}
+
+/* Tangent of ``region_lead``. */
+static inline int64_t tangent_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
+{
+    int64_t k1;
+    int64_t k2;
+    (*lead_t) = 0.0;
+    (*lead) = 0.0;
+    if (analyn__planes_cosine(work, first, second) < analyn__LEANING)
+    {
+        k1 = regions__region_block(first) + regions__REGION_ALONG;
+        k2 = regions__region_block(second) + regions__REGION_ALONG;
+        (*lead_t) = (*cspan_at(&work_t, k1)) - (*cspan_at(&work_t, k2));
+        (*lead) = (*cspan_at(&work, k1)) - (*cspan_at(&work, k2));
+    }
+    return 0;
+}
+
+/* Tangent of ``planes_cosine``. */
+static inline int64_t tangent_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
+{
+    int64_t one;
+    int64_t other;
+    one = regions__region_block(first);
+    other = regions__region_block(second);
+    (*cosine_t) = 0.0;
+    (*cosine) = 1.0;
+    if (((*cspan_at(&work, one + regions__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + regions__REGION_OWN)) == 1.0))
+    {
+        (*cosine_t) = (*cspan_at(&work_t, one + regions__REGION_COS)) * (*cspan_at(&work, other + regions__REGION_COS)) + (*cspan_at(&work, one + regions__REGION_COS)) * (*cspan_at(&work_t, other + regions__REGION_COS)) + ((*cspan_at(&work_t, one + regions__REGION_SIN)) * (*cspan_at(&work, other + regions__REGION_SIN)) + (*cspan_at(&work, one + regions__REGION_SIN)) * (*cspan_at(&work_t, other + regions__REGION_SIN)));
+        (*cosine) = (*cspan_at(&work, one + regions__REGION_COS)) * (*cspan_at(&work, other + regions__REGION_COS)) + (*cspan_at(&work, one + regions__REGION_SIN)) * (*cspan_at(&work, other + regions__REGION_SIN));
+        if ((*cosine) < 0.0)
+        {
+            (*cosine_t) = 0.0;
+            (*cosine) = 0.0;
+        }
+    }
+    return 0;
+}
+
+/* Tangent of ``load_regions``. */
+static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count)
+{
+    int64_t i;
+    int64_t block;
+    double load;
+    double load_t;
+    double stiffness;
+    double stiffness_t;
+    (*total_t) = 0.0;
+    (*total) = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, i, (*cspan_at(&work, block + regions__REGION_LEVEL)), (*cspan_at(&work_t, block + regions__REGION_LEVEL)));
+        (*cspan_at(&work_t, block + regions__REGION_LOAD)) = load_t;
+        (*cspan_at(&work, block + regions__REGION_LOAD)) = load;
+        (*cspan_at(&work_t, block + regions__REGION_STIFFNESS)) = stiffness_t;
+        (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = stiffness;
+        (*total_t) = (*total_t) + ((*cspan_at(&work_t, block + regions__REGION_SHARE)) * load + (*cspan_at(&work, block + regions__REGION_SHARE)) * load_t);
+        (*total) = (*total) + (*cspan_at(&work, block + regions__REGION_SHARE)) * load;
+    }
+    return 0;
+}
+
+/* Tangent of ``levels_rule``. */
+static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed, double sharp, double sharp_t)
+{
+    double given_t;
+    double given;
+    int64_t size;
+    int64_t width;
+    int64_t i;
+    int64_t level;
+    double v1;
+    double v1_t;
+    double total_t;
+    double total;
+    int64_t last;
+    int64_t block;
+    int64_t row;
+    double pushed_t;
+    double pushed;
+    int64_t j;
+    double v2;
+    double v2_t;
+    double share_t;
+    double share;
+    int64_t k3;
+    double rest_t;
+    double rest;
+    double load;
+    double load_t;
+    double stiffness;
+    double stiffness_t;
+    double per_level;
+    double n4;
+    double n5;
+    given_t = penetration_t;
+    given = penetration;
+    analyn__solve_levels(&penetration, met, tables, work, state, count, force, penetration, prescribed, sharp);
+    penetration_t = 0.0;
+    if ((*met) == INT64_C(0))
+    {
+        (*result_0) = penetration;
+        (*result_1) = penetration_t;
+        return 0;
+    }
+    size = count + INT64_C(1);
+    width = size + INT64_C(2);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        level = regions__region_block(i) + regions__REGION_LEVEL;
+        (*cspan_at(&work_t, level)) = 0.0;
+    }
+    tangent_analyn__load_regions_t(&v1, &v1_t, tables, work, work_t, count);
+    total_t = v1_t;
+    total = v1;
+    last = layout__WORK_SYSTEM + width * count;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        block = regions__region_block(i);
+        row = layout__WORK_SYSTEM + width * i;
+        pushed_t = 0.0;
+        pushed = 0.0;
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        {
+            tangent_analyn__influence_t(&v2, &v2_t, tables, work, work_t, i, j);
+            share_t = v2_t;
+            share = v2;
+            k3 = regions__region_block(j) + regions__REGION_LOAD;
+            pushed_t = pushed_t + (share_t * (*cspan_at(&work, k3)) + share * (*cspan_at(&work_t, k3)));
+            pushed = pushed + share * (*cspan_at(&work, k3));
+            (*cspan_at(&work_t, row + j)) = 0.0;
+            (*cspan_at(&work, row + j)) = share;
+        }
+        rest_t = (*cspan_at(&work_t, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work_t, block + regions__REGION_GAP)) - pushed_t;
+        rest = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - pushed;
+        (*cspan_at(&work_t, row + count)) = 0.0;
+        (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + regions__REGION_TURN));
+        (*cspan_at(&work_t, row + size)) = 0.0;
+        (*cspan_at(&work, row + size)) = rest_t;
+        (*cspan_at(&work_t, row + size + INT64_C(1))) = 0.0;
+        (*cspan_at(&work, row + size + INT64_C(1))) = 0.0;
+    }
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        block = regions__region_block(j);
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, j, (*cspan_at(&work, block + regions__REGION_LEVEL)), 1.0);
+        per_level = load_t - (*cspan_at(&work_t, block + regions__REGION_LOAD));
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_SYSTEM + width * i + j)) = 0.0;
+            (*cspan_at(&work, layout__WORK_SYSTEM + width * i + j)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * i + j)) * per_level;
+        }
+        (*cspan_at(&work_t, layout__WORK_SYSTEM + width * j + j)) = 0.0;
+        (*cspan_at(&work, layout__WORK_SYSTEM + width * j + j)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * j + j)) + 1.0;
+        (*cspan_at(&work_t, last + j)) = 0.0;
+        (*cspan_at(&work, last + j)) = 0.0;
+        if (prescribed == INT64_C(0))
+        {
+            (*cspan_at(&work_t, last + j)) = 0.0;
+            (*cspan_at(&work, last + j)) = (*cspan_at(&work, block + regions__REGION_SHARE)) * per_level;
+        }
+    }
+    (*cspan_at(&work_t, last + count)) = 0.0;
+    (*cspan_at(&work, last + count)) = 0.0;
+    (*cspan_at(&work_t, last + size)) = 0.0;
+    (*cspan_at(&work, last + size)) = force_t - total_t;
+    (*cspan_at(&work_t, last + size + INT64_C(1))) = 0.0;
+    (*cspan_at(&work, last + size + INT64_C(1))) = 0.0;
+    if (prescribed == INT64_C(1))
+    {
+        (*cspan_at(&work_t, last + count)) = 0.0;
+        (*cspan_at(&work, last + count)) = 1.0;
+        (*cspan_at(&work_t, last + size)) = 0.0;
+        (*cspan_at(&work, last + size)) = given_t;
+    }
+    strips__eliminate(work, size);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        level = regions__region_block(i) + regions__REGION_LEVEL;
+        (*cspan_at(&work_t, level)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * i + size));
+    }
+    tangent_analyn__load_regions_t(&n4, &n5, tables, work, work_t, count);
+    penetration_t = (*cspan_at(&work, last + size));
+    (*result_0) = penetration;
+    (*result_1) = penetration_t;
+    return 0;
+}

@@ -1,0 +1,257 @@
+/* Generated from tangent_hertz.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of hertz.py.
+ */
+
+#include "tangent_hertz.h"
+
+/* Tangent of ``table_value``. */
+static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t base, int64_t column, double abscissa, double abscissa_t)
+{
+    double v1;
+    double u_t;
+    double u;
+    double last;
+    int64_t cell;
+    int64_t at;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    v1 = abscissa - (*cspan_at(&tables, base + hertz__TABLE_START));
+    u_t = abscissa_t * (*cspan_at(&tables, base + hertz__TABLE_CELLS_PER_UNIT));
+    u = v1 * (*cspan_at(&tables, base + hertz__TABLE_CELLS_PER_UNIT));
+    last = (*cspan_at(&tables, base + hertz__TABLE_COUNT));
+    if (!(u > 0.0))
+    {
+        u_t = 0.0;
+        u = 0.0;
+    }
+    if (u > last)
+    {
+        u_t = 0.0;
+        u = last;
+    }
+    cell = (int64_t)(u);
+    if (cell > (int64_t)(last) - INT64_C(1))
+    {
+        cell = (int64_t)(last) - INT64_C(1);
+    }
+    u = u - (double)(cell);
+    at = base + hertz__TABLE_CELLS + hertz__TABLE_ROW * cell + column;
+    v2 = (*cspan_at(&tables, at + INT64_C(4))) + u * (*cspan_at(&tables, at + INT64_C(5)));
+    v3 = (*cspan_at(&tables, at + INT64_C(3))) + u * v2;
+    v4 = (*cspan_at(&tables, at + INT64_C(2))) + u * v3;
+    v5 = (*cspan_at(&tables, at + INT64_C(1))) + u * v4;
+    (*result_0) = (*cspan_at(&tables, at)) + u * v5;
+    (*result_1) = u_t * v5 + u * (u_t * v4 + u * (u_t * v3 + u * (u_t * v2 + u * (u_t * (*cspan_at(&tables, at + INT64_C(5)))))));
+    return 0;
+}
+
+/* Tangent of ``hertz_coefficients``. */
+static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t base, double A, double A_t, double B, double B_t)
+{
+    double v1;
+    double ratio_t;
+    double ratio;
+    v1 = B / A;
+    ratio_t = (B_t - v1 * A_t) / A / v1;
+    ratio = log(v1);
+    tangent_hertz__table_value_t(v2, v2_t, tables, base, INT64_C(0), ratio, ratio_t);
+    tangent_hertz__table_value_t(v3, v3_t, tables, base, INT64_C(0), -ratio, -ratio_t);
+    tangent_hertz__table_value_t(v4, v4_t, tables, base, INT64_C(6), ratio, ratio_t);
+    return 0;
+}
+
+/* Tangent of ``skewed_coefficients``. */
+static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t base, double A, double A_t, double B, double B_t, double slant, double slant_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double cross_t;
+    double cross;
+    double diagonal_t;
+    double diagonal;
+    double v4;
+    double half_t;
+    double half;
+    double v5;
+    double v6;
+    double spread_t;
+    double spread;
+    double v7;
+    double large_t;
+    double large;
+    double v8;
+    double v9;
+    double small_t;
+    double small;
+    double along;
+    double along_t;
+    double across;
+    double across_t;
+    double nr;
+    double nr_t;
+    double cosine_t;
+    double cosine;
+    double v10;
+    double v11;
+    double v12;
+    double length_t;
+    double length;
+    double v13;
+    double v14;
+    double v15;
+    double v16;
+    double width_t;
+    double width;
+    double v19;
+    double v20;
+    if (A * slant * slant > hertz__STEEPEST * B)
+    {
+        v1 = hertz__STEEPEST * B;
+        v2 = v1 / A;
+        v3 = sqrt(v2);
+        slant_t = tangent_rates__root_rate(v3, (hertz__STEEPEST * B_t - v2 * A_t) / A);
+        slant = v3;
+    }
+    cross_t = A_t * slant + A * slant_t;
+    cross = A * slant;
+    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    diagonal = B + cross * slant;
+    v4 = A - diagonal;
+    half_t = 0.5 * (A_t - diagonal_t);
+    half = 0.5 * v4;
+    v5 = half * half + cross * cross;
+    v6 = sqrt(v5);
+    spread_t = tangent_rates__root_rate(v6, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    spread = v6;
+    v7 = A + diagonal;
+    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    large = 0.5 * v7 + spread;
+    v8 = A * B;
+    v9 = v8 / large;
+    small_t = (A_t * B + A * B_t - v9 * large_t) / large;
+    small = v9;
+    tangent_hertz__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, base, small, small_t, large, large_t);
+    along_t = along_t * small + along * small_t;
+    along = along * small;
+    across_t = across_t * large + across * large_t;
+    across = across * large;
+    cosine_t = 0.0;
+    cosine = 0.5;
+    if (spread > hertz__TILTED * large)
+    {
+        v10 = 0.5 * half;
+        v11 = v10 / spread;
+        cosine_t = -((0.5 * half_t - v11 * spread_t) / spread);
+        cosine = 0.5 - v11;
+    }
+    v12 = 1.0 - cosine;
+    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v12 * across_t);
+    length = cosine * along + v12 * across;
+    v13 = along * across;
+    v14 = 1.0 - cosine;
+    v15 = cosine * along + v14 * across;
+    v16 = v13 / v15;
+    width_t = (along_t * across + along * across_t - v16 * (cosine_t * along + cosine * along_t + ((-cosine_t) * across + v14 * across_t))) / v15;
+    width = v16;
+    (*v17) = length / A;
+    (*v18) = width / B;
+    v19 = length / along;
+    v20 = sqrt(v19);
+    (*result_1) = (length_t - (*v17) * A_t) / A;
+    (*result_3) = (width_t - (*v18) * B_t) / B;
+    (*result_4) = nr * v20;
+    (*result_5) = nr_t * v20 + nr * tangent_rates__root_rate(v20, (length_t - v19 * along_t) / along);
+    return 0;
+}
+
+/* Tangent of ``hertz_stiffness``. */
+static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t base, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+{
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
+    v1 = 4.0 / 3.0;
+    v2 = v1 * contact_modulus;
+    v3 = one_beta * B;
+    v4 = sqrt(v3);
+    v5 = nr * v4;
+    (*v6) = v2 / v5;
+    (*result_1) = (v1 * contact_modulus_t - (*v6) * (nr_t * v4 + nr * tangent_rates__root_rate(v4, one_beta_t * B + one_beta * B_t))) / v5;
+    return 0;
+}
+
+/* Tangent of ``upright_rule``. */
+static inline int64_t tangent_hertz__upright_rule_t(double* A, double* A_t, double* B, double* B_t, double* share, double* share_t, array_double_1d tables, int64_t base, double length, double length_t, double width, double width_t, double nr, double nr_t)
+{
+    double ratio_t;
+    double ratio;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    double v3;
+    double change_t;
+    double change;
+    double slope;
+    double v4;
+    double v5;
+    double v6;
+    double v6_t;
+    double alpha_t;
+    double alpha;
+    double v7;
+    double v7_t;
+    double beta_t;
+    double beta;
+    double v8;
+    double v8_t;
+    double v9;
+    double v10;
+    double v11;
+    double v12;
+    double v13;
+    hertz__upright_coefficients(A, B, share, tables, base, length, width, nr);
+    (*A_t) = 0.0;
+    (*B_t) = 0.0;
+    (*share_t) = 0.0;
+    ratio_t = 1.0;
+    ratio = log((*B) / (*A));
+    tangent_hertz__table_value_t(&v1, &v1_t, tables, base, INT64_C(0), -ratio, -ratio_t);
+    tangent_hertz__table_value_t(&v2, &v2_t, tables, base, INT64_C(0), ratio, ratio_t);
+    v3 = v1 / v2;
+    change_t = (v1_t - v3 * v2_t) / v2 / v3;
+    change = log(v3);
+    slope = 1.0 + change_t;
+    v4 = width / length;
+    v5 = log(v4);
+    ratio_t = (width_t - v4 * length_t) / length / v4 / slope;
+    tangent_hertz__table_value_t(&v6, &v6_t, tables, base, INT64_C(0), ratio, ratio_t);
+    alpha_t = v6_t;
+    alpha = v6;
+    tangent_hertz__table_value_t(&v7, &v7_t, tables, base, INT64_C(0), -ratio, -ratio_t);
+    beta_t = v7_t;
+    beta = v7;
+    tangent_hertz__table_value_t(&v8, &v8_t, tables, base, INT64_C(6), ratio, ratio_t);
+    v9 = v8 / nr;
+    (*share_t) = (v8_t - v9 * nr_t) / nr;
+    v10 = (*share) * length;
+    v11 = v10 / alpha;
+    (*A_t) = ((*share_t) * length + (*share) * length_t - v11 * alpha_t) / alpha;
+    v12 = (*share) * width;
+    v13 = v12 / beta;
+    (*B_t) = ((*share_t) * width + (*share) * width_t - v13 * beta_t) / beta;
+    return 0;
+}

@@ -1,0 +1,223 @@
+/* Generated from tangent_implicit.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of implicit.py.
+ */
+
+#include "tangent_implicit.h"
+
+/* Tangent of ``place_moving``. */
+static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+{
+    double yaw_t;
+    double yaw;
+    tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
+    yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_YAW));
+    yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW));
+    if ((yaw == 0.0) && (yaw_t != 0.0))
+    {
+        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
+        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
+        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_YAWED)) = 0.0;
+        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_YAWED)) = 1.0;
+        tangent_locus__turn_wheelset_t(work, work_t, roll__RIGHT_PLACE, roll, roll_t);
+        tangent_locus__mirror_place_t(work, work_t, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``follow_minimum``. */
+static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+{
+    int64_t side;
+    int64_t at;
+    double y_t;
+    double y;
+    double gap;
+    double gap_t;
+    double mismatch;
+    double mismatch_t;
+    double rate;
+    double rate_t;
+    double v1;
+    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
+    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    y_t = 0.0;
+    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
+    tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, at, y, y_t);
+    v1 = -mismatch;
+    y_t = (-mismatch_t) / rate;
+    tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, at, y, y_t);
+    (*cspan_at(&work_t, side + layout__SIDE_BEST_Y)) = y_t;
+    (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+    (*cspan_at(&work_t, side + layout__SIDE_BEST)) = gap_t;
+    return INT64_C(0);
+}
+
+/* Tangent of ``follow_roll``. */
+static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t)
+{
+    double left;
+    double right;
+    double gap_left;
+    double gap_left_t;
+    double mismatch_left;
+    double mismatch_left_t;
+    double rate_left;
+    double rate_left_t;
+    double gap_right;
+    double gap_right_t;
+    double mismatch_right;
+    double mismatch_right_t;
+    double rate_right;
+    double rate_right_t;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    double lever_t;
+    double lever;
+    double v3;
+    (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL));
+    tangent_implicit__place_moving_t(tables, work, work_t, (*roll), 0.0);
+    left = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
+    right = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
+    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, roll__LEFT_PLACE, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, roll__RIGHT_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, roll__RIGHT_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, roll__LEFT_PLACE, left, 0.0);
+    lever_t = v1_t + v2_t;
+    lever = v1 + v2;
+    v3 = -(gap_right - gap_left);
+    (*result_1) = (-(gap_right_t - gap_left_t)) / lever;
+    return 0;
+}
+
+/* Tangent of ``follow_stand``. */
+static inline int64_t tangent_implicit__follow_stand_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
+{
+    int64_t index;
+    double v1;
+    double v1_t;
+    tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        tangent_implicit__follow_minimum_t(tables, work, work_t, index);
+        tangent_step__side_force_t(&v1, &v1_t, work, work_t, index);
+        tangent_elastic__carry_side_t(tables, work, work_t, state, index, v1, v1_t, height, height_t);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``follow_elastic``. */
+static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+{
+    double roll_t;
+    double roll;
+    double height_t;
+    double height;
+    int64_t left;
+    int64_t right;
+    double lack_left;
+    double lack_right;
+    double left_height;
+    double right_height;
+    double left_roll;
+    double right_roll;
+    double determinant;
+    double height_rate;
+    double roll_rate;
+    roll_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL));
+    roll = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL));
+    height_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT));
+    height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT));
+    left = layout__WORK_SUPPORT + side__SUPPORT_HEIGHT;
+    right = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT;
+    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
+    if (fabs((*cspan_at(&work, left)) - height) + fabs((*cspan_at(&work, right)) - height) > 10000.0 * elastic__ELASTIC_SHARP)
+    {
+        return INT64_C(1);
+    }
+    lack_left = (*cspan_at(&work_t, left));
+    lack_right = (*cspan_at(&work_t, right));
+    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 1.0);
+    left_height = (*cspan_at(&work_t, left)) - lack_left - 1.0;
+    right_height = (*cspan_at(&work_t, right)) - lack_right - 1.0;
+    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 1.0, height, 0.0);
+    left_roll = (*cspan_at(&work_t, left)) - lack_left;
+    right_roll = (*cspan_at(&work_t, right)) - lack_right;
+    determinant = left_height * right_roll - right_height * left_roll;
+    height_rate = (lack_right * left_roll - lack_left * right_roll) / determinant;
+    roll_rate = (lack_left * right_height - lack_right * left_height) / determinant;
+    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, roll_rate, height, height_rate);
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll_rate;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height_rate;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height;
+    return INT64_C(0);
+}
+
+/* Tangent of ``follow_compliant``. */
+static inline int64_t tangent_implicit__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+{
+    double roll_t;
+    double roll;
+    double height_t;
+    double height;
+    int64_t index;
+    roll_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_ROLL));
+    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL));
+    height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
+    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
+    tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll_t;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height_t;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        tangent_implicit__follow_minimum_t(tables, work, work_t, index);
+        tangent_elastic__bear_side_t(tables, work, work_t, state, index, height, height_t);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``differentiate``. */
+static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+{
+    int64_t mode;
+    double v1;
+    double v1_t;
+    double roll_t;
+    double roll;
+    int64_t index;
+    int64_t n2;
+    int64_t outcome;
+    mode = (int64_t)((*cspan_at(&tables, layout__SET_MODE)));
+    outcome = INT64_C(0);
+    if (mode == layout__MODE_RIGID)
+    {
+        tangent_implicit__follow_roll_t(&v1, &v1_t, tables, work, work_t);
+        roll_t = v1_t;
+        roll = v1;
+        tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
+        for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+        {
+            tangent_implicit__follow_minimum_t(tables, work, work_t, index);
+        }
+        tangent_step__stand_rigid_t(tables, work, work_t, state, roll, roll_t);
+    }
+    if (mode == layout__MODE_ELASTIC)
+    {
+        n2 = tangent_implicit__follow_elastic_t(tables, work, work_t, state);
+        outcome = n2;
+    }
+    if (mode == layout__MODE_COMPLIANT)
+    {
+        tangent_implicit__follow_compliant_t(tables, work, work_t, state);
+    }
+    tangent_resultant__write_resultant_t(tables, work, work_t, side__side_resultant(INT64_C(0)), side__side_resultant(INT64_C(1)));
+    tangent_step__withhold_t(tables, work, work_t);
+    return outcome;
+}

@@ -1,0 +1,68 @@
+/* Generated from tangent_lateral_curvature.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of lateral_curvature.py.
+ */
+
+#include "tangent_lateral_curvature.h"
+
+/* Tangent of ``profile_curvature``. */
+static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t base, double y, double y_t)
+{
+    double v1;
+    double u_t;
+    double u;
+    double last;
+    int64_t cell;
+    int64_t at;
+    double v2;
+    double v3;
+    v1 = y - (*cspan_at(&tables, base + lateral_curvature__CURVATURE_START));
+    u_t = y_t * (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE));
+    u = v1 * (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE));
+    last = (*cspan_at(&tables, base + lateral_curvature__CURVATURE_COUNT)) - 1.0;
+    if (!(u > 0.0))
+    {
+        u_t = 0.0;
+        u = 0.0;
+    }
+    if (u > last)
+    {
+        u_t = 0.0;
+        u = last;
+    }
+    cell = (int64_t)(u);
+    if (cell > (int64_t)(last) - INT64_C(1))
+    {
+        cell = (int64_t)(last) - INT64_C(1);
+    }
+    at = base + lateral_curvature__CURVATURES + cell;
+    v2 = u - (double)(cell);
+    v3 = (*cspan_at(&tables, at + INT64_C(1))) - (*cspan_at(&tables, at));
+    (*result_0) = (*cspan_at(&tables, at)) + v2 * v3;
+    (*result_1) = u_t * v3;
+    return 0;
+}
+
+/* Tangent of ``relative_curvature``. */
+static inline int64_t tangent_lateral_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t)
+{
+    double v1;
+    double v1_t;
+    double wheel_t;
+    double wheel;
+    double v2;
+    double v2_t;
+    double rail_t;
+    double rail;
+    double v3;
+    tangent_lateral_curvature__profile_curvature_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL_CURVATURE))), y, y_t);
+    wheel_t = v1_t;
+    wheel = v1;
+    tangent_lateral_curvature__profile_curvature_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL_CURVATURE))), abscissa, abscissa_t);
+    rail_t = v2_t;
+    rail = v2;
+    v3 = wheel + rail;
+    (*result_0) = 0.5 * v3;
+    (*result_1) = 0.5 * (wheel_t + rail_t);
+    return 0;
+}

@@ -1,0 +1,623 @@
+/* Generated from tangent_regions.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of regions.py.
+ */
+
+#include "tangent_regions.h"
+
+/* Tangent of ``minimum_rule``. */
+static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
+{
+    double n1;
+    double place_t;
+    double place;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double v2;
+    double v3;
+    double v3_t;
+    n1 = regions__open_region(tables, work, state, index, station);
+    (*found_t) = 0.0;
+    (*found) = n1;
+    if ((*found) < regions__FAR)
+    {
+        place_t = 0.0;
+        place = (*cspan_at(&work, regions__region_block(index) + regions__REGION_STATION));
+        tangent_contact_plane__start_tracer_t(work, work_t, place, place_t, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, place, place_t, regions__TRACE, 0.0);
+        v2 = -rate;
+        place_t = (-rate_t) / bend;
+        tangent_regions__open_region_t(&v3, &v3_t, tables, work, work_t, state, index, place, place_t);
+        (*found_t) = v3_t;
+        (*found) = v3;
+    }
+    return 0;
+}
+
+/* Tangent of ``hump_rule``. */
+static inline int64_t tangent_regions__hump_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t low, int64_t high)
+{
+    double way_t;
+    double way;
+    double v1;
+    double place_t;
+    double place;
+    double hump;
+    double hump_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double v2;
+    regions__find_hump(station, gap, tables, work, state, low, high);
+    (*station_t) = 0.0;
+    way_t = (*cspan_at(&work_t, high + regions__REGION_STATION)) - (*cspan_at(&work_t, low + regions__REGION_STATION));
+    way = (*cspan_at(&work, high + regions__REGION_STATION)) - (*cspan_at(&work, low + regions__REGION_STATION));
+    v1 = ((*station) - (*cspan_at(&work, low + regions__REGION_STATION))) / way;
+    place_t = (*cspan_at(&work_t, low + regions__REGION_STATION)) + way_t * v1;
+    place = (*cspan_at(&work, low + regions__REGION_STATION)) + way * v1;
+    if ((*cspan_at(&work, contact_plane__TRACER_STATION)) == (*station))
+    {
+        tangent_contact_plane__start_tracer_t(work, work_t, (*station), 0.0, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
+        tangent_contact_plane__normal_gap_t(&hump, &hump_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*station), 0.0, regions__TRACE, 0.0);
+        if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
+        {
+            v2 = -rate;
+            place_t = (-rate_t) / bend;
+            place = v2 / bend;
+        }
+    }
+    (*station_t) = place_t;
+    (*result_3) = 0.0;
+    return 0;
+}
+
+/* Tangent of ``width_rule``. */
+static inline int64_t tangent_regions__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
+{
+    double v1;
+    double v1_t;
+    double limit_t;
+    double limit;
+    double inner;
+    double tolerance;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double rail_rate;
+    double wheel_rate;
+    double moved;
+    int64_t rail;
+    int64_t wheel;
+    double x_t;
+    double x;
+    double y_t;
+    double y;
+    tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
+    (*width_t) = v1_t;
+    (*width) = v1;
+    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
+    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    if (direction < 0.0)
+    {
+        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
+        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+    }
+    if (((*width) < limit) && ((*cspan_at(&work, block + regions__REGION_REACHED)) != level))
+    {
+        inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
+        tolerance = 0.001 * guess;
+        if (tolerance > regions__WIDTH_TRACE)
+        {
+            tolerance = regions__WIDTH_TRACE;
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
+        rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+        wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+        moved = (level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP))) / (rate * direction);
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
+        rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+        x_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+        x = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+        y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+        y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+        if ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE))
+        {
+            moved = (-rail_rate) / (x_t - rail_rate);
+        }
+        if ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE))
+        {
+            moved = (-wheel_rate) / (y_t - wheel_rate);
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
+        (*width_t) = moved;
+        (*cspan_at(&work_t, block + regions__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
+    }
+    return 0;
+}
+
+/* Tangent of ``width_jet``. */
+static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+{
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+    return 0;
+}
+
+/* Tangent of ``open_region``. */
+static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
+{
+    int64_t block;
+    double start_t;
+    double start;
+    double gap_t;
+    double gap;
+    double bend_t;
+    double bend;
+    double curvature_t;
+    double curvature;
+    int64_t i;
+    double rate;
+    double rate_t;
+    double v1;
+    double move_t;
+    double move;
+    double v2;
+    double v3;
+    double height;
+    double height_t;
+    double slope;
+    double slope_t;
+    block = regions__region_block(index);
+    start_t = station_t;
+    start = station;
+    gap_t = 0.0;
+    gap = regions__FAR;
+    (*found_t) = 0.0;
+    (*found) = regions__FAR;
+    bend_t = 0.0;
+    bend = 0.0;
+    curvature_t = 0.0;
+    curvature = 0.0;
+    for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
+    {
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, station, station_t, regions__TRACE, 0.0);
+        v1 = -rate;
+        move_t = (-rate_t) * regions__WANDER;
+        move = v1 * regions__WANDER;
+        if (bend > 0.0)
+        {
+            v2 = -rate;
+            v3 = v2 / bend;
+            move_t = ((-rate_t) - v3 * bend_t) / bend;
+            move = v3;
+        }
+        if (station + move > start + regions__WANDER)
+        {
+            move_t = start_t - station_t;
+            move = start + regions__WANDER - station;
+        }
+        if (station + move < start - regions__WANDER)
+        {
+            move_t = start_t - station_t;
+            move = start - regions__WANDER - station;
+        }
+        if (fabs(move) < regions__PLACE_SHARP)
+        {
+            if (bend > 0.0)
+            {
+                (*found_t) = gap_t;
+                (*found) = gap;
+            }
+            break;
+        }
+        station_t = station_t + move_t;
+        station = station + move;
+    }
+    (*cspan_at(&work_t, block + regions__REGION_STATION)) = station_t;
+    (*cspan_at(&work, block + regions__REGION_STATION)) = station;
+    (*cspan_at(&work_t, block + regions__REGION_GAP)) = gap_t;
+    (*cspan_at(&work, block + regions__REGION_GAP)) = gap;
+    (*cspan_at(&work_t, block + regions__REGION_RAIL)) = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+    (*cspan_at(&work_t, block + regions__REGION_WHEEL)) = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+    (*cspan_at(&work_t, block + regions__REGION_BEND)) = bend_t;
+    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
+    (*cspan_at(&work_t, block + regions__REGION_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
+    tangent_regions__lean_region_t(tables, work, work_t, block, slope, slope_t);
+    return 0;
+}
+
+/* Tangent of ``lean_region``. */
+static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t block, double slope, double slope_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double cosine_t;
+    double cosine;
+    v1 = 1.0 + slope * slope;
+    v2 = sqrt(v1);
+    v3 = 1.0 / v2;
+    cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    cosine = v3;
+    (*cspan_at(&work_t, block + regions__REGION_LEAN)) = slope_t;
+    (*cspan_at(&work, block + regions__REGION_LEAN)) = slope;
+    (*cspan_at(&work_t, block + regions__REGION_OWN)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_OWN)) = 0.0;
+    (*cspan_at(&work_t, block + regions__REGION_TURN)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_TURN)) = 1.0;
+    (*cspan_at(&work_t, block + regions__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work_t, block + regions__REGION_COS)) = cosine_t;
+    (*cspan_at(&work, block + regions__REGION_COS)) = cosine;
+    (*cspan_at(&work_t, block + regions__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
+    (*cspan_at(&work, block + regions__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work_t, block + regions__REGION_SHARE)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+    {
+        (*cspan_at(&work_t, block + regions__REGION_SHARE)) = cosine_t;
+        (*cspan_at(&work, block + regions__REGION_SHARE)) = cosine;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``open_contact_region``. */
+static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+{
+    int64_t block;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double v1;
+    block = regions__region_block(INT64_C(0));
+    tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, 0.0, 0.0, regions__TRACE, 0.0);
+    (*cspan_at(&work_t, block + regions__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
+    (*cspan_at(&work_t, block + regions__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
+    (*cspan_at(&work_t, block + regions__REGION_RAIL)) = (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA));
+    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+    (*cspan_at(&work_t, block + regions__REGION_WHEEL)) = (*cspan_at(&work_t, contact_plane__FRAME_Y));
+    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__FRAME_Y));
+    (*cspan_at(&work_t, block + regions__REGION_BEND)) = bend_t;
+    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
+    (*cspan_at(&work_t, block + regions__REGION_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work_t, block + regions__REGION_LOW)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work_t, block + regions__REGION_HIGH)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
+    v1 = (*cspan_at(&work, contact_plane__FRAME_SIN)) / (*cspan_at(&work, contact_plane__FRAME_COS));
+    tangent_regions__lean_region_t(tables, work, work_t, block, v1, ((*cspan_at(&work_t, contact_plane__FRAME_SIN)) - v1 * (*cspan_at(&work_t, contact_plane__FRAME_COS))) / (*cspan_at(&work, contact_plane__FRAME_COS)));
+    return INT64_C(0);
+}
+
+/* Tangent of ``find_regions``. */
+static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double level, double level_t)
+{
+    int64_t scan;
+    double v1;
+    double v2;
+    double reach_t;
+    double reach;
+    int64_t i_end;
+    int64_t i;
+    double y;
+    double abscissa_t;
+    double abscissa;
+    double height;
+    double height_t;
+    double slope;
+    double slope_t;
+    double v3;
+    double v4;
+    double station_t;
+    double station;
+    double n5;
+    double n5_t;
+    int64_t count;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    count = INT64_C(1);
+    v1 = 2.0 * level;
+    v2 = v1 / (*cspan_at(&work, contact_plane__FRAME_COS));
+    reach_t = (*cspan_at(&work_t, side + layout__SIDE_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, contact_plane__FRAME_COS))) / (*cspan_at(&work, contact_plane__FRAME_COS));
+    reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + v2;
+    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
+    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
+    {
+        if (count < layout__REGION_LIMIT)
+        {
+            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_ABSCISSA + i));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
+            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+            v3 = abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
+            v4 = height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
+            station_t = (abscissa_t - (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + v3 * (*cspan_at(&work_t, contact_plane__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN)) + v4 * (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
+            station = v3 * (*cspan_at(&work, contact_plane__FRAME_COS)) + v4 * (*cspan_at(&work, contact_plane__FRAME_SIN));
+            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, 0.0);
+            tangent_regions__minimum_rule_t(&n5, &n5_t, tables, work, work_t, state, count, station, station_t);
+            if (n5 < level)
+            {
+                if (regions__is_new(work, count) == INT64_C(1))
+                {
+                    count = count + INT64_C(1);
+                }
+            }
+        }
+    }
+    return count;
+}
+
+/* Tangent of ``bound_regions``. */
+static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double level, double level_t)
+{
+    int64_t i;
+    int64_t j;
+    int64_t k1;
+    int64_t k2;
+    int64_t low;
+    int64_t high;
+    double station;
+    double station_t;
+    double gap;
+    double gap_t;
+    double bound_t;
+    double bound;
+    int64_t k3;
+    for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
+    {
+        for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
+        {
+            if ((*cspan_at(&work, regions__region_block(j) + regions__REGION_STATION)) > (*cspan_at(&work, regions__region_block(j + INT64_C(1)) + regions__REGION_STATION)))
+            {
+                tangent_regions__swap_regions_t(work, work_t, j, j + INT64_C(1));
+            }
+        }
+    }
+    k1 = regions__region_block(INT64_C(0)) + regions__REGION_LOW;
+    (*cspan_at(&work_t, k1)) = 0.0;
+    (*cspan_at(&work, k1)) = -regions__FAR;
+    k2 = regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH;
+    (*cspan_at(&work_t, k2)) = 0.0;
+    (*cspan_at(&work, k2)) = regions__FAR;
+    i = INT64_C(0);
+    while(i < count - INT64_C(1))
+    {
+        low = regions__region_block(i);
+        high = regions__region_block(i + INT64_C(1));
+        tangent_regions__hump_rule_t(&station, &station_t, &gap, &gap_t, tables, work, work_t, state, low, high);
+        if (gap < regions__MERGE * level)
+        {
+            if ((*cspan_at(&work, high + regions__REGION_GAP)) < (*cspan_at(&work, low + regions__REGION_GAP)))
+            {
+                bound_t = (*cspan_at(&work_t, low + regions__REGION_LOW));
+                bound = (*cspan_at(&work, low + regions__REGION_LOW));
+                tangent_regions__swap_regions_t(work, work_t, i, i + INT64_C(1));
+                (*cspan_at(&work_t, low + regions__REGION_LOW)) = bound_t;
+                (*cspan_at(&work, low + regions__REGION_LOW)) = bound;
+            }
+            for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
+            {
+                tangent_regions__swap_regions_t(work, work_t, j, j + INT64_C(1));
+            }
+            count = count - INT64_C(1);
+            k3 = regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH;
+            (*cspan_at(&work_t, k3)) = 0.0;
+            (*cspan_at(&work, k3)) = regions__FAR;
+        }
+        else
+        {
+            (*cspan_at(&work_t, low + regions__REGION_HIGH)) = station_t;
+            (*cspan_at(&work, low + regions__REGION_HIGH)) = station;
+            (*cspan_at(&work_t, high + regions__REGION_LOW)) = station_t;
+            (*cspan_at(&work, high + regions__REGION_LOW)) = station;
+            i = i + INT64_C(1);
+        }
+    }
+    return count;
+}
+
+/* Tangent of ``swap_regions``. */
+static inline int64_t tangent_regions__swap_regions_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
+{
+    int64_t i;
+    int64_t k1;
+    double kept_t;
+    double kept;
+    int64_t k2;
+    int64_t k3;
+    int64_t k4;
+    for (i = INT64_C(0); i < layout__REGION_BLOCK; i += INT64_C(1))
+    {
+        k1 = regions__region_block(first) + i;
+        kept_t = (*cspan_at(&work_t, k1));
+        kept = (*cspan_at(&work, k1));
+        k2 = regions__region_block(first) + i;
+        k3 = regions__region_block(second) + i;
+        (*cspan_at(&work_t, k2)) = (*cspan_at(&work_t, k3));
+        (*cspan_at(&work, k2)) = (*cspan_at(&work, k3));
+        k4 = regions__region_block(second) + i;
+        (*cspan_at(&work_t, k4)) = kept_t;
+        (*cspan_at(&work, k4)) = kept;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``zone_width``. */
+static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
+{
+    double limit_t;
+    double limit;
+    double tolerance_t;
+    double tolerance;
+    double v1;
+    double root_t;
+    double root;
+    double low_t;
+    double low;
+    double high_t;
+    double high;
+    double width_t;
+    double width;
+    int64_t i;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double rise_t;
+    double rise;
+    double following_t;
+    double following;
+    double sharp;
+    double near;
+    double v2;
+    double v3;
+    double square_t;
+    double square;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    double newton_t;
+    double newton;
+    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
+    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    if (direction < 0.0)
+    {
+        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
+        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+    }
+    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+    tangent_separation__open_origin_t(tables, work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work_t, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)), 0.0, 0.0);
+    tolerance_t = 0.001 * guess_t;
+    tolerance = 0.001 * guess;
+    if (tolerance > regions__WIDTH_TRACE)
+    {
+        tolerance_t = 0.0;
+        tolerance = regions__WIDTH_TRACE;
+    }
+    v1 = sqrt(level);
+    root_t = tangent_rates__root_rate(v1, level_t);
+    root = v1;
+    low_t = 0.0;
+    low = 0.0;
+    high_t = 0.0;
+    high = -1.0;
+    width_t = guess_t;
+    width = guess;
+    (*cspan_at(&work_t, block + regions__REGION_REACHED)) = 0.0;
+    (*cspan_at(&work, block + regions__REGION_REACHED)) = 0.0;
+    for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
+    {
+        if (width > limit)
+        {
+            width_t = limit_t;
+            width = limit;
+        }
+        tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+        if (gap >= contact_plane__NO_GAP)
+        {
+            tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+        }
+        rise_t = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
+        rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+        if (rise < level)
+        {
+            low_t = width_t;
+            low = width;
+            (*cspan_at(&work_t, block + regions__REGION_REACHED)) = rise_t;
+            (*cspan_at(&work, block + regions__REGION_REACHED)) = rise;
+            if (width >= limit)
+            {
+                (*result_0_0001) = limit;
+                (*result_1_0001) = limit_t;
+                return 0;
+            }
+        }
+        else
+        {
+            high_t = width_t;
+            high = width;
+        }
+        following_t = 2.0 * width_t;
+        following = 2.0 * width;
+        sharp = regions__HALVED_SHARP;
+        near = regions__WIDTH_SHARP;
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            near = regions__PRESSED_SHARP;
+        }
+        if (high > 0.0)
+        {
+            v2 = low + high;
+            following_t = 0.5 * (low_t + high_t);
+            following = 0.5 * v2;
+        }
+        if ((rise > 0.0) && (rate * direction > 0.0))
+        {
+            v3 = sqrt(rise);
+            square_t = tangent_rates__root_rate(v3, rise_t);
+            square = v3;
+            v4 = root - square;
+            v5 = v4 * 2.0;
+            v6 = v5 * square;
+            v7 = rate * direction;
+            v8 = v6 / v7;
+            newton_t = width_t + ((root_t - square_t) * 2.0 * square + v5 * square_t - v8 * (rate_t * direction + rate * direction_t)) / v7;
+            newton = width + v8;
+            if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
+            {
+                following_t = newton_t;
+                following = newton;
+                sharp = near;
+            }
+        }
+        if (fabs(following - width) < sharp * width)
+        {
+            if (sharp == near)
+            {
+                (*cspan_at(&work_t, block + regions__REGION_REACHED)) = level_t;
+                (*cspan_at(&work, block + regions__REGION_REACHED)) = level;
+            }
+            (*result_0_0001) = following;
+            (*result_1_0001) = following_t;
+            return 0;
+        }
+        width_t = following_t;
+        width = following;
+    }
+    (*result_0_0001) = width;
+    (*result_1_0001) = width_t;
+    return 0;
+}

@@ -1,0 +1,14 @@
+/* Generated from tangent_roll.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of roll.py.
+ */
+
+#include "tangent_roll.h"
+
+/* Tangent of ``place_both``. */
+static inline int64_t tangent_roll__place_both_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+{
+    tangent_locus__place_wheelset_t(work, work_t, roll__RIGHT_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_YAW)), roll, roll_t, (*cspan_at(&tables, layout__SET_RADIUS)), 0.0, (*cspan_at(&tables, layout__SET_ARM)), 0.0);
+    tangent_locus__mirror_place_t(work, work_t, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+    return INT64_C(0);
+}

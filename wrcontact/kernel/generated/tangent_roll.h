@@ -1,0 +1,16 @@
+/* Generated from tangent_roll.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of roll.py.
+ */
+
+#ifndef WRCONTACT_KERNEL_TANGENT_ROLL_H
+#define WRCONTACT_KERNEL_TANGENT_ROLL_H
+
+#include "../native/spans.h"
+#include "layout.h"
+#include "roll.h"
+#include "tangent_locus.h"
+
+static inline int64_t tangent_roll__place_both_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
+
+#endif

@@ -1,0 +1,189 @@
+/* Generated from tangent_side.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of side.py.
+ */
+
+#include "tangent_side.h"
+
+/* Tangent of ``clear_side``. */
+static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out)
+{
+    int64_t i;
+    for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, out + i)) = 0.0;
+        (*cspan_at(&work, out + i)) = 0.0;
+    }
+    tangent_outline__fill_apart_t(tables, work, work_t, out, 0.0, 0.0);
+    return INT64_C(0);
+}
+
+/* Tangent of ``clear_from``. */
+static inline int64_t tangent_side__clear_from_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out, int64_t first)
+{
+    int64_t i;
+    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, out + i)) = 0.0;
+        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+    }
+    tangent_outline__fill_apart_t(tables, work, work_t, out, (*cspan_at(&tables, layout__SET_ABSENT)), 0.0);
+    if (first <= layout__SIDE_PENETRATION)
+    {
+        (*cspan_at(&work_t, out + layout__SIDE_PATCH_COUNT)) = 0.0;
+        (*cspan_at(&work, out + layout__SIDE_PATCH_COUNT)) = (*cspan_at(&tables, layout__SET_ABSENT));
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``load_side``. */
+static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
+{
+    int64_t met;
+    int64_t region;
+    (*status) = layout__VALID;
+    tangent_normal_contact__solve_normal_t(count, &met, tables, work, work_t, state, layout__WORK_SIDE + layout__SIDE_BLOCK * index, side__side_outputs(index), force, force_t, prescribed, prescribed_t);
+    if (met == INT64_C(0))
+    {
+        (*status) = layout__NOT_CONVERGED;
+    }
+    else
+    {
+        for (region = INT64_C(0); region < (*count); region += INT64_C(1))
+        {
+            tangent_resultant__add_region_t(tables, work, work_t, region, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, side__side_resultant(index));
+        }
+    }
+    return 0;
+}
+
+/* Tangent of ``rest_side``. */
+static inline int64_t tangent_side__rest_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
+{
+    int64_t side;
+    int64_t n1;
+    int64_t status;
+    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
+    tangent_side__clear_side_t(tables, work, work_t, side__side_outputs(index));
+    tangent_resultant__clear_resultant_t(work, work_t, side__side_resultant(index));
+    status = layout__UNLOADED;
+    n1 = tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_BEST)), (*cspan_at(&work_t, side + layout__SIDE_BEST)));
+    if (n1 == INT64_C(0))
+    {
+        status = layout__OFF_PROFILE;
+    }
+    return status;
+}
+
+/* Tangent of ``step_side``. */
+static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t)
+{
+    int64_t n1;
+    double penetration;
+    double pressed_t;
+    double pressed;
+    int64_t count;
+    int64_t status;
+    n1 = tangent_side__rest_side_t(tables, work, work_t, state, index);
+    status = n1;
+    if (status == layout__UNLOADED)
+    {
+        penetration = (*cspan_at(&tables, layout__SET_PENETRATION_LEFT + index));
+        pressed_t = force_t;
+        pressed = force;
+        if (isfinite(penetration))
+        {
+            pressed_t = 0.0;
+            pressed = penetration;
+        }
+        if (pressed > 0.0)
+        {
+            status = layout__VALID;
+            if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) != layout__DEPTH_GEOMETRY)
+            {
+                tangent_side__load_side_t(&count, &status, tables, work, work_t, state, index, force, force_t, penetration, 0.0);
+            }
+        }
+    }
+    return status;
+}
+
+/* Tangent of ``press_side``. */
+static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double sink, double sink_t)
+{
+    int64_t side;
+    int64_t at;
+    double height_t;
+    double height;
+    int64_t n1;
+    int64_t deepest;
+    int64_t deep;
+    double aside;
+    double aside_t;
+    double shift;
+    double shift_t;
+    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
+    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    height_t = (*cspan_at(&work_t, side + layout__SIDE_BEST)) + sink_t;
+    height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
+    tangent_side__clear_side_t(tables, work, work_t, side__side_outputs(index));
+    tangent_resultant__clear_resultant_t(work, work_t, side__side_resultant(index));
+    n1 = tangent_overlaps__overlaps_rule_t(tables, work, work_t, state, side, at, height, height_t);
+    if (n1 == INT64_C(0))
+    {
+        return layout__NOT_CONVERGED;
+    }
+    deepest = overlaps__deepest_entry(work);
+    deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;
+    tangent_overlaps__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, at, deepest, height, height_t);
+    tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), (*cspan_at(&work_t, deep + overlaps__DEEP_WHEEL)), aside, aside_t, shift, shift_t);
+    tangent_overlaps__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work_t, deep + overlaps__DEEP_DEPTH)), 0.0, 0.0);
+    return layout__VALID;
+}
+
+/* Tangent of ``side_lever``. */
+static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count)
+{
+    int64_t at;
+    double total_t;
+    double total;
+    double weight_t;
+    double weight;
+    int64_t region;
+    int64_t block;
+    double v1;
+    double stiffness_t;
+    double stiffness;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    double v4;
+    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    total_t = 0.0;
+    total = 0.0;
+    weight_t = 0.0;
+    weight = 0.0;
+    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    {
+        block = regions__region_block(region);
+        v1 = (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SHARE));
+        stiffness_t = ((*cspan_at(&work_t, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SHARE)) + (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work_t, block + regions__REGION_SHARE))) * (*cspan_at(&work, block + regions__REGION_COS)) + v1 * (*cspan_at(&work_t, block + regions__REGION_COS));
+        stiffness = v1 * (*cspan_at(&work, block + regions__REGION_COS));
+        weight_t = weight_t + stiffness_t;
+        weight = weight + stiffness;
+        tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+        total_t = total_t + (stiffness_t * v2 + stiffness * v2_t);
+        total = total + stiffness * v2;
+    }
+    tangent_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, at, (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST_Y)));
+    (*lever_t) = v3_t;
+    (*lever) = v3;
+    if (weight > 0.0)
+    {
+        v4 = total / weight;
+        (*lever_t) = (total_t - v4 * weight_t) / weight;
+        (*lever) = v4;
+    }
+    return 0;
+}
