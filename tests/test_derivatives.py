@@ -184,6 +184,20 @@ def test_at_a_jump_the_derivative_is_that_of_its_side(yaw):
     assert abs(sides[0][0] - sides[len(INPUTS)][0]) > 1e-3 * abs(sides[0][0])      # the roll goes on otherwise
 
 
+def test_elastic_stand_on_a_jump_moves_with_it():
+    """The right wheel's deepest point changes between root and flange there: heights are those of brackets, not of an equation."""
+    stepper = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").stepper()
+    row = np.array([4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e+04, -5.35283157e-01, 0.0, 0.0])
+    for number in INPUTS:
+        status, rates = derivative(stepper, row, number)
+        wanted, apart = differences(stepper, row, number)
+        assert status == layout.VALID
+        # brackets end at 1e-13 m, and these differences are over 1e-4 of nominal inputs
+        assert rates[:2] == pytest.approx(wanted[:2], rel=1e-3)
+    # as if all regions stayed the roll would go the other way
+    assert derivative(stepper, row, IN_LATERAL_SHIFT)[1][layout.OUT_ROLL] > 1.0
+
+
 @pytest.mark.parametrize("case", ["hertz", "analyn", "elastic"])
 def test_mirror_image(case):
     """A mirrored wheelset has the mirrored derivatives."""

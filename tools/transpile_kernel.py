@@ -13,7 +13,9 @@ What Pyccel writes is tidied like this:
   is gone, and the wrappers for CPython with it.
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
 * Functions are ``static``, in the order of the Python source, each under its docstring; ``unit.c`` includes them all, so
-  the kernel is one translation unit; the modules prepare_*.py, which lay out its tables once, are another.  Those of the modules in SELDOM are not inlined.  Locals that Pyccel adds and nobody reads are dropped.
+  the kernel is one translation unit; the modules prepare_*.py, which lay out its tables once, are another, and its
+  tangents, which tools/tangent.py writes (implicit.py is an input of that one only), a third.  Those of the modules in SELDOM
+  are not inlined.  Locals that Pyccel adds and nobody reads are dropped.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/files.py).
 
 Before that, the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the loop might change
