@@ -356,12 +356,11 @@ def misuse(fmu):
     return {"calls": answers, "after": instance.get("status", "roll"), "not_made": not_made(fmu)}
 
 
-def derivatives(fmu, rows, outputs, inputs, start=None):
+def derivatives(fmu, rows, outputs, inputs, stations, start):
     """Directional and adjoint derivatives after steps and in initialisation mode, each with whether the instance stayed as it
     was; and which calls are refused, each with its log lines."""
     unknowns, knowns = ([fmu.variables[name].valueReference for name in names] for names in (outputs, inputs))
-    sizes = [math.prod(int(d.start) for d in fmu.variables[name].dimensions) for name in outputs]
-    count = sum(sizes)
+    count = sum(stations if fmu.variables[name].dimensions else 1 for name in outputs)
 
     def matrix(slave):
         return [slave.getDirectionalDerivative(unknowns, [known], [1.0], nSensitivity=count) for known in knowns]
@@ -372,7 +371,7 @@ def derivatives(fmu, rows, outputs, inputs, start=None):
         slave.freeFMUState(state)
         return data
 
-    instance, seen = fmu.running(**(start or {})), []
+    instance, seen = fmu.running(stations, **start), []
     for row in rows:
         instance.step(**row)
         before, values = saved(instance.slave), instance.get()
@@ -382,7 +381,8 @@ def derivatives(fmu, rows, outputs, inputs, start=None):
         kept = saved(instance.slave) == before and instance.get() == values
         seen.append({"matrix": found, "together": together, "adjoint": adjoint, "kept": kept})
     early = fmu.instance()
-    early.set(**(start or {}))
+    early.configure(stations)
+    early.set(**start)
     early.slave.enterInitializationMode()
     early.set(**rows[0])
     inside = matrix(early.slave)
@@ -394,6 +394,7 @@ def derivatives(fmu, rows, outputs, inputs, start=None):
         "input as unknown": lambda: slave.getDirectionalDerivative([reference["yaw"]], knowns[:1], [1.0]),
         "integer": lambda: slave.getDirectionalDerivative([reference["status"]], knowns[:1], [1.0]),
         "time": lambda: slave.getDirectionalDerivative(unknowns, [1], [1.0], nSensitivity=count),
+        "stations": lambda: slave.getDirectionalDerivative(unknowns, [2], [1.0], nSensitivity=count),
         "unknown reference": lambda: slave.getDirectionalDerivative([4711], knowns[:1], [1.0]),
         "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count - 1),
         "too many seeds": lambda: slave.getAdjointDerivative(unknowns, knowns[:1], [1.0] * (count + 1)),

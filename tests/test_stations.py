@@ -8,6 +8,7 @@ import pytest
 from wrcontact import ContactSystem, Status
 from wrcontact.kernel import layout
 from wrcontact.kernel.library import Kernel, default_kernel
+from wrcontact.state import WheelsetState
 
 MODELS = ("analyn", "analyn_strip", "hertz")
 METHODS = {**{model: {"normal_model": model} for model in MODELS}, "elastic": {"contact_mode": "elastic"}}
@@ -47,6 +48,30 @@ def test_common_stations_and_all_else_are_equal(name, pose):
                 np.testing.assert_allclose(found[ours], wanted[theirs], rtol=0.0, atol=same, err_msg=run)
             assert np.ptp(side.outline.station) == pytest.approx(side.patch_width, rel=SAME)
             assert (side.outline.half_length[[0, -1]] == 0.0).all() and (side.outline.pressure[[0, -1]] == 0.0).all()
+
+
+@pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
+@pytest.mark.parametrize("pose", [ONE_PATCH, TWO_PATCHES], ids=["one patch", "two patches"])
+@pytest.mark.parametrize("name", ("analyn", "analyn_strip", "hertz"))
+def test_rates_of_common_stations_and_of_all_else_are_equal(name, pose):
+    """An outline's edge, where half-length and pressure begin as a root, has no rate worth comparing."""
+    def along_the_shift(number):
+        stepper = ContactSystem(stations=number, **METHODS[name]).stepper()
+        stepper.inputs[:] = 0.0
+        stepper.inputs[[layout.IN_LATERAL_SHIFT, layout.IN_NORMAL_FORCE]] = pose["lateral_shift"], 78.5e3
+        stepper.inputs[layout.IN_YAW] = pose.get("yaw", 0.0)
+        stepper.step()
+        return stepper._bound.tangent(np.eye(layout.INPUT_COUNT)[layout.IN_LATERAL_SHIFT])[1]
+
+    usual = along_the_shift(31)
+    for number in NUMBERS:
+        rates = along_the_shift(number)
+        assert (rates[:layout.OUTPUT_COUNT][SCALARS] == usual[SCALARS]).all()
+        ours, theirs = (places[1:-1] for places in common_places(number))
+        for side, other in zip(sides(WheelsetState(rates, 0, None)), sides(WheelsetState(usual, 0, None))):
+            for run in RUNS:
+                found, wanted = getattr(side.outline, run), getattr(other.outline, run)
+                np.testing.assert_allclose(found[ours], wanted[theirs], rtol=0.0, atol=1e-9 * np.abs(wanted).max(), err_msg=run)
 
 
 def test_stations_31_is_the_default_to_the_last_bit():
