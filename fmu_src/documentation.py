@@ -155,6 +155,9 @@ by rounding.</p>
 <p>A call that cannot be done (an unknown value reference, a wrong type, a parameter set after initialisation, a call
 out of order) returns an error with one sentence in the log, and the instance goes on. An input that is not a number or
 off the profile is no error but a <code>status</code>.</p>
+<p>It has directional derivatives of all continuous outputs against all inputs{ADJOINT[version]}. At a jump they are those of
+the side on which the pose stands; with status 1 the unloaded wheel's patch has none, and with status 2 and more, where
+outputs are held, all are zero.</p>
 <p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is made and
 initialised, never in a step; a saved state is one block more. Instances share nothing that changes, so each may run in
 a thread of its own; one instance is for one thread at a time.</p>
@@ -174,6 +177,7 @@ OUTLINES = {
        "and a call needs room for all its values. Value references count from 1, and differ from those of the FMU of FMI 2.0.",
 }
 LISTS = {2: "<code>SourceFiles</code> in the model description", 3: "<code>sources/buildDescription.xml</code>"}
+ADJOINT = {2: "", 3: ", and adjoint ones"}
 TOKENS = {2: "guid", 3: "instantiation token"}
 
 
