@@ -43,7 +43,7 @@ RUNS = ("hunting", "jumps", "load")
 SAME = 1e-12
 SEARCHED = 1e-11    # height and roll of elastic contact, which a search ends close to
 AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify what the positions differ by
-KERNEL_EXPORTS = {"wrcontact_abi", "wrcontact_step", "wrcontact_step_many", "wrcontact_prepare", "wrcontact_prepare_room"}
+KERNEL_EXPORTS = {f"wrcontact_{name}" for name in ("abi", "step", "step_many", "prepare", "prepare_room", "tangent", "tangent_room")}
 
 
 def needs(condition, reason):
