@@ -245,6 +245,29 @@ def test_nothing_else_changes(case):
         assert np.array_equal(*derivative_again)
 
 
+def test_a_width_that_ends_where_there_is_no_gap():
+    """A pose whose derivatives were no numbers: halving ends on the last place that has a gap, where that does not rise."""
+    stepper = wrcontact.ContactSystem(contact_mode="compliant", normal_model="analyn_strip").stepper()
+    row = np.array([0.00524538460052467, 0.07927101240045407, 0.0, 78.5e3, 0.0, -0.0008804023341258616, -0.0017729272540683517])
+    for number in range(INPUT_COUNT):
+        status, rates = derivative(stepper, row, number)
+        assert status == 0 and np.isfinite(rates).all()
+        assert rates.any() == (number in (IN_LATERAL_SHIFT, IN_YAW, IN_ROLL, IN_VERTICAL_SHIFT))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", ["hertz", "analyn", "strip", "elastic", "compliant"])
+def test_derivatives_are_numbers(case):
+    """Far out, too, and where a wheel carries nothing."""
+    parameters, _ = CASES[case]
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    rng = np.random.default_rng(8)
+    for row in poses(300, seed=8, mode=parameters.get("contact_mode", "rigid")):
+        row[IN_LOAD_TRANSFER] = rng.choice([-1.0, 1.0, row[IN_LOAD_TRANSFER]])
+        row[IN_NORMAL_FORCE] = rng.choice([0.0, 1e-3, row[IN_NORMAL_FORCE], row[IN_NORMAL_FORCE]])
+        assert np.isfinite(derivative(stepper, row, int(rng.integers(INPUT_COUNT)))[1]).all(), row.tolist()
+
+
 @pytest.fixture(scope="module")
 def differentiated(tmp_path_factory):
     """The differentiated kernel as Python, beside a copy of the kernel: the module with ``differentiate_t``."""

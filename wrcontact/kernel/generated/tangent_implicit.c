@@ -148,6 +148,10 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
     left_roll = (*cspan_at(&work_t, left)) - lack_left;
     right_roll = (*cspan_at(&work_t, right)) - lack_right;
     determinant = left_height * right_roll - right_height * left_roll;
+    if (determinant == 0.0)
+    {
+        return INT64_C(1);
+    }
     height_rate = (lack_right * left_roll - lack_left * right_roll) / determinant;
     roll_rate = (lack_left * right_height - lack_right * left_height) / determinant;
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, roll_rate, height, height_rate);

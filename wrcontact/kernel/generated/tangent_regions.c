@@ -95,6 +95,7 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
     double rate_t;
     double rail_rate;
     double wheel_rate;
+    double lack;
     double moved;
     int64_t rail;
     int64_t wheel;
@@ -102,6 +103,7 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
     double x;
     double y_t;
     double y;
+    double out;
     tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
     (*width_t) = v1_t;
     (*width) = v1;
@@ -123,7 +125,12 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
         tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
         rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
         wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-        moved = (level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP))) / (rate * direction);
+        lack = level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP));
+        moved = 0.0;
+        if (rate * direction > 0.0)
+        {
+            moved = lack / (rate * direction);
+        }
         tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
         rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
         wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
@@ -131,13 +138,15 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
         x = (*cspan_at(&work, contact_plane__TRACER_RAIL));
         y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
         y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
-        if ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE))
+        out = x_t - rail_rate;
+        if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE)))
         {
-            moved = (-rail_rate) / (x_t - rail_rate);
+            moved = (-rail_rate) / out;
         }
-        if ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE))
+        out = y_t - wheel_rate;
+        if ((out != 0.0) && ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE)))
         {
-            moved = (-wheel_rate) / (y_t - wheel_rate);
+            moved = (-wheel_rate) / out;
         }
         tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
         (*width_t) = moved;

@@ -44,6 +44,14 @@ static void difference(const wrcontact_handle *own, const wrcontact_handle *hand
         rates[i] = size > 0.0 && ways[1] > ways[0] ? rates[i] / (ways[1] - ways[0]) : 0.0;
 }
 
+static bool all_finite(const double *values, int64_t count)
+{
+    for (int64_t i = 0; i < count; i += 1)
+        if (!isfinite(values[i]))
+            return false;
+    return true;
+}
+
 int wrcontact_tangent(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
 {
     const array_double_1d work = span_of(room, layout__WORK_SIZE);
@@ -63,9 +71,9 @@ int wrcontact_tangent(const wrcontact_handle *handle, const double *seed, double
     {
         memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
         memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
-        if (tangent_implicit__differentiate_t(handle->tables, work, work_t, state) == 0)
-            memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
-        else
+        const bool told = tangent_implicit__differentiate_t(handle->tables, work, work_t, state) == 0;
+        memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
+        if (!told || !all_finite(rates, outputs.shape[0]))
             difference(&own, handle, seed, rates);
     }
     return status;
