@@ -887,6 +887,7 @@ def test_threads_share_nothing(host, version, rows_file):
 
 @needs_glibc
 @pytest.mark.slow
+@pytest.mark.complete
 @pytest.mark.skipif(not shutil.which("valgrind"), reason="valgrind is not installed")
 @pytest.mark.parametrize("version", (2, 3))
 def test_valgrind_finds_nothing(host, version):

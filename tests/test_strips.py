@@ -345,6 +345,7 @@ def test_half_space_on_random_poses():
 
 
 @pytest.mark.slow
+@pytest.mark.complete
 def test_half_space_on_more_random_poses():
     assert_near_the_half_space(*compare_on_random_poses(150, 32), worst=(0.02, 0.06, 0.06), worst_near_jump=(0.03, 0.10, 0.35))
 
