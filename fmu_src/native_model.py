@@ -5,12 +5,13 @@ from ..influence_table import influence_table
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
 from ..kernel import layout, prepare_tables
 from ..kernel.elastic import DEEPEST
+from ..kernel.prepare_scan import FINE_STEP
+from ..kernel.prepare_tables import LATERAL_LIMIT, YAW_LIMIT
 from ..kernel.roll import ROLL_LIMIT
 from ..profiles.definition import definition
-from ..profiles.scan import FINE_STEP
 from ..resolution import FINEST, LADDERS, ANALYN
 from ..system import METHOD_NUMBERS
-from ..tables import LATERAL_LIMIT, SETUP, SETUP_METHODS, YAW_LIMIT
+from ..tables import SETUP, SETUP_METHODS
 
 TEXT = 256        #: bytes of a String, with the zero at its end
 SENTENCE = 1024   #: and of a sentence

@@ -19,7 +19,7 @@ from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORM
                                      IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUTPUT_COUNT, SIDE_SIZE,
                                      SIDE_Y_TRACK)
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
+pytestmark = pytest.mark.skipif(not default_kernel().compiled, reason="the derivatives are those of the compiled library, and none is here")
 
 OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
 NAMES = [variable.name for variable in OUTPUTS]

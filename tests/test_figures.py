@@ -12,11 +12,11 @@ import pytest
 from matplotlib.image import imread
 from scipy.special import ellipe, ellipk
 
+from tests.numpy_curvatures import fitted_curvature, turned_curvature
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.figures import index, summary
 from wrcontact.conventions import SIDES
-from wrcontact.curvature_table import fitted_curvature, turned_curvature
 from wrcontact.plots import save
 from wrcontact.plots.source_figures import DRAWN, source_figure
 from wrcontact.profiles.compiled import compile_profile

@@ -22,7 +22,7 @@ SAME = 1e-9  # [relative]
 ARRAYS = ("station[", "half_length[", "pressure[")     # in FMI 3; test_native_fmu.py reads them with fmpy
 NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT and v.type == REAL and not any(a in v.name for a in ARRAYS)]
 NOMINAL = {v.name: v.nominal for v in VARIABLES}
-pytestmark = pytest.mark.skipif(not has_compiler(), reason="no C compiler here")
+pytestmark = pytest.mark.skipif(not has_compiler(), reason="a native FMU is built by a C compiler, and none is here")
 
 
 def needs(module):

@@ -48,7 +48,7 @@ def has_compiler():
         return False
 
 
-pytestmark = pytest.mark.skipif(not has_compiler(), reason="no C compiler here")
+pytestmark = pytest.mark.skipif(not has_compiler(), reason="a native FMU is built by a C compiler, and none is here")
 
 
 @pytest.fixture
@@ -469,7 +469,7 @@ def kernel_rates(start, stations, row, names, inputs):
     return [[*along[places], *outline_of_both(along)["right.station"]] for along in rates]
 
 
-@pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
+@pytest.mark.skipif(not default_kernel().compiled, reason="the derivatives are those of the compiled library, and none is here")
 @pytest.mark.parametrize("start, stations", [({}, 31), ({"contact_mode": "elastic", "normal_model": "hertz"}, 31), ({}, 61)],
                          ids=["rigid", "elastic", "61 stations"])
 def test_directional_derivatives(run, run3, start, stations):
@@ -581,13 +581,13 @@ SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that 
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
+@pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
 @pytest.mark.parametrize("version", (2, 3))
 @pytest.mark.parametrize("builder", ("system", "fmpy"))
 def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, builder):
     """Compiled from what the archive itself says: by the system's compiler alone, and as fmpy does, by CMake."""
     if builder == "fmpy" and not shutil.which("cmake"):
-        pytest.skip("no CMake here")
+        pytest.skip("fmpy builds by CMake, which is not installed")
     with zipfile.ZipFile(fmus[version]) as archive:
         archive.extractall(tmp_path / "sources only")
     place, description = PLATFORMS[host_platform()], tmp_path / "sources only" / "modelDescription.xml"
@@ -922,7 +922,7 @@ def test_missing_compiler_is_told(monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not shutil.which("cc"), reason="no system compiler here")
+@pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
 def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypatch):
     """Another compiler, the same bits but for the mathematical library."""
     monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)

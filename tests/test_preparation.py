@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests import numpy_curvatures, numpy_scan
+from tests.numpy_tables import build_tables
 from wrcontact.hertz_table import hertz_table
 from wrcontact.influence_table import influence_table
 from wrcontact.kernel import layout, library, prepare_tables
@@ -15,7 +17,6 @@ from wrcontact.profiles.files import profile_from_points
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
 from wrcontact.system import METHOD_NUMBERS
-from wrcontact.tables import build_tables
 
 CURVATURE = 1e-10   # [1/m]; chords of 0.2 mm between points that are exact to 1e-17 m
 LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_depth": 0.012, "nominal_radius": 0.5}
@@ -121,16 +122,15 @@ def test_setup_that_is_no_array_is_refused():
 
 
 def test_constants_are_those_of_the_witness():
-    from wrcontact import curvature_table
     from wrcontact.kernel import prepare_curvatures, prepare_pieces, prepare_placement, prepare_scan
-    from wrcontact.profiles import compiled, placement, scan
+    from wrcontact.profiles import compiled, placement
 
     pairs = [(prepare_pieces, compiled, ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE", "REPAIR_WIDTH",
                                          "REPAIRED_STEP", "BIN_WIDTH", "MM")),
              (prepare_placement, placement, ("STEEPEST",)),
-             (prepare_scan, scan, ("COARSE_STEP", "FINE_STEP", "STRAIGHT", "TOO_STEEP")),
-             (prepare_curvatures, curvature_table, ("RASTER_SHARE", "FINEST", "COARSEST", "SAMPLES", "GAUSS_POINTS",
-                                                    "ARC_ITERATIONS", "ARC_SHARP"))]
+             (prepare_scan, numpy_scan, ("COARSE_STEP", "FINE_STEP", "STRAIGHT", "TOO_STEEP")),
+             (prepare_curvatures, numpy_curvatures, ("RASTER_SHARE", "FINEST", "COARSEST", "SAMPLES", "GAUSS_POINTS",
+                                                     "ARC_ITERATIONS", "ARC_SHARP"))]
     for ours, theirs, names in pairs:
         for name in names:
             assert getattr(ours, name) == getattr(theirs, name), name

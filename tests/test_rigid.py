@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.numpy_tables import build_tables
 from wrcontact.kernel import gap, layout, locus, profile_table, roll, search
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.resolution import resolve
-from wrcontact.tables import build_tables
 
 REFERENCE = Path(__file__).parent / "reference"
 sys.path.insert(0, str(REFERENCE))

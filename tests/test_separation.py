@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, least_squares
 
 import wrcontact
-from wrcontact.curvature_table import fitted_curvature, smooth_curvature_table, turned_curvature
+from tests.numpy_curvatures import fitted_curvature, smooth_curvature_table, turned_curvature
 from wrcontact.kernel import contact_plane, layout, profile_table, separation
 from wrcontact.profiles.catalogue import RAILS
 from wrcontact.profiles.compiled import compile_profile, evaluate_table

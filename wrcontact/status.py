@@ -6,7 +6,7 @@ from enum import IntEnum
 from .kernel import layout
 from .kernel.elastic import DEEPEST
 from .kernel.roll import ROLL_LIMIT
-from .tables import LATERAL_LIMIT, YAW_LIMIT
+from .kernel.prepare_tables import LATERAL_LIMIT, YAW_LIMIT
 
 
 class Status(IntEnum):

@@ -9,9 +9,9 @@ import re
 from dataclasses import dataclass
 
 from ..kernel import layout
+from ..kernel.prepare_tables import LATERAL_LIMIT, YAW_LIMIT
 from ..kernel.roll import ROLL_LIMIT
 from ..system import CHOICES, RANGES
-from ..tables import LATERAL_LIMIT, YAW_LIMIT
 from .starts import STARTS
 
 INPUT, PARAMETER, OUTPUT = "input", "parameter", "output"

@@ -1,4 +1,4 @@
-"""The search's raster over the wheel, with the bounds that certify it: wrcontact/profiles/scan.py in scalars.
+"""The search's raster over the wheel, with the bounds that certify it.
 
 Layout in search.py.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
 largest absolute slope of its samples.

@@ -1,6 +1,6 @@
 /* Generated from lateral_curvature.py by tools/transpile_kernel.py; change that one.
  *
- * Lateral curvatures of wheel and rail profile, prepared once (wrcontact/curvature_table.py) and read off along them.
+ * Lateral curvatures of wheel and rail profile, prepared once (prepare_curvatures.py) and read off along them.
  *
  * Table at ``base``: count of values, start [m], values per metre, then the curvatures [1/m] at even distances, positive where
  * the profile bulges towards the other body.

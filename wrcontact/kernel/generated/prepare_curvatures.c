@@ -1,8 +1,10 @@
 /* Generated from prepare_curvatures.py by tools/transpile_kernel.py; change that one.
  *
- * Lateral curvature of a profile all along it: wrcontact/curvature_table.py in scalars, which tells what it means.
+ * Lateral curvature of a profile all along it, as the source takes it.
  *
- * Layout in lateral_curvature.py.
+ * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
+ * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.  Layout in
+ * lateral_curvature.py.
  */
 
 #include "prepare_curvatures.h"

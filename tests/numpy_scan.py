@@ -1,11 +1,11 @@
-"""The search's raster over the wheel, with the bounds that certify it; layout in wrcontact/kernel/search.py."""
+"""The search's raster over the wheel by numpy, with the bounds that certify it, as a witness of kernel/prepare_scan.py."""
 
 import numpy as np
 
-from ..kernel import profile_table
-from ..kernel import search as layout
-from ..kernel.layout import SCAN_LIMIT
-from .compiled import evaluate_table
+from wrcontact.kernel import profile_table
+from wrcontact.kernel import search as layout
+from wrcontact.kernel.layout import SCAN_LIMIT
+from wrcontact.profiles.compiled import evaluate_table
 
 COARSE_STEP = 1.0e-3  # [m]
 FINE_STEP = 0.5e-3    # [m]
