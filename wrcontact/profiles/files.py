@@ -57,7 +57,7 @@ def read_profile(path, kind, smoothing=None):
     path : file of points in a format of formats.py, or a prepared file.
     kind : "wheel" or "rail".
     smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points; 0 is through every
-        point; None is the noise that the points show, and nothing where that is below 0.05 um.
+        point; None is the noise that the points show, and nothing where that is below 0.01 um.
     """
     tolerance = _checked_smoothing(smoothing)
     try:

@@ -187,7 +187,7 @@ def _processed(points, keys):
 
     if value("approx.smooth", 0.0) > 0.0:
         points.remarks.append(f"approx.smooth = {value('approx.smooth', 0.0):g} is not taken over")
-    keep = points.weight > 0.0
+    keep = (points.weight > 0.0) & np.isfinite(points.weight)
     nearest = value("point.dist.min", 0.0)
     if nearest > 0.0:
         keep &= _apart(points.y, points.z, nearest)

@@ -15,6 +15,9 @@ from .smoothing import LEAST_NOISE, in_chords, noise_of
 LEAST_POINTS = 10
 #: A profile's width in millimetres.
 WIDTHS = (20.0, 200.0)
+WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
+#: A profile turns back where its y does by this [mm]; noise does not.
+TURN = 0.5
 #: Factors to millimetres, with the widths in the file's unit that are taken for it.  Centimetres and inches overlap, but not
 #: where the profile is as wide as wheels (90 ... 160 mm) or rails (48 ... 90 mm) are.
 UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
@@ -77,8 +80,9 @@ def mend(points, kind, remarks):
     found = upright(found, kind, points.free, remarks)
     if kind == "wheel":
         found = at_running_circle(found, points.free, remarks)
-    found = outward(found)
+    found = outward(found, kind)
     found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks)
+    found = outward(found, kind)
     noise, certainty = noise_of(found.y, found.z)
     found = replace(found, noise=noise, weight=found.weight * certainty)
     check_gaps(found, remarks)
@@ -136,7 +140,8 @@ def without_repetition(found, remarks):
     if again.any():
         remarks.append(f"{counted(again.sum(), 'repeated point')} left out ({stretch(found.y[again])})")
         found, chord = found.only(~again), chord[~again[1:]]
-    near = NEAR * np.median(np.abs(np.diff(found.y))) if len(found.y) > 1 else 0.0
+    steps = np.abs(np.diff(found.y))
+    near = NEAR * np.median(steps[steps > SAME]) if np.any(steps > SAME) else 0.0
     beside = (np.abs(np.diff(found.y)) < SAME) & (np.abs(np.diff(found.z)) < max(near, SAME))
     if beside.any():
         first = np.flatnonzero(np.concatenate([[True], ~beside]))
@@ -199,14 +204,26 @@ def at_running_circle(found, free, remarks):
     return found
 
 
-def outward(found):
-    """The points from the smallest to the largest y: what lies beyond is the back of a flange or the neck of a rail."""
-    first = np.flatnonzero(found.y <= found.y.min() + SAME)[-1]
-    last = np.flatnonzero(found.y >= found.y.max() - SAME)[0]
-    found = found.only(slice(first, last + 1))
+def outward(found, kind):
+    """The points from the middle outwards as far as y does: what lies beyond is the back of a flange or the neck of a rail."""
+    middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
+    stop = middle + _farthest(found.y[middle:])
+    start = middle - _farthest(-found.y[middle::-1])
+    found = found.only(slice(start, stop + 1))
+    width = found.y[-1] - found.y[0]
+    if not WIDTHS[0] <= width <= WIDEST[kind]:
+        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... {WIDEST[kind]:g} mm for a {kind}")
     if len(found.y) < LEAST_POINTS:
-        raise Refusal(f"has {len(found.y)} points between its ends; permitted are {LEAST_POINTS} or more")
+        raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
+
+
+def _farthest(y):
+    """Index of the largest of ``y`` before it falls by TURN, for longer than outliers do."""
+    calm = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(y, LONGEST_RUN, mode="edge"), 2 * LONGEST_RUN + 1), axis=1)
+    turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)
+    ahead = y[:turned[0]] if len(turned) else y
+    return int(np.flatnonzero(ahead >= ahead.max() - SAME)[0])
 
 
 def without_outliers(found, remarks):
@@ -288,31 +305,49 @@ def rounded(found, remarks):
     places = _kinks(y, z)
     if not places:
         return found
-    spots = np.array([(y[i], z[i]) for i, _ in places])
+    spots = np.array([_corner(y, z, index, width) for index, width, _ in places])
     points, deepest = list(zip(y, z)), 0.0
-    for (i, turn), spot in zip(places, spots):
+    for (index, width, _), spot in zip(places, spots):
         others = np.hypot(*(spots - spot).T)
         reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf), 0.9 * math.dist(spot, (y[0], z[0])),
                     0.9 * math.dist(spot, (y[-1], z[-1])))
-        arms = [_towards(spot, np.array([y[i + k], z[i + k]]), reach) for k in (-2 if i > 1 else -1, 2 if i + 2 < len(y) else 1)]
+        arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in (max(index - 2, 0), min(index + width + 1, len(y) - 1))]
         share = np.linspace(0.0, 1.0, 9)[:, None]
         bow = (1 - share) ** 2 * arms[0] + 2 * share * (1 - share) * spot + share**2 * arms[1]
         deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
         points = [p for p in points if math.dist(p, spot) > 1.05 * reach] + [tuple(p) for p in bow]
         points.sort()
-    remarks.append(f"{counted(len(places), 'kink')} of up to {math.degrees(max(abs(t) for _, t in places)):.3g} deg rounded over "
+    remarks.append(f"{counted(len(places), 'kink')} of up to {math.degrees(max(abs(turn) for *_, turn in places)):.3g} deg rounded over "
                    f"{ROUNDED:g} mm ({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
     table = np.array(points)
     return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
 
 
 def _kinks(y, z):
-    """Indices of points where the chords turn suddenly, and by how much [rad]."""
+    """Indices of the points at or before which the chords turn suddenly, there or from there to the next, and by how much [rad]."""
+    chord = np.hypot(np.diff(y), np.diff(z))
     turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
-    size = np.concatenate([[0.0, 0.0], np.abs(turn), [0.0, 0.0]])
-    beside = np.max([size[:-4], size[1:-3], size[3:-1], size[4:]], axis=0)
-    sudden = np.flatnonzero((np.abs(turn) > KINK) & (np.abs(turn) > TIMES * beside))
-    return [(int(i) + 1, float(turn[i])) for i in sudden]
+    length = 0.5 * (chord[1:] + chord[:-1])
+    sizes = [np.pad(size, 3) for size in (np.abs(turn), np.abs(turn) / length)]
+    count, found = len(turn), []
+    for width in (1, 2):
+        total, reach = (np.convolve(part, np.ones(width))[width - 1:count] for part in (turn, length))
+        beside = [np.max([size[k:k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0) for size in sizes]
+        sudden = np.flatnonzero((np.abs(total) > KINK) & (np.abs(total) > TIMES * width * beside[0])
+                                & (np.abs(total) > TIMES * reach * beside[1]))
+        found += [(int(i) + 1, width, float(total[i])) for i in sudden
+                  if not any(i < k + more and k < i + 1 + width for k, more, _ in found)]
+    return sorted(found)
+
+
+def _corner(y, z, index, width):
+    """The kink itself (y, z): the point there, or where the chords before and after two points meet."""
+    if width == 1:
+        return np.array([y[index], z[index]])
+    ahead, back = (np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1)))
+    start, stop = np.array([y[index], z[index]]), np.array([y[index + 1], z[index + 1]])
+    cross = ahead[0] * back[1] - ahead[1] * back[0]
+    return start + ahead * (((stop - start)[0] * back[1] - (stop - start)[1] * back[0]) / cross)
 
 
 def _towards(start, end, length):

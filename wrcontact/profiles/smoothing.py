@@ -1,7 +1,7 @@
 """Measured points to a smooth curve: how noisy they are, a smoothing spline over their arc length, and its pieces in y.
 
 The spline is FITPACK's of degree 5 over arc length, so that a flange or a gauge face may be as steep as it likes.  It takes as
-few knots as keep the points within the tolerance: sum of squared distances <= (n + 2 sqrt(2 n)) tolerance^2.  Few knots on the tread and
+few knots as keep the points within the tolerance: sum of squared distances <= (n + 3 sqrt(2 n)) tolerance^2.  Few knots on the tread and
 many in the root is what makes its curvature usable; a spline of one stiffness everywhere is five times rougher on the tread
 (tests/test_profile_files.py has the figures).
 """
@@ -14,12 +14,15 @@ import numpy as np
 from .remarks import Refusal
 from .zones import Polynomial
 
-#: Noise below this is rounding of four decimals, and left as it is [mm].
-LEAST_NOISE = 5e-5
-#: Points of a stretch over which noise is what a cubic leaves.
-STRETCH = 9
-#: Median of chi squared with STRETCH - 4 degrees of freedom, over their number.
-CHI_MEDIAN = 0.8703
+#: Points with less noise than this are left as they are [mm]; rounding to four decimals is three times as much.
+LEAST_NOISE = 1e-5
+#: Noise is what polynomials leave of stretches: points, degree, step from one stretch to the next, and the median of chi
+#: squared with points - degree - 1 degrees of freedom.  Where points are far apart the long stretch leaves the profile's own
+#: joints too; the short one counts where it leaves less than half the variance and SPARSE times the noise lie between points.
+STRETCHES = ((11, 5, 2, 4.3515), (5, 3, 1, 0.4549))
+SPARSE = 20.0
+#: Squared cosine of the angle of what is called flat and steep.
+FLAT, STEEP = 0.75, 0.5
 #: Fewest flat or steep stretches from which their noise is taken.
 FEWEST = 6
 #: Points are averaged over this many times the noise before their directions are taken.
@@ -38,25 +41,30 @@ def noise_of(y, z):
     """Standard deviation of the points (n,) across their curve where that is flat [mm], and how many times smaller it is at
     each point (n,).
 
-    It is the median over stretches of what a cubic leaves there, for flat and steep stretches apart: noise in z alone is less
-    across a flank.  A cubic over nine points leaves 1e-6 mm of exact standard profiles sampled every 0.5 mm.
+    It is the median over stretches of what a polynomial leaves there, for flat and steep stretches apart: noise in z alone is
+    less across a flank.
     """
-    count = len(y) // STRETCH
-    if count < 2:
+    if len(y) < 2 * STRETCHES[0][0]:
         return 0.0, np.ones(len(y))
-    rows = [part[:count * STRETCH].reshape(count, -1) for part in (y, z)]
+    (flat, steep), short = (_variances(y, z, *stretch) for stretch in STRETCHES)
+    if short[0] < 0.5 * flat and np.median(np.hypot(np.diff(y), np.diff(z))) > SPARSE * math.sqrt(flat):
+        flat, steep = short
+    angle = np.arctan2(np.gradient(z), np.gradient(y))
+    half = STRETCHES[0][0] // 2
+    level = np.convolve(np.pad(np.cos(angle) ** 2, half, mode="edge"), np.full(2 * half + 1, 1.0 / (2 * half + 1)), mode="valid")
+    sideways = max(2.0 * steep - flat, 0.0)     # steep stretches are taken to be at 45 degrees
+    certainty = np.sqrt(flat / np.maximum(level * flat + (1.0 - level) * sideways, 1e-300))
+    return math.sqrt(flat), np.clip(certainty, 0.2, 5.0) if flat > 0.0 else np.ones(len(y))
+
+
+def _variances(y, z, points, degree, step, median):
+    """Variances of flat and of steep stretches [mm^2]; that of all where there are too few."""
+    starts = np.arange(0, len(y) - points + 1, step)
+    rows = [part[starts[:, None] + np.arange(points)] for part in (y, z)]
     along, across = in_chords(*rows)
-    left = across - np.einsum("sij,sj->si", _cubics(along), across)
-    variance = np.sum(left * left, axis=1) / (STRETCH - 4) / CHI_MEDIAN
-    level = np.cos(_directions(*rows)) ** 2
-    flat, steep = level > 0.75, level < 0.5
-    upright = np.median(variance[flat] if flat.sum() >= FEWEST else variance)
-    if upright == 0.0 or steep.sum() < FEWEST:
-        return math.sqrt(upright), np.ones(len(y))
-    share = np.mean(level[steep])
-    sideways = max(np.median(variance[steep]) - share * upright, 0.0) / (1.0 - share)
-    certainty = np.clip(np.sqrt(upright / np.maximum(level * upright + (1.0 - level) * sideways, 1e-300)), 0.2, 5.0)
-    return math.sqrt(upright), certainty[np.minimum(np.arange(len(y)) // STRETCH, count - 1)]
+    left = across - np.einsum("sij,sj->si", _fits(along, degree), across)
+    variance, level = np.sum(left * left, axis=1) / median, np.cos(_directions(*rows)) ** 2
+    return [np.median(variance[some] if some.sum() >= FEWEST else variance) for some in (level > FLAT, level < STEEP)]
 
 
 def _directions(y, z):
@@ -75,10 +83,10 @@ def in_chords(y, z, y_more=None, z_more=None):
     return np.cos(angle) * y + np.sin(angle) * z, np.cos(angle) * z - np.sin(angle) * y
 
 
-def _cubics(along):
-    """The matrices (m, n, n) that fit a cubic to values at each row of ``along`` (m, n)."""
+def _fits(along, degree):
+    """The matrices (m, n, n) that fit a polynomial to values at each row of ``along`` (m, n)."""
     scale = np.maximum(np.max(np.abs(along), axis=1, keepdims=True), 1e-300)
-    powers = (along / scale)[:, :, None] ** np.arange(4)
+    powers = (along / scale)[:, :, None] ** np.arange(degree + 1)
     return powers @ np.linalg.pinv(powers)
 
 
@@ -98,8 +106,8 @@ def arc_lengths(y, z, noise):
 
 
 def _most(count):
-    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of forty; a curve nearer than that follows it."""
-    return count + 2.0 * math.sqrt(2.0 * count)
+    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of 700; a curve nearer than that follows it."""
+    return count + 3.0 * math.sqrt(2.0 * count)
 
 
 class Curve:
