@@ -21,7 +21,7 @@ from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
 #: A larger file is no profile [bytes].
-LARGEST_FILE = 10_000_000
+LARGEST_FILE = 4_000_000
 #: Permitted smoothing [m].
 SMOOTHING = (0.0, 0.5e-3)
 #: Points of a rail as high as this are as high as its highest [mm].

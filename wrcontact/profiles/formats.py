@@ -14,7 +14,9 @@ from .remarks import Refusal
 
 #: Most points of a file; a profile measured every 7 um has as many.
 MOST_POINTS = 20_000
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d{1,3})?")
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d{1,3})?")
+#: A longer field is no number.
+LONGEST_NUMBER = 60
 #: What instruments and programs write where they have no value.
 ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "infinity", "-infinity", "null", "none",
                     "-", "--", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind", "1.#inf"})
@@ -47,7 +49,7 @@ def read_points(text, extension, kind):
     named = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}.get(extension)
     if named and named != kind:
         raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
-    if extension in (".prw", ".prr") or re.search(r"^\s*point\.begin", text, re.MULTILINE | re.IGNORECASE):
+    if extension in (".prw", ".prr") or re.search(r"^[ \t]*point\.begin", text, re.MULTILINE | re.IGNORECASE):
         return simpack_points(text, kind)
     if extension in (".whl", ".ban"):
         return miniprof_points(text, kind)
@@ -87,7 +89,10 @@ def plain_points(text):
 
 def _fields_of(text):
     """Number and fields of every line that is not empty."""
-    for number, line in enumerate(text.splitlines(), start=1):
+    lines = text.splitlines()
+    if len(lines) > 5 * MOST_POINTS:
+        raise Refusal(f"has {len(lines)} lines; permitted are at most {5 * MOST_POINTS}, and {MOST_POINTS} points")
+    for number, line in enumerate(lines, start=1):
         line = COMMENTS.sub("", line).strip()
         if line:
             yield number, _fields(line)
@@ -122,7 +127,7 @@ def _named_columns(rows, usual):
 def _number(text):
     """The number that ``text`` is, NaN where it says that there is none, None where it is something else."""
     text = text.strip("\"' ")
-    if NUMBER.fullmatch(text):
+    if len(text) <= LONGEST_NUMBER and NUMBER.fullmatch(text):
         return float(text.replace("d", "e").replace("D", "e"))
     return math.nan if text.lower() in ABSENT else None
 

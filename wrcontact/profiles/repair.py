@@ -10,14 +10,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .remarks import Refusal, counted, stretch
-from .smoothing import LEAST_NOISE, in_chords, noise_of
+from .smoothing import LEAST_NOISE, in_chords, noise_of, pseudo_inverse
 
 LEAST_POINTS = 10
 #: A profile's width in millimetres.
 WIDTHS = (20.0, 200.0)
 WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
+#: Width of a rail's head on either side of its highest point at least [mm].
+SHOULDER = 10.0
 #: A profile turns back where its y does by this [mm]; noise does not.
 TURN = 0.5
+#: Within this [mm] the side of a rail's head is a wall, which goes on down to where the gauge is measured.
+UPRIGHT = 0.2
 #: Factors to millimetres, with the widths in the file's unit that are taken for it.  Centimetres and inches overlap, but not
 #: where the profile is as wide as wheels (90 ... 160 mm) or rails (48 ... 90 mm) are.
 UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
@@ -30,13 +34,16 @@ FAR = 5.0
 SAME = 1e-6
 #: Distance from the median spacing below which points at the same y are averaged, as a share of it.
 NEAR = 0.25
-#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm].
-OUTLIER, LEAST_OUTLIER = 7.0, 5e-3
+#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are this
+#: close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
+OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
 #: ... and so many times more than its neighbours are themselves off the curve that they agree on; 7 times is a kink.
 AGREED = 8.0
 MOST_PASSES = 50
 #: Neighbours on either side that say it, and the longest run of outliers.
 SIDE, LONGEST_RUN = 5, 3
+#: So many points at either end have no neighbours to judge them by.
+ENDS = 2
 #: Neighbours that may be outliers themselves and are not heard.
 TRIMMED = 2
 #: Largest share of outliers.
@@ -46,7 +53,8 @@ GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
 #: A gap whose ends both point along it within this [rad] is a straight stretch, not a gap.
 STRAIGHT = 0.02
 #: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
-KINK, TIMES, ROUNDED = math.radians(2.0), 4.0, 1.0
+KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
+SPIKE = math.radians(90.0)
 #: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from the
 #: flange's back [mm].
 TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
@@ -84,7 +92,7 @@ def mend(points, kind, remarks):
     found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks)
     found = outward(found, kind)
     noise, certainty = noise_of(found.y, found.z)
-    found = replace(found, noise=noise, weight=found.weight * certainty)
+    found = replace(found, noise=noise, weight=found.weight * (certainty if noise > LEAST_NOISE else 1.0))
     check_gaps(found, remarks)
     return rounded(found, remarks) if found.noise <= LEAST_NOISE else found
 
@@ -197,6 +205,9 @@ def at_running_circle(found, free, remarks):
     if not FLANGE[0] <= height <= FLANGE[1]:
         raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; permitted are {FLANGE[0]:g} "
                       f"... {FLANGE[1]:g} mm")
+    if z[-1] - middle > FLANGE[0]:
+        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a rail's head has; permitted are "
+                      f"{FLANGE[0]:g} mm or less")
     if abs(middle) > OFFSET or free:
         if not free:
             remarks.append(f"z was {middle:.4g} mm at the running circle and is moved to 0")
@@ -207,22 +218,28 @@ def at_running_circle(found, free, remarks):
 def outward(found, kind):
     """The points from the middle outwards as far as y does: what lies beyond is the back of a flange or the neck of a rail."""
     middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
-    stop = middle + _farthest(found.y[middle:])
-    start = middle - _farthest(-found.y[middle::-1])
+    stop = middle + _farthest(found.y[middle:], kind)
+    start = middle - _farthest(-found.y[middle::-1], kind)
     found = found.only(slice(start, stop + 1))
     width = found.y[-1] - found.y[0]
     if not WIDTHS[0] <= width <= WIDEST[kind]:
         raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... {WIDEST[kind]:g} mm for a {kind}")
+    top = found.y[np.argmin(found.z)]
+    if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
+        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and {found.y[-1]:.4g} mm; permitted are "
+                      f"heads with {SHOULDER:g} mm or more on either side")
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
 
 
-def _farthest(y):
-    """Index of the largest of ``y`` before it falls by TURN, for longer than outliers do."""
+def _farthest(y, kind):
+    """Index of the largest of ``y`` before it falls by TURN, for longer than outliers do; the foot of a rail's wall."""
     calm = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(y, LONGEST_RUN, mode="edge"), 2 * LONGEST_RUN + 1), axis=1)
     turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)
     ahead = y[:turned[0]] if len(turned) else y
+    if kind == "rail":
+        return int(np.flatnonzero(ahead >= ahead.max() - UPRIGHT)[-1])
     return int(np.flatnonzero(ahead >= ahead.max() - SAME)[0])
 
 
@@ -249,7 +266,10 @@ def _runs_off(found):
     runs = [_run_errors(found.y, found.z, length) for length in range(1, LONGEST_RUN + 1)]
     index, length = np.concatenate([np.arange(len(error)) for error, _ in runs]), np.repeat([1, 2, 3], [len(r[0]) for r in runs])
     error, quarrel = (np.concatenate(part) for part in zip(*runs))
-    off = (error > max(OUTLIER * found.noise, LEAST_OUTLIER)) & (error > AGREED * quarrel)
+    spacing = np.median(np.hypot(np.diff(found.y), np.diff(found.z)))
+    least = LEAST_OUTLIER * max(1.0, spacing / CLOSE) ** 2
+    between = (index >= ENDS) & (index + length <= len(found.y) - ENDS)
+    off = between & (error > max(OUTLIER * found.noise, least)) & (error > AGREED * quarrel)
     order = np.flatnonzero(off)[np.argsort(-(error / length)[off], kind="stable")]
     free, picked = np.ones(len(found.y), dtype=bool), []
     for k in order:
@@ -275,7 +295,7 @@ def _run_errors(y, z, length):
     powers = (along / np.abs(along).max(axis=1, keepdims=True))[:, :, None] ** np.arange(4)
     heard = np.ones((len(start), near, 1))
     for _ in range(TRIMMED + 1):
-        solved = np.linalg.pinv(powers[:, :near] * heard)
+        solved = pseudo_inverse(powers[:, :near] * heard)
         misses = across - np.einsum("ijk,ikl,il->ij", powers, solved, across[:, :near] * heard[:, :, 0])
         quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1) / (heard.sum(axis=(1, 2)) - 4))
         heard[np.arange(len(start)), np.argmax(np.abs(misses[:, :near]) * heard[:, :, 0], axis=1)] = 0.0
@@ -302,9 +322,16 @@ def check_gaps(found, remarks):
 def rounded(found, remarks):
     """The points with arcs in place of kinks, which have no curvature to press on."""
     y, z = found.y, found.z
+    heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
+    turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
+    if turned.max() > SPIKE:
+        raise Refusal(f"turns by {math.degrees(turned.max()):.3g} deg at y = {y[1 + int(np.argmax(turned))]:.4g} mm, a spike or a fold; "
+                      f"permitted are {math.degrees(SPIKE):.3g} deg")
     places = _kinks(y, z)
     if not places:
         return found
+    if len(places) > MOST_KINKS:
+        raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at most {MOST_KINKS}")
     spots = np.array([_corner(y, z, index, width) for index, width, _ in places])
     points, deepest = list(zip(y, z)), 0.0
     for (index, width, _), spot in zip(places, spots):

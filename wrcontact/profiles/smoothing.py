@@ -21,6 +21,8 @@ LEAST_NOISE = 1e-5
 #: joints too; the short one counts where it leaves less than half the variance and SPARSE times the noise lie between points.
 STRETCHES = ((11, 5, 2, 4.3515), (5, 3, 1, 0.4549))
 SPARSE = 20.0
+#: Against points that repeat each other; it changes a fit by this share.
+RIDGE = 1e-12
 #: Squared cosine of the angle of what is called flat and steep.
 FLAT, STEEP = 0.75, 0.5
 #: Fewest flat or steep stretches from which their noise is taken.
@@ -87,7 +89,13 @@ def _fits(along, degree):
     """The matrices (m, n, n) that fit a polynomial to values at each row of ``along`` (m, n)."""
     scale = np.maximum(np.max(np.abs(along), axis=1, keepdims=True), 1e-300)
     powers = (along / scale)[:, :, None] ** np.arange(degree + 1)
-    return powers @ np.linalg.pinv(powers)
+    return powers @ pseudo_inverse(powers)
+
+
+def pseudo_inverse(powers):
+    """Pseudo-inverses (m, k, n) of scaled ``powers`` (m, n, k), by normal equations with a trace of ridge against repetition."""
+    turned = np.swapaxes(powers, 1, 2)
+    return np.linalg.solve(turned @ powers + RIDGE * np.eye(powers.shape[2]), turned)
 
 
 def arc_lengths(y, z, noise):
