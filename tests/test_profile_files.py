@@ -3,7 +3,6 @@
 Files are written here from S1002 and UIC60 at even arc lengths, with noise of known seeds; a failing case names its seed.
 """
 
-import functools
 import json
 import math
 import re
@@ -19,6 +18,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import wrcontact
+from benchmarks.profile_noise import NAMES, case, contacts, differences, even_points, noisy_points
 from wrcontact import Profile, ProfileWarning
 from wrcontact.fmu.build import chosen_profiles
 from wrcontact.fmu.native import packed_profiles
@@ -28,27 +28,19 @@ from wrcontact.profiles.repair import BACK, _run_errors
 from wrcontact.profiles.smoothing import noise_of
 
 MM = 1e-3
-NAMES = {"wheel": "S1002", "rail": "UIC60"}
 SHIFTS = np.arange(-6.0, 6.01, 0.5) * MM
 #: Smallest y [mm] and largest, where heights are compared: short of the vertical back of the flange, and of the field side.
 INSIDE = {"wheel": (-60.0, 55.0), "rail": (-33.0, 33.0)}
 
 
-@functools.lru_cache
 def points(kind, spacing=0.2):
-    """y, z (n,) [mm] of the standard profile, ``spacing`` [mm] apart along it, exact."""
-    profile = standard_profile(NAMES[kind])
-    y = profile.start + (profile.stop - profile.start) * (0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, 50001)))
-    s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(profile.height(y))))]) / MM
-    y = np.clip(np.interp(np.arange(0.0, s[-1], spacing), s, y), profile.start, profile.stop)
-    return y / MM, profile.height(y) / MM
+    """y, z (n,) [mm] of the standard profile, exact."""
+    return even_points(kind, spacing)
 
 
 def noisy(kind, deviation, seed, spacing=0.2):
-    """The points with isotropic noise [mm]."""
-    rng = np.random.default_rng(seed)
-    y, z = points(kind, spacing)
-    return y + rng.normal(0.0, deviation, len(y)), z + rng.normal(0.0, deviation, len(z))
+    """The points with noise [mm] in y and z."""
+    return noisy_points(kind, spacing, deviation, seed)
 
 
 def columns(y, z, separator=" "):
@@ -195,7 +187,7 @@ REPAIRED = {
     "reversed": (Y[::-1], Z[::-1], "wheel", "", 1e-4),
     "repeated": (np.repeat(Y, 2), np.repeat(Z, 2), "wheel", "767 repeated points left out", 1e-4),
     "measured twice": (np.tile(Y, 2), np.concatenate([Z, Z + 2e-3]), "wheel",
-                       r"put in the order of y .*points at the same y as others averaged \(y = .*z up to 2 um apart\)", 3e-3),
+                       r"put in the order of y .*at the same y as others averaged \(y = .*z up to 2 um apart\)", 3e-3),
     "not numbers": (np.where(np.arange(len(Y)) % 50 == 3, np.nan, Y), Z, "wheel",
                     r"16 points without finite numbers left out \(line 4, 54, 104, \.\.\.\)", 2e-4),
     "missing values": (Y, np.where(np.arange(len(Y)) % 50 == 3, -9999.0, Z), "wheel",
@@ -206,8 +198,8 @@ REPAIRED = {
     "micrometres": (Y * 1e3, Z * 1e3, "wheel", "taken for micrometres", 1e-4),
     "mirrored": (-Y, Z, "wheel", "the flange was at the larger y; mirrored", 1e-4),
     "upside down": (RAIL_Y, -RAIL_Z, "rail", "z pointed up and is turned down", 1e-4),
-    "from the flange's back": (Y + 70.0, Z - 9.0, "wheel", "the running circle is taken to be 70 mm from the back of the flange, "
-                               "so y moved by -70 mm", 9.1),
+    "from the flange's back": (Y + 70.0, Z - 9.0, "wheel",
+                               "running circle is taken to be 70 mm from the back of the flange, so y moved by -70 mm", 9.1),
     "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle and is moved to 0", 1e-4),
     "gap": (Y[EDGE], Z[EDGE], "wheel", r"gap of 4\.\d+ mm bridged \(y = -34\.\d+ \.\.\. -29\.\d+ mm\)", 0.05),
     "whole section": (np.concatenate([dense(FOOT_Y), RAIL_Y, -dense(FOOT_Y)[::-1]]),
@@ -279,30 +271,43 @@ SPIKED = changed(Z, RNG.choice(len(Z), 150, replace=False), 3.0)
 REFUSED = {
     "empty": (b"", "wheel", "own.txt", "holds no lines of two numbers; permitted are text files with y and z in mm"),
     "too few": (columns(Y[::100], Z[::100]), "wheel", "own.txt", "has 8 points; permitted are 10 or more"),
-    "too many": (columns(np.tile(Y, 30), np.tile(Z, 30)), "wheel", "own.txt", "has 23010 points; permitted are at most 20000"),
-    "too large": (b"1 2\n" * (LARGEST_FILE // 4 + 1), "wheel", "own.txt", "has more than 4 MB; permitted are files of at most that"),
-    "only NaN": ("nan nan\n" * 50, "wheel", "own.txt", "has only points that are not finite numbers; permitted are numbers in mm"),
+    "too many": (columns(np.tile(Y, 30), np.tile(Z, 30)), "wheel", "own.txt",
+            "has 23010 points; permitted are at most 20000"),
+    "too large": (b"1 2\n" * (LARGEST_FILE // 4 + 1), "wheel", "own.txt",
+            "has more than 4 MB; permitted are files of at most that"),
+    "only NaN": ("nan nan\n" * 50, "wheel", "own.txt",
+            "has only points that are not finite numbers; permitted are numbers in mm"),
     "unknown unit": (columns(Y * 7, Z * 7), "wheel", "own.txt", r"is 908\.\d+ mm wide; permitted are 20 \.\.\. 200 mm"),
+    "too high": (columns(Y, 30 * Z), "wheel", "own.txt", r"is \d+\.?\d* mm high; permitted are 300 mm or less"),
     "no flange": (columns(Y[Y > -25], Z[Y > -25]), "wheel", "own.txt",
                   r"has the tip of its flange, or its deepest point, at y = -24.* mm; permitted are -80 \.\.\. -30 mm"),
     "low flange": (columns(Y, Z / 4), "wheel", "own.txt", r"has a flange of \d.* mm, .*; permitted are 10 \.\.\. 60 mm"),
-    "rail for wheel": (columns(RAIL_Y, RAIL_Z), "wheel", "own.txt", "has its field side 39.* mm deeper than the running circle, as a rail's head"),
-    "wheel for rail": (columns(Y, Z), "rail", "own.txt", r"is 129\.8 mm wide before it turns back; permitted are 20 \.\.\. 110 mm for a rail"),
-    "half a rail": (columns(RAIL_Y[RAIL_Y > 0], RAIL_Z[RAIL_Y > 0]), "rail", "own.txt", "permitted are heads with 10 mm or more on either side"),
+    "rail for wheel": (columns(RAIL_Y, RAIL_Z), "wheel", "own.txt",
+            "has its field side 39.* mm deeper than the running circle, as a rail's head"),
+    "wheel for rail": (columns(Y, Z), "rail", "own.txt",
+            r"is 129\.8 mm wide before it turns back; permitted are 20 \.\.\. 110 mm for a rail"),
+    "half a rail": (columns(RAIL_Y[RAIL_Y > 0], RAIL_Z[RAIL_Y > 0]), "rail", "own.txt",
+            "permitted are heads with 10 mm or more on either side"),
     "gap": (columns(Y[(Y < -5) | (Y > 15)], Z[(Y < -5) | (Y > 15)]), "wheel", "own.txt",
-            r"has no points between y = -5\.\d+ and 15\.\d+ mm, a gap of 20\.\d mm; permitted are 10 mm or a straight stretch"),
-    "outliers everywhere": (columns(Y, SPIKED), "wheel", "own.txt", r"has \d+ outliers or more among its 767 points; permitted are at most 10%"),
+            r"has no points between y = -5\.\d+ and 15\.\d+ mm, a gap of 20\.\d mm; permitted are 10 mm or a straight"),
+    "outliers everywhere": (columns(Y, SPIKED), "wheel", "own.txt",
+            r"has \d+ outliers or more among its 767 points; permitted are at most 10%"),
     "strong noise": (columns(Y, Z + np.random.default_rng(1).normal(0, 1.5, len(Z))), "wheel", "own.txt",
                      r"has noise of \d+ um; permitted is at most 500 um"),
-    "fold": (columns(np.r_[Y[:400], Y[395:]], np.r_[Z[:400], Z[395:] + 3.0]), "wheel", "own.txt", "a spike or a fold; permitted are 90 deg"),
-    "commas": ("".join(f"{k},5,{k},25\n" for k in range(60)), "wheel", "own.csv", "has commas that may be decimal signs or separators"),
-    "other kind by name": (columns(Y, Z), "rail", "own.prw", "ends in .prw, which is a wheel profile; permitted are rail profiles"),
-    "other kind inside": (simpack(Y, Z, "rail"), "wheel", "own.prw", "says header type 0, which is a rail profile; permitted are wheel"),
-    "no Simpack points": ("header.begin\nheader.end\n", "wheel", "own.prw", "holds no points between point.begin and point.end"),
+    "fold": (columns(np.r_[Y[:400], Y[395:]], np.r_[Z[:400], Z[395:] + 3.0]), "wheel", "own.txt",
+            "a spike or a fold; permitted are 90 deg"),
+    "commas": ("".join(f"{k},5,{k},25\n" for k in range(60)), "wheel", "own.csv",
+            "has commas that may be decimal signs or separators"),
+    "other kind by name": (columns(Y, Z), "rail", "own.prw",
+            "ends in .prw, which is a wheel profile; permitted are rail profiles"),
+    "other kind inside": (simpack(Y, Z, "rail"), "wheel", "own.prw",
+            "says header type 0, which is a rail profile; permitted are wheel"),
+    "no Simpack points": ("header.begin\nheader.end\n", "wheel", "own.prw",
+            "holds no points between point.begin and point.end"),
     "no MiniProf points": ("ColumnDef=X,Y\n\n", "rail", "own.ban", "holds no lines of numbers after its header"),
     "not prepared": ('{"zones": 3}', "wheel", "own.json", "is not a prepared profile"),
-    "prepared, not finite": ('{"name": "x", "kind": "rail", "smooth": true, "zones": [{"family": "arc", "start": 0, "stop": 1, "radius": '
-                             'NaN, "y_centre": 0, "z_centre": 0, "side": 1}]}', "rail", "own.json", "values that are no finite numbers"),
+    "prepared, not finite": (prepared_text(standard_profile("UIC60")).replace("300.0", "NaN"), "rail", "own.json",
+                             "values that are no finite numbers"),
 }
 
 
@@ -355,49 +360,40 @@ def test_noise_in_z_alone_counts_less_on_flanks():
     assert np.median(certainty[np.abs(y) < 20]) < 1.1 and np.median(certainty[np.abs(y + 39) < 0.4]) > 1.5
 
 
-#: Noise [mm]; median and 90 % of: contact position [mm], patch area, largest pressure; and the worst curvature on the tread [1/m].
-#: Measured over 36 runs of 25 poses: 0.13/0.34, 0.5/2 %, 2.5/6 %; 0.4/1.2, 3/9 %, 6/18 %; 1.4/4, 13/33 %, 22/50 %.
-ACCURACY = {1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12), 1e-2: (0.8, 2.4, 0.06, 0.18, 0.12, 0.36),
-            5e-2: (3.0, 8.0, 0.26, 0.65, 0.45, 1.0)}
+#: Noise [mm]; median and 90 % of: contact position [mm], patch area, largest pressure.  About twice what docs/profiles.md
+#: tabulates, the most that a share of its seeds has shown.
+ACCURACY = {1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12), 1e-2: (0.8, 2.4, 0.07, 0.2, 0.13, 0.45),
+            5e-2: (3.0, 8.0, 0.26, 0.7, 0.45, 1.5)}
 
 
-@functools.lru_cache
-def without_noise():
-    return swept()
-
-
-@pytest.mark.parametrize("spacing, seeds", [(0.2, 2), pytest.param(0.1, 6, marks=pytest.mark.slow),
-                                            pytest.param(0.5, 6, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("spacing, both, seeds", [
+    (0.2, True, 2), *(pytest.param(*row, 6, marks=pytest.mark.slow) for row in ((0.1, True), (0.5, True), (0.2, False)))])
 @pytest.mark.parametrize("deviation", ACCURACY)
-def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, seeds):
-    wanted, offs = without_noise(), []
-    for seed in range(seeds):
-        profiles = {kind: read(tmp_path, columns(*noisy(kind, deviation, seed, spacing)), kind)[0] for kind in NAMES}
-        found = swept(**profiles)
-        assert not found.status.any(), f"seed {seed}"
-        offs.append([np.abs(found.right.contact.y_wheel - wanted.right.contact.y_wheel) / MM,
-                     np.abs(found.right.area / wanted.right.area - 1.0),
-                     np.abs(found.right.max_pressure / wanted.right.max_pressure - 1.0)])
-    reached = np.quantile(np.concatenate(offs, axis=1), [0.5, 0.9], axis=1).T.ravel()
-    assert np.all(reached < ACCURACY[deviation]), (deviation, spacing, reached)
+def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, both, seeds):
+    off, bad = case(spacing, deviation, both, tmp_path, range(seeds))
+    assert bad == 0
+    reached = np.quantile(off, [0.5, 0.9], axis=1).T.ravel()
+    assert np.all(reached < ACCURACY[deviation]), (deviation, spacing, both, reached)
 
 
 def test_smoothing_is_worth_it(tmp_path):
     """Noise of 10 um read as it is makes asperities of every pressure; smoothed it moves the median by a few per cent."""
-    wanted, off = without_noise(), {}
-    for smoothing in (None, 0.0):
-        profiles = {kind: read(tmp_path, columns(points(kind)[0], noisy(kind, 0.01, 3)[1]), kind, smoothing=smoothing)[0]
-                    for kind in NAMES}
-        found = swept(**profiles)
-        off[smoothing] = np.nanmedian(np.abs(found.right.max_pressure / wanted.right.max_pressure - 1.0))
-    assert off[None] < 0.15 < 1.0 < off[0.0]
+    pressures = [np.nanmedian(case(0.2, 1e-2, False, tmp_path, [3], smoothing)[0][2]) for smoothing in (None, 0.0)]
+    assert pressures[0] < 0.15 and pressures[1] > 1.0
+
+
+def test_exact_points_give_exact_contacts(tmp_path):
+    profiles = {kind: read(tmp_path, columns(*points(kind)), kind)[0] for kind in NAMES}
+    off = differences(contacts(**profiles)[0], contacts()[0])
+    assert np.all(np.max(off, axis=1) < (0.01, 1e-3, 2e-3))        # [mm, 1, 1]; joints of curvature between points
 
 
 def test_the_asked_tolerance_is_kept(tmp_path):
     for tolerance in (2e-6, 2e-5):
         profile, said = read(tmp_path, columns(Y, Z), smoothing=tolerance)
         assert f"smoothed to {tolerance * 1e6:g} um, points moved by up to" in said
-        y, z = Y[Y > -69.0] * MM, Z[Y > -69.0] * MM
+        inside = (Y > INSIDE["wheel"][0]) & (Y < INSIDE["wheel"][1])
+        y, z = Y[inside] * MM, Z[inside] * MM
         left = (profile.height(y) - z) / np.hypot(1.0, profile.slope(y))
         assert np.sqrt(np.mean(left * left)) < 1.2 * tolerance
 
@@ -445,8 +441,8 @@ def lines(done):
 
 def test_the_command_line_says_it_in_one_line_each(measured):
     words = ["solve", "--wheel", str(measured / "worn.csv"), "--rail", str(measured / "worn.prr")]
-    done = subprocess.run([sys.executable, "-c", "from wrcontact.cli import main; main()", *words], capture_output=True, text=True,
-                          cwd=Path(__file__).parent.parent)
+    done = subprocess.run([sys.executable, "-c", "from wrcontact.cli import main; main()", *words], capture_output=True,
+                          text=True, check=False, cwd=Path(__file__).parent.parent)
     assert done.returncode == 0, done.stderr
     said = lines(done)
     assert len(said) == 2 and all(line.startswith("wrcontact: ") for line in said)
@@ -529,7 +525,8 @@ def damaged_files(draw):
     content = text.encode()
     for _ in range(draw(st.integers(0, 2))):
         place = draw(st.integers(0, len(content)))
-        content = draw(st.sampled_from([content[:place], content[place:], content[:place] + draw(st.binary(max_size=40)) + content[place:],
+        junk = draw(st.binary(max_size=40))
+        content = draw(st.sampled_from([content[:place], content[place:], content[:place] + junk + content[place:],
                                         content[:place] + content]))
     return content, end, kind
 
@@ -546,7 +543,7 @@ def check_any_file(folder, content, end, kind):
             profile = Profile.from_file(path, kind)
     except ValueError as refusal:
         said = str(refusal)
-        assert said.startswith((f"{kind} profile {path} ", f"{kind} is a ")) or "hole between" in said or "step of" in said, said
+        assert said.startswith(f"{kind} profile {path} "), said
         assert "\n" not in said
     else:
         assert profile.kind == kind and profile.start < profile.stop
@@ -577,8 +574,8 @@ def test_any_bytes_are_read_or_refused(tmp_path, content, end, kind):
     check_any_file(tmp_path, content, end, kind)
 
 
-@pytest.mark.parametrize("text", [b"1" * 3_000_000 + b"x", b"\n" * 3_000_000, b" " * 3_000_000, b"{\"a\":" + b"[" * 3_000_000,
-                                  b"point.begin\n" * 200_000, b"1,2,3," * 500_000],
+@pytest.mark.parametrize("text", [b"1" * 3_000_000 + b"x", b"\n" * 3_000_000, b" " * 3_000_000,
+                                  b'{"a":' + b"[" * 3_000_000, b"point.begin\n" * 200_000, b"1,2,3," * 500_000],
                          ids=["digits", "lines", "blanks", "brackets", "sections", "fields"])
 def test_large_nonsense_does_not_hang(tmp_path, text):
     check_any_file(tmp_path, text, ".txt", "wheel")

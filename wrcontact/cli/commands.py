@@ -29,8 +29,8 @@ def millimetres(option, words):
 
 
 Smoothing = Annotated[Optional[float], typer.Option(
-    "--smoothing-um", parser=number, metavar="NUMBER", help="How far the curve may keep from the points of a profile file, in the "
-    "mean of squares, in um; 0 is through every point (default: as far as their noise)")]
+    "--smoothing-um", parser=number, metavar="NUMBER", help="How far the curve may keep from the points of a profile file, "
+    "in the mean of squares, in um; 0 is through every point (default: as far as their noise)")]
 
 
 @main.callback(invoke_without_command=True)

@@ -173,8 +173,8 @@ def main(arguments=None):
     for kind in ("wheel", "rail"):
         meaning = f"{kind} profile to pack and use by default: a file of points in mm, or a built-in name"
         parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
-    parser.add_argument("--smoothing-um", metavar="NUMBER", type=float, help="how far the curve may keep from measured points, "
-                        "in the mean of squares (default: as far as their noise; 0: through every point)")
+    parser.add_argument("--smoothing-um", metavar="NUMBER", type=float, help="how far the curve may keep from measured "
+                        "points, in the mean of squares (default: as far as their noise; 0: through every point)")
     parser.add_argument("--native", action="store_true", help="pack FMUs that need no Python, for FMI 2.0 and FMI 3.0")
     parser.add_argument("--platforms", metavar="NAME[,NAME]", help="of the native FMUs: this machine's by default, or "
                         f"{', '.join(PLATFORMS)}, or all; others than this machine's take ziglang")

@@ -1,8 +1,9 @@
 """Profiles from files and by name; the only place that opens a profile file.
 
 A file of points is text in one of the formats of formats.py.  Its points are put right where that is certain enough
-(repair.py), smoothed where they are noisy (smoothing.py), and read as a smooth curve; a :class:`ProfileWarning` says what was
-done.  A prepared file (.json) holds the pieces themselves and needs nothing but numpy; an FMU carries its profiles that way.
+(repair.py), smoothed where they are noisy (smoothing.py), and read as a smooth curve; a :class:`ProfileWarning` says what
+was done.  A prepared file (.json) holds the pieces themselves and needs nothing but numpy; an FMU carries its profiles
+that way.
 """
 
 import json
@@ -31,8 +32,8 @@ LEVEL = 1e-9
 def find_profile(source, kind, smoothing=None):
     """The profile meant by ``source``: a :class:`Profile`, a standard name, or the path of a file.
 
-    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] as for :func:`read_profile`.  ValueError in one sentence where it is none
-    of these.
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] as for :func:`read_profile`.  ValueError in one sentence where it is
+    none of these.
     """
     _checked_smoothing(smoothing)
     if isinstance(source, Profile):

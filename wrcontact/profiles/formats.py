@@ -6,7 +6,7 @@ what the file itself says about unit, shift and mirror done; everything that mus
 
 import math
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -30,29 +30,27 @@ UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 2
 class Points:
     """Points in the file's order: ``y``, ``z`` (n,), in mm as far as the file says so, and ``weight`` (n,).
 
-    ``lines`` (n,) are their line numbers.  ``free``: the format itself leaves open where the running circle of a wheel is and
-    which way it looks, so that finding out is no repair.
+    ``lines`` (n,) are their line numbers.  ``free``: the format itself leaves open where the running circle of a wheel is
+    and which way it looks, so that finding out is no repair.
     """
 
     y: np.ndarray
     z: np.ndarray
     weight: np.ndarray
     lines: np.ndarray
-    format: str
     free: bool = False
     remarks: list = field(default_factory=list)
 
 
 def read_points(text, extension, kind):
-    """The :class:`Points` in ``text`` by the format that ``extension`` (".prw") names; ValueError, without the file's name,
-    where there are none."""
+    """The :class:`Points` in ``text`` by the format that ``extension`` (".prw") names; a Refusal where there are none."""
     named = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}.get(extension)
     if named and named != kind:
         raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
     if extension in (".prw", ".prr") or re.search(r"^[ \t]*point\.begin", text, re.MULTILINE | re.IGNORECASE):
         return simpack_points(text, kind)
     if extension in (".whl", ".ban"):
-        return miniprof_points(text, kind)
+        return miniprof_points(text)
     return plain_points(text)
 
 
@@ -79,7 +77,7 @@ def plain_points(text):
     values = [row for row in values if None not in row[1:]]
     if not values:
         raise Refusal("holds no lines of two numbers; permitted are text files with y and z in mm")
-    points = _points(values, "text")
+    points = _points(values)
     used = set(points.lines.tolist())
     odd = [number for number, _ in rows if points.lines[0] < number < points.lines[-1] and number not in used]
     if odd:
@@ -132,12 +130,12 @@ def _number(text):
     return math.nan if text.lower() in ABSENT else None
 
 
-def _points(rows, name, **more):
+def _points(rows, free=False):
     """Points from rows (line, y, z[, weight])."""
     if len(rows) > MOST_POINTS:
         raise Refusal(f"has {len(rows)} points; permitted are at most {MOST_POINTS}")
     table = np.array([(*row, 1.0)[:4] for row in rows], dtype=float)
-    return Points(table[:, 1], table[:, 2], table[:, 3], table[:, 0].astype(int), name, **more)
+    return Points(table[:, 1], table[:, 2], table[:, 3], table[:, 0].astype(int), free)
 
 
 def _left_out(word, numbers, why):
@@ -151,8 +149,8 @@ def _left_out(word, numbers, why):
 def simpack_points(text, kind):
     """Points from Simpack's .prw and .prr.
 
-    Between ``point.begin`` and ``point.end`` stand y, z and, where there is a third number, a weight for smoothing; a point of
-    weight 0 is left out.  Of the keys these are obeyed, in the order that the files themselves number them in:
+    Between ``point.begin`` and ``point.end`` stand y, z and, where there is a third number, a weight for smoothing; a point
+    of weight 0 is left out.  Of the keys these are obeyed, in the order that the files themselves number them in:
     ``point.dist.min``, ``shift.y``, ``shift.z``, ``rotate`` (about x, from y to z), ``bound.y.min`` ... ``bound.z.max``
     (none where min > max), ``mirror.y``, ``mirror.z``, ``inversion``, ``units.len.f`` (length unit per metre; without it
     ``units.len``) and ``units.ang.f``.  ``type`` in the header (0 rail, 1 wheel) must fit.  ``approx.smooth`` is not: its
@@ -175,13 +173,14 @@ def simpack_points(text, kind):
             keys[f"{section}:{key.strip().lower()}"] = value.strip().strip("'\"")
     if not rows:
         raise Refusal("holds no points between point.begin and point.end; permitted are Simpack profiles with y and z there")
-    points = _points(rows, "Simpack")
+    points = _points(rows)
     if bad:
         points.remarks.append(_left_out("line", bad, "without two numbers"))
     asked = {"0": "rail", "1": "wheel"}.get(keys.get("header:type", "").strip())
     if asked and asked != kind:
         raise Refusal(f"says header type {keys['header:type']}, which is a {asked} profile; permitted are {kind} profiles")
-    return _processed(points, keys)
+    with np.errstate(all="ignore"):     # what becomes infinite is left out as such
+        return _processed(points, keys)
 
 
 def _processed(points, keys):
@@ -208,7 +207,7 @@ def _processed(points, keys):
     order = np.flatnonzero(keep)[::-1 if value("inversion", 0.0) == 1.0 else 1]
     factor = value("units.len.f", 0.0)
     scale = 1e3 / factor if factor > 0.0 else UNITS_IN_MM.get(keys.get("spline:units.len", "").lower(), 1.0)
-    return Points(scale * y[order], scale * z[order], points.weight[order], points.lines[order], "Simpack", remarks=points.remarks)
+    return replace(points, y=scale * y[order], z=scale * z[order], weight=points.weight[order], lines=points.lines[order])
 
 
 def _apart(y, z, nearest):
@@ -223,12 +222,12 @@ def _apart(y, z, nearest):
 # --- MiniProf -------------------------------------------------------------------------------------------------------------
 
 
-def miniprof_points(text, kind):
+def miniprof_points(text):
     """Points from MiniProf's .whl and .ban.
 
-    Header lines are ``Keyword=value``; of them ``ColumnDef`` (such as X,Y,A,C,N) is obeyed: X is lateral, Y vertical, both in
-    mm; without it they are the first two columns.  "#" starts a comment.  The instrument measures from the back of the flange
-    and upwards, and either side may come first, so position, direction and side are found from the shape.
+    Header lines are ``Keyword=value``; of them ``ColumnDef`` (such as X,Y,A,C,N) is obeyed: X is lateral, Y vertical, both
+    in mm; without it they are the first two columns.  "#" starts a comment.  A wheel may be measured from the back of its
+    flange, up or down, and from either side, so position, direction and side are found from the shape.
     """
     columns, data = (0, 1), []
     for line in text.splitlines():
@@ -246,7 +245,7 @@ def miniprof_points(text, kind):
             bad.append(number)
     if not rows:
         raise Refusal("holds no lines of numbers after its header; permitted are MiniProf profiles with X and Y in mm")
-    points = _points(rows, "MiniProf", free=True)
+    points = _points(rows, free=True)
     if bad:
         points.remarks.append(_left_out("line", bad, "without two numbers"))
     return points

@@ -1,7 +1,7 @@
 """Measured points put right: what is repaired is said, what cannot be is refused.
 
-The recipe is :func:`mend`; every step takes points and gives points, and adds to ``remarks`` what it did, to how many points,
-where and by how much.  A ValueError lacks the file's name, which files.py puts in front.
+The recipe is :func:`mend`; every step takes points and gives points, and adds to ``remarks`` what it did, to how many
+points, where and by how much.  A Refusal lacks the file's name, which files.py puts in front.
 """
 
 import math
@@ -15,6 +15,8 @@ from .smoothing import LEAST_NOISE, in_chords, noise_of, pseudo_inverse
 LEAST_POINTS = 10
 #: A profile's width in millimetres.
 WIDTHS = (20.0, 200.0)
+#: Its height at most [mm]; whole sections of rails have up to 190.
+HIGHEST = 300.0
 WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
 #: Width of a rail's head on either side of its highest point at least [mm].
 SHOULDER = 10.0
@@ -34,8 +36,8 @@ FAR = 5.0
 SAME = 1e-6
 #: Distance from the median spacing below which points at the same y are averaged, as a share of it.
 NEAR = 0.25
-#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are this
-#: close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
+#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are
+#: this close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
 OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
 #: ... and so many times more than its neighbours are themselves off the curve that they agree on; 7 times is a kink.
 AGREED = 8.0
@@ -55,8 +57,8 @@ STRAIGHT = 0.02
 #: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
 KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
 SPIKE = math.radians(90.0)
-#: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from the
-#: flange's back [mm].
+#: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from
+#: the flange's back [mm].
 TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
 #: A profile that comes up again by this behind the tip reaches round to the back of the flange [mm].
 ROUND_BACK = 3.0
@@ -106,26 +108,34 @@ def without_nothing(found, lines, remarks):
         where = ", ".join(map(str, lines[~finite][:3])) + (", ..." if np.sum(~finite) > 3 else "")
         remarks.append(f"{counted(np.sum(~finite), 'point')} without finite numbers left out (line {where})")
     found = found.only(finite)
-    width = max(np.subtract(*np.percentile(part, [95, 5])) for part in (found.y, found.z))
-    far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)], axis=0) > FAR * max(width, 1e-12)
+    with np.errstate(over="ignore"):
+        width = max(_span(part) for part in (found.y, found.z))
+        far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)], axis=0) > FAR * max(width, 1e-12)
     if far.any():
         remarks.append(f"{counted(far.sum(), 'point')} far off the others left out (y = {found.y[far][0]:.4g}, "
                        f"z = {found.z[far][0]:.4g} first)")
     return found.only(~far)
 
 
+def _span(values):
+    """Width of the middle nine tenths of ``values``."""
+    return np.subtract(*np.percentile(values, [95, 5]))
+
+
 def in_millimetres(found, kind, remarks):
     """The points in millimetres, as their width tells."""
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
-    width = found.y.max() - found.y.min()
-    if WIDTHS[0] <= width <= WIDTHS[1]:
-        return found
-    for unit, (factor, widths) in UNITS.items():
-        if widths[kind][0] <= width <= widths[kind][1]:
-            remarks.append(f"taken for {unit}, since it is {width:.4g} wide, and turned into mm")
-            return replace(found, y=factor * found.y, z=factor * found.z)
-    raise Refusal(f"is {width:g} mm wide; permitted are {WIDTHS[0]:g} ... {WIDTHS[1]:g} mm")
+    width, factor = found.y.max() - found.y.min(), 1.0
+    if not WIDTHS[0] <= width <= WIDTHS[1]:
+        unit = next((unit for unit, (_, widths) in UNITS.items() if widths[kind][0] <= width <= widths[kind][1]), None)
+        if unit is None:
+            raise Refusal(f"is {width:g} mm wide; permitted are {WIDTHS[0]:g} ... {WIDTHS[1]:g} mm")
+        remarks.append(f"taken for {unit}, since it is {width:.4g} wide, and turned into mm")
+        factor = UNITS[unit][0]
+    if not factor * _span(found.z) <= HIGHEST:
+        raise Refusal(f"is {factor * _span(found.z):g} mm high; permitted are {HIGHEST:g} mm or less")
+    return replace(found, y=factor * found.y, z=factor * found.z)
 
 
 def in_order(found, remarks):
@@ -193,8 +203,9 @@ def at_running_circle(found, free, remarks):
     tip = np.median(y[z >= deepest])
     if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
         if deepest - z[0] < ROUND_BACK:
-            raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted are {TIP[0]:g} ... "
-                          f"{TIP[1]:g} mm from the running circle, or profiles that reach round to the back of the flange")
+            raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted are "
+                          f"{TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that reach round to the back "
+                          f"of the flange")
         shift = -BACK - y[0]
         if not free:
             remarks.append(f"the running circle is taken to be {BACK:g} mm from the back of the flange, so y moved by "
@@ -203,11 +214,11 @@ def at_running_circle(found, free, remarks):
     middle = np.interp(0.0, y, z)
     height = deepest - middle
     if not FLANGE[0] <= height <= FLANGE[1]:
-        raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; permitted are {FLANGE[0]:g} "
-                      f"... {FLANGE[1]:g} mm")
+        raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; permitted are "
+                      f"{FLANGE[0]:g} ... {FLANGE[1]:g} mm")
     if z[-1] - middle > FLANGE[0]:
-        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a rail's head has; permitted are "
-                      f"{FLANGE[0]:g} mm or less")
+        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a rail's head has; "
+                      f"permitted are {FLANGE[0]:g} mm or less")
     if abs(middle) > OFFSET or free:
         if not free:
             remarks.append(f"z was {middle:.4g} mm at the running circle and is moved to 0")
@@ -216,18 +227,19 @@ def at_running_circle(found, free, remarks):
 
 
 def outward(found, kind):
-    """The points from the middle outwards as far as y does: what lies beyond is the back of a flange or the neck of a rail."""
+    """The points from the middle outwards as far as y goes; beyond is the back of a flange or the neck of a rail."""
     middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
     stop = middle + _farthest(found.y[middle:], kind)
     start = middle - _farthest(-found.y[middle::-1], kind)
     found = found.only(slice(start, stop + 1))
     width = found.y[-1] - found.y[0]
     if not WIDTHS[0] <= width <= WIDEST[kind]:
-        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... {WIDEST[kind]:g} mm for a {kind}")
+        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... {WIDEST[kind]:g} mm "
+                      f"for a {kind}")
     top = found.y[np.argmin(found.z)]
     if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
-        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and {found.y[-1]:.4g} mm; permitted are "
-                      f"heads with {SHOULDER:g} mm or more on either side")
+        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and {found.y[-1]:.4g} mm; "
+                      f"permitted are heads with {SHOULDER:g} mm or more on either side")
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
@@ -235,7 +247,8 @@ def outward(found, kind):
 
 def _farthest(y, kind):
     """Index of the largest of ``y`` before it falls by TURN, for longer than outliers do; the foot of a rail's wall."""
-    calm = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(y, LONGEST_RUN, mode="edge"), 2 * LONGEST_RUN + 1), axis=1)
+    padded = np.pad(y, LONGEST_RUN, mode="edge")
+    calm = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_RUN + 1), axis=1)
     turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)
     ahead = y[:turned[0]] if len(turned) else y
     if kind == "rail":
@@ -254,7 +267,8 @@ def without_outliers(found, remarks):
         gone = np.unique(np.concatenate([np.arange(i, i + n) for i, n in zip(index, length)]))
         taken += found.y[gone].tolist()
         if len(taken) > MOST_OUTLIERS * count:
-            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at most {MOST_OUTLIERS:.0%}")
+            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at most "
+                          f"{MOST_OUTLIERS:.0%}")
         found = found.only(np.delete(np.arange(len(found.y)), gone))
     if taken:
         remarks.append(f"{counted(len(taken), 'outlier')} of up to {most:.3g} mm left out ({stretch(taken)})")
@@ -264,7 +278,8 @@ def without_outliers(found, remarks):
 def _runs_off(found):
     """Runs of outliers that do not disturb each other: first indices, lengths, and how far they are off [mm]."""
     runs = [_run_errors(found.y, found.z, length) for length in range(1, LONGEST_RUN + 1)]
-    index, length = np.concatenate([np.arange(len(error)) for error, _ in runs]), np.repeat([1, 2, 3], [len(r[0]) for r in runs])
+    index = np.concatenate([np.arange(len(error)) for error, _ in runs])
+    length = np.repeat(np.arange(1, LONGEST_RUN + 1), [len(error) for error, _ in runs])
     error, quarrel = (np.concatenate(part) for part in zip(*runs))
     spacing = np.median(np.hypot(np.diff(found.y), np.diff(found.z)))
     least = LEAST_OUTLIER * max(1.0, spacing / CLOSE) ** 2
@@ -314,8 +329,8 @@ def check_gaps(found, remarks):
         if all(abs(turn) <= STRAIGHT for turn in turns):
             continue
         if chord[i] > WIDEST_GAP:
-            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of {chord[i]:.3g} mm; permitted "
-                             f"are {WIDEST_GAP:g} mm or a straight stretch")
+            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of {chord[i]:.3g} mm; "
+                          f"permitted are {WIDEST_GAP:g} mm or a straight stretch")
         remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i:i + 2])})")
 
 
@@ -325,7 +340,8 @@ def rounded(found, remarks):
     heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
     turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
     if turned.max() > SPIKE:
-        raise Refusal(f"turns by {math.degrees(turned.max()):.3g} deg at y = {y[1 + int(np.argmax(turned))]:.4g} mm, a spike or a fold; "
+        worst = int(np.argmax(turned))
+        raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike or a fold; "
                       f"permitted are {math.degrees(SPIKE):.3g} deg")
     places = _kinks(y, z)
     if not places:
@@ -338,20 +354,22 @@ def rounded(found, remarks):
         others = np.hypot(*(spots - spot).T)
         reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf), 0.9 * math.dist(spot, (y[0], z[0])),
                     0.9 * math.dist(spot, (y[-1], z[-1])))
-        arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in (max(index - 2, 0), min(index + width + 1, len(y) - 1))]
+        beyond = max(index - 2, 0), min(index + width + 1, len(y) - 1)
+        arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in beyond]
         share = np.linspace(0.0, 1.0, 9)[:, None]
         bow = (1 - share) ** 2 * arms[0] + 2 * share * (1 - share) * spot + share**2 * arms[1]
         deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
         points = [p for p in points if math.dist(p, spot) > 1.05 * reach] + [tuple(p) for p in bow]
         points.sort()
-    remarks.append(f"{counted(len(places), 'kink')} of up to {math.degrees(max(abs(turn) for *_, turn in places)):.3g} deg rounded over "
-                   f"{ROUNDED:g} mm ({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
+    sharpest = math.degrees(max(abs(turn) for *_, turn in places))
+    remarks.append(f"{counted(len(places), 'kink')} of up to {sharpest:.3g} deg rounded over {ROUNDED:g} mm "
+                   f"({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
     table = np.array(points)
     return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
 
 
 def _kinks(y, z):
-    """Indices of the points at or before which the chords turn suddenly, there or from there to the next, and by how much [rad]."""
+    """Where the chords turn suddenly: index of a point, there (1) or from there to the next (2), and by how much [rad]."""
     chord = np.hypot(np.diff(y), np.diff(z))
     turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
     length = 0.5 * (chord[1:] + chord[:-1])
