@@ -112,8 +112,8 @@ def _smooth_profile(found, name, kind, tolerance, remarks):
         return profile_from_points(found.y, found.z, name=name, kind=kind)
     curve = Curve(found.y, found.z, found.weight, tolerance)
     if tolerance > 0.0:
-        why = "smoothed to" if asked else "noise smoothed away, of"
-        remarks.append(f"{why} {1e3 * tolerance:.3g} um, points moved by up to {1e3 * curve.moved:.3g} um")
+        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed away"
+        remarks.append(f"{done}, points moved by up to {1e3 * curve.moved:.3g} um")
     top = curve.highest() if kind == "rail" else curve.nearest(0.0)
     zones, smooth = pieces_of(curve, top, walls=kind == "rail")
     if zones[-1].stop - zones[0].start < WIDTHS[0]:
