@@ -1,7 +1,7 @@
 """What noise of measured profiles leaves in ANALYN's contacts after smoothing: ``python -m benchmarks.profile_noise``.
 
-S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are read as any file
-is.  Right contacts at lateral shifts of -6 ... 6 mm are held against those of the exact profiles.
+S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are read as any
+file is.  Right contacts at lateral shifts of -6 ... 6 mm are held against those of the exact profiles.
 """
 
 import functools
@@ -42,7 +42,7 @@ def noisy_points(kind, spacing, noise, seed, both=True):
 
 
 def contacts(**profiles):
-    """Contact position [mm], patch area [m2] and largest pressure [Pa] of the right wheel (3, n), and how many are not valid."""
+    """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many are not valid."""
     state = wrcontact.ContactSystem(**profiles).evaluate_many(lateral_shift=SHIFTS, side="right", outputs="patches")
     right = state.right
     return np.array([right.contact.y_wheel / MM, right.area, right.max_pressure]), int(np.count_nonzero(state.status))
@@ -71,8 +71,8 @@ def case(spacing, noise, both, folder, seeds=range(SEEDS), smoothing=None):
 
 
 def main():
-    print("| noise [um] | in | spacing [mm] | position [mm]: median | 90 % | area [%]: median | 90 % | pressure [%]: median | 90 % | "
-          "not valid |\n|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|")
+    print("| noise [um] | in | spacing [mm] | position [mm]: median | 90 % | area [%]: median | 90 % | pressure [%]: median | "
+          "90 % | not valid |\n|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         for spacing, noise, both in CASES:
             off, bad = case(spacing, noise, both, folder)

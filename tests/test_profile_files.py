@@ -295,6 +295,8 @@ REFUSED = {
                      r"has noise of \d+ um; permitted is at most 500 um"),
     "fold": (columns(np.r_[Y[:400], Y[395:]], np.r_[Z[:400], Z[395:] + 3.0]), "wheel", "own.txt",
             "a spike or a fold; permitted are 90 deg"),
+    "a wall too high": (columns(np.round(RAIL_Y[::4]), RAIL_Z[::4]), "rail", "own.txt",
+                        r"folds back or is vertical at y = .* mm below its top; permitted is that from 5 mm on"),
     "commas": ("".join(f"{k},5,{k},25\n" for k in range(60)), "wheel", "own.csv",
             "has commas that may be decimal signs or separators"),
     "other kind by name": (columns(Y, Z), "rail", "own.prw",

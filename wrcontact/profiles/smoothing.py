@@ -33,6 +33,8 @@ AVERAGED = 10.0
 PIECE = 0.5
 #: A wall is a function of y no more beyond this slope; a rail's goes on in straight pieces, that of a wheel ends there.
 WALL = math.tan(math.radians(88.0))
+#: How far below the top of a rail a wall may begin [mm]; contacts are above.
+WALL_DEPTH = 5.0
 #: Least advance of a wall's straight pieces in y, over their length; 20 mm of vertical gauge face move by 0.02 mm.
 LEAN = 1e-3
 #: Least width of a piece in y [mm].
@@ -187,6 +189,10 @@ def pieces_of(curve, top, *, walls):
     jets = list(zip(y, z, slope, bend))
     zones = [_quintic(*pair) for pair in zip(jets[first:last], jets[first + 1:last + 1])]
     if walls:
+        for end in (first, last):
+            if end not in (0, len(s) - 1) and z[end] < WALL_DEPTH:
+                raise Refusal(f"folds back or is vertical at y = {y[end]:.4g} mm, {z[end]:.3g} mm below its top; permitted is "
+                              f"that from {WALL_DEPTH:g} mm on")
         lower = _wall(-y[first::-1], z[first::-1], -slope[first])
         upper = _wall(y[last:], z[last:], slope[last])
         zones = [_mirrored(zone) for zone in reversed(lower)] + zones + upper
