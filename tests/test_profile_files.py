@@ -296,7 +296,7 @@ REFUSED = {
     "fold": (columns(np.r_[Y[:400], Y[395:]], np.r_[Z[:400], Z[395:] + 3.0]), "wheel", "own.txt",
             "a spike or a fold; permitted are 90 deg"),
     "a wall too high": (columns(np.round(RAIL_Y[::4]), RAIL_Z[::4]), "rail", "own.txt",
-                        r"folds back or is vertical at y = .* mm below its top; permitted is that from 5 mm on"),
+                        r"folds back or is vertical at y = .* mm, z = .* mm; permitted is that from z = 5 mm on$"),
     "commas": ("".join(f"{k},5,{k},25\n" for k in range(60)), "wheel", "own.csv",
             "has commas that may be decimal signs or separators"),
     "other kind by name": (columns(Y, Z), "rail", "own.prw",
@@ -397,6 +397,27 @@ def test_the_asked_tolerance_is_kept(tmp_path):
         y, z = Y[inside] * MM, Z[inside] * MM
         left = (profile.height(y) - z) / np.hypot(1.0, profile.slope(y))
         assert np.sqrt(np.mean(left * left)) < 1.2 * tolerance
+
+
+def test_without_smoothing_it_goes_through_every_point(tmp_path):
+    """Also where a vertical step on the flank forbids a spline in y, and ends the profile."""
+    y, z = noisy("wheel", 1e-3, 2, 0.1)
+    step = np.argmin(np.abs(y + 39.0))
+    y = np.where(np.arange(len(y)) <= step, y + y[step + 1] - y[step], y)
+    profile, said = read(tmp_path, columns(y, z), smoothing=0.0)
+    inside = (y > -38.8) & (y < 59.0)
+    assert said == "" and -39.2 * MM < profile.start < -38.8 * MM
+    assert np.max(np.abs(profile.height(y[inside] * MM) / MM - z[inside])) < 1e-6
+
+
+def test_a_fold_where_wheel_and_rail_meet_is_refused(tmp_path):
+    """Noise that takes y back is smoothed; without smoothing the curve folds back there."""
+    y, z = noisy("wheel", 2e-3, 6, 0.1)
+    y = np.where(np.arange(len(y)) == 800, y[799] - 0.02, y)
+    with pytest.raises(ValueError, match=r"folds back or is vertical at y = -\d+\.\d+ mm, z = .* mm; permitted is that from "
+                                         r"z = 5 mm on and beyond y = 25 mm$"):
+        read(tmp_path, columns(y, z), smoothing=0.0)
+    assert "noise of 2" in read(tmp_path, columns(y, z))[1]
 
 
 def test_pieces_meet_in_curvature(tmp_path):

@@ -108,6 +108,16 @@ def _smooth_profile(found, name, kind, tolerance, remarks):
         raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
     asked = tolerance is not None
     tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
+    try:
+        return _curve_through(found, name, kind, tolerance, asked, remarks)
+    except Refusal:
+        raise
+    except ValueError as problem:
+        raise Refusal(f"has points that no smooth curve goes through ({problem})") from None
+
+
+def _curve_through(found, name, kind, tolerance, asked, remarks):
+    """The profile through or, to ``tolerance`` [mm], along ``found`` points."""
     if tolerance == 0.0 and np.all(np.diff(found.y) > 0.0):
         return profile_from_points(found.y, found.z, name=name, kind=kind)
     curve = Curve(found.y, found.z, found.weight, tolerance)

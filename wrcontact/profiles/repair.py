@@ -17,6 +17,7 @@ LEAST_POINTS = 10
 WIDTHS = (20.0, 200.0)
 #: Its height at most [mm]; whole sections of rails have up to 190.
 HIGHEST = 300.0
+#: Its width at most once its back, neck or foot is left off [mm].
 WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
 #: Width of a rail's head on either side of its highest point at least [mm].
 SHOULDER = 10.0
@@ -34,13 +35,14 @@ UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
 FAR = 5.0
 #: Points nearer than this to each other are one [mm].
 SAME = 1e-6
-#: Distance from the median spacing below which points at the same y are averaged, as a share of it.
+#: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
 #: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are
 #: this close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
 OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
 #: ... and so many times more than its neighbours are themselves off the curve that they agree on; 7 times is a kink.
 AGREED = 8.0
+#: Outliers are taken in passes, one from each neighbourhood.
 MOST_PASSES = 50
 #: Neighbours on either side that say it, and the longest run of outliers.
 SIDE, LONGEST_RUN = 5, 3
@@ -56,6 +58,7 @@ GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
 STRAIGHT = 0.02
 #: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
 KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
+#: What turns by more is no profile [rad].
 SPIKE = math.radians(90.0)
 #: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from
 #: the flange's back [mm].

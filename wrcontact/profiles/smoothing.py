@@ -29,12 +29,12 @@ FLAT, STEEP = 0.75, 0.5
 FEWEST = 6
 #: Points are averaged over this many times the noise before their directions are taken.
 AVERAGED = 10.0
-#: Length of a piece along the curve [mm].
-PIECE = 0.5
+#: Longest and shortest piece along the curve [mm].
+PIECE, SHORTEST_PIECE = 0.5, 0.01
 #: A wall is a function of y no more beyond this slope; a rail's goes on in straight pieces, that of a wheel ends there.
 WALL = math.tan(math.radians(88.0))
-#: How far below the top of a rail a wall may begin [mm]; contacts are above.
-WALL_DEPTH = 5.0
+#: How far below the top of a rail or the running circle a wall may begin, and where on a wheel's field side [mm].
+WALL_DEPTH, FIELD_SIDE = 5.0, 25.0
 #: Least advance of a wall's straight pieces in y, over their length; 20 mm of vertical gauge face move by 0.02 mm.
 LEAN = 1e-3
 #: Least width of a piece in y [mm].
@@ -150,6 +150,17 @@ class Curve:
         (y, z), slope, bend = (splev(s, self._spline, der=order) for order in range(3))
         return (y - self.origin[0], z - self.origin[1]), slope, bend
 
+    def ends_of_pieces(self):
+        """Arc lengths (n,) of its knots, SHORTEST_PIECE apart, and others so that none is longer than PIECE."""
+        knots = np.unique(np.clip(self._spline[0], self.s[0], self.s[-1]))
+        kept = [knots[0]]
+        for knot in knots[1:-1]:
+            if knot - kept[-1] >= SHORTEST_PIECE and knots[-1] - knot >= SHORTEST_PIECE:
+                kept.append(knot)
+        kept.append(knots[-1])
+        parts = [np.linspace(low, high, math.ceil((high - low) / PIECE) + 1)[:-1] for low, high in zip(kept[:-1], kept[1:])]
+        return np.append(np.concatenate(parts), knots[-1])
+
     def nearest(self, y):
         """The arc length where the curve is nearest to the abscissa ``y``."""
         s = np.linspace(self.s[0], self.s[-1], 2001)
@@ -176,23 +187,24 @@ def pieces_of(curve, top, *, walls):
     Refusal
         where it is steeper than that at ``top``.
     """
-    s = np.linspace(curve.s[0], curve.s[-1], max(8, math.ceil((curve.s[-1] - curve.s[0]) / PIECE)) + 1)
+    s = curve.ends_of_pieces()
     (y, z), (dy, dz), (ddy, ddz) = curve(s)
     flat = (np.abs(dz) < WALL * dy) & (dy > 0)
     middle = int(np.argmin(np.abs(s - top)))
     if not flat[middle]:
         raise Refusal(f"folds back or is vertical at y = {y[middle]:.4g} mm, where wheel and rail meet")
-    breaks = np.flatnonzero(~flat)
+    rising = flat[:-1] & flat[1:] & (np.diff(y) > 0.5 * np.diff(s) / math.hypot(1.0, WALL))
+    breaks = np.flatnonzero(~rising)
     first = max(breaks[breaks < middle], default=-1) + 1
-    last = min(breaks[breaks > middle], default=len(s)) - 1
+    last = min(breaks[breaks >= middle], default=len(s) - 1)
     slope, bend = dz / dy, (ddz * dy - dz * ddy) / dy**3
     jets = list(zip(y, z, slope, bend))
     zones = [_quintic(*pair) for pair in zip(jets[first:last], jets[first + 1:last + 1])]
+    for end in {first, last} - {0, len(s) - 1}:
+        if z[end] < WALL_DEPTH and (walls or y[end] < FIELD_SIDE):
+            raise Refusal(f"folds back or is vertical at y = {y[end]:.4g} mm, z = {z[end]:.3g} mm; permitted is that from z = "
+                          f"{WALL_DEPTH:g} mm on" + ("" if walls else f" and beyond y = {FIELD_SIDE:g} mm"))
     if walls:
-        for end in (first, last):
-            if end not in (0, len(s) - 1) and z[end] < WALL_DEPTH:
-                raise Refusal(f"folds back or is vertical at y = {y[end]:.4g} mm, {z[end]:.3g} mm below its top; permitted is "
-                              f"that from {WALL_DEPTH:g} mm on")
         lower = _wall(-y[first::-1], z[first::-1], -slope[first])
         upper = _wall(y[last:], z[last:], slope[last])
         zones = [_mirrored(zone) for zone in reversed(lower)] + zones + upper
