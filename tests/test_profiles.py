@@ -175,8 +175,8 @@ def test_what_is_no_profile_is_refused(source, kind, sentence):
 @pytest.mark.parametrize("text, sentence", [
     ("nothing here", "no lines of two numbers"),
     ("\n".join(f"{k} 0" for k in range(5)), "5 points; permitted are 10 or more"),
-    ("\n".join(f"{k % 7} 0" for k in range(30)), "y does not rise from point 7 to 8"),
-    ("\n".join(f"{k * 1e-3} 0" for k in range(60)), "0.059 mm wide; permitted are 20 ... 200 mm"),
+    ("\n".join(f"{k % 7} 0" for k in range(30)), "has 7 points; permitted are 10 or more"),
+    ("\n".join(f"{k * 1e-4} 0" for k in range(60)), "0.0059 mm wide; permitted are 20 ... 200 mm"),
     ("\n".join(f"{k} nan" for k in range(60)), "not finite"),
 ])
 def test_unusable_points_are_refused(tmp_path, text, sentence):

@@ -108,6 +108,8 @@ class ContactSystem:
     stations : of a patch's outline, 3 ... 201.
     nodes : per half-width of the interpenetration, 4 ... 38, and
     strips, sweeps : of the strip correction, 16 ... 64 and 1 ... 4, instead of what the tolerance asks for.
+    smoothing : how far the curve may keep from the points of a profile file [m], in the mean of squares: 0 ... 0.5e-3, 0 is not
+        at all; None is as far as their noise (docs/profiles.md).
 
     Raises
     ------
@@ -119,7 +121,8 @@ class ContactSystem:
                  running_circle_distance=1.5, nominal_radius=0.46, youngs_modulus=210e9, poisson_ratio=0.28,
                  contact_mode="rigid", load="normal", normal_model="analyn", separation="normal",
                  longitudinal_curvature="effective", lateral_curvature="adaptive", curvature_step=0.2e-3,
-                 curvature_reach=3e-3, tolerance=None, stations=31, nodes=None, strips=None, sweeps=None):
+                 curvature_reach=3e-3, tolerance=None, stations=31, nodes=None, strips=None, sweeps=None,
+                 smoothing=None):
         given = dict(locals())
         self.parameters = {name: given[name] for name in signature(type(self)).parameters}
         for name, (low, high, unit) in RANGES.items():
@@ -131,8 +134,8 @@ class ContactSystem:
         self.parameters["stations"] = _checked_stations(stations)
         _check_halfspace(self.parameters)
         self.resolution = resolve(self.parameters["normal_model"], self.parameters["tolerance"], nodes, strips, sweeps)
-        self.wheel = find_profile(wheel, "wheel")
-        self.rail = find_profile(rail, "rail")
+        self.wheel = find_profile(wheel, "wheel", smoothing)
+        self.rail = find_profile(rail, "rail", smoothing)
         self._tables = self._prepare()
         self._own = threading.local()
 

@@ -8,6 +8,7 @@ import numpy as np
 import typer
 
 from .. import ContactSystem
+from ..profiles.remarks import remarks_in_lines
 from ..status import Status
 from .door import Door, Refused, sentences
 from .options import LOAD, POSE, SYSTEM, number, option_of, takes
@@ -25,6 +26,11 @@ PICTURES = (".png", ".svg", ".pdf")
 def millimetres(option, words):
     """An option for a length."""
     return typer.Option(option, help=words, parser=number, metavar="NUMBER")
+
+
+Smoothing = Annotated[Optional[float], typer.Option(
+    "--smoothing-um", parser=number, metavar="NUMBER", help="How far the curve may keep from the points of a profile file, "
+    "in the mean of squares, in um; 0 is through every point (default: as far as their noise)")]
 
 
 @main.callback(invoke_without_command=True)
@@ -52,7 +58,8 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
 
 @main.command()
 @takes(pose=POSE, system=SYSTEM)
-def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON in SI units")] = False):
+def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON in SI units")] = False,
+          smoothing: Smoothing = None):
     """Solve one pose and print the contact of both wheels side by side.
 
     Rigid contact is where the undeformed wheels touch; with --contact-mode elastic they sink in until each carries its load,
@@ -60,7 +67,7 @@ def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Pr
 
     Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
     """
-    system = _system(system)
+    system = _system(system, smoothing)
     _refuse_what_is_not_read(system, pose)
     state = system.evaluate(**pose)
     if as_json:
@@ -77,12 +84,13 @@ def sweep(load, system,
           stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
           step: Annotated[float, millimetres("--step-mm", "From one lateral shift to the next, in mm")] = 0.5,
           file: Annotated[Optional[Path], typer.Option("--csv", metavar="FILE", help="Write all outputs to this file, in SI "
-                          "under the names of the FMU, instead of printing a few")] = None):
+                          "under the names of the FMU, instead of printing a few")] = None,
+          smoothing: Smoothing = None):
     """Move the wheelset across the track and tabulate its contacts.
 
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --csv sweep.csv
     """
-    shifts, system = _shifts(start, stop, step), _system(system)
+    shifts, system = _shifts(start, stop, step), _system(system, smoothing)
     _refuse_what_is_not_read(system, load)
     table = system.evaluate_many(lateral_shift=shifts, **load)
     if min(table.status) > Status.UNLOADED:
@@ -101,7 +109,7 @@ def sweep(load, system,
 @main.command()
 @takes(pose=POSE, system=SYSTEM)
 def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help="Picture to write: .png, .svg or .pdf")]
-         = Path("pose.png")):
+         = Path("pose.png"), smoothing: Smoothing = None):
     """Draw one pose: both wheels on their rails, and the contact patches with their pressure.
 
     Example: wrcontact plot --lateral-shift-mm 5 --output pose.png
@@ -110,7 +118,7 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 
     if output.suffix.lower() not in PICTURES:
         raise Refused(f"--output is {str(output)!r}; permitted are files that end in {', '.join(PICTURES)}")
-    system = _system(system)
+    system = _system(system, smoothing)
     _refuse_what_is_not_read(system, pose)
     state = system.evaluate(**pose)
     _refuse_without_contact(system, state)
@@ -138,10 +146,10 @@ def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="NUMBER"
         run_figures(output, (only or []) + (more or []))
 
 
-def _system(parameters):
-    """The contact system of these parameters."""
-    with sentences():
-        return ContactSystem(**parameters)
+def _system(parameters, smoothing):
+    """The contact system of these parameters; what was put right in its profile files is said in a line each."""
+    with sentences(), remarks_in_lines("wrcontact"):
+        return ContactSystem(**parameters, smoothing=None if smoothing is None else smoothing / 1e6)
 
 
 def _refuse_what_is_not_read(system, given):

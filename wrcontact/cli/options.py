@@ -18,8 +18,8 @@ from ..profiles import RAILS, WHEELS
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3, "MPa": lambda value: value * 1e6}
 #: Options whose words the table has for the FMU only.
 WORDS = {
-    "wheel": f"Wheel profile: {', '.join(WHEELS)}, or the path of a text file with y and z in mm",
-    "rail": f"Rail profile: {', '.join(RAILS)}, or the path of a text file with y and z in mm",
+    "wheel": f"Wheel profile: {', '.join(WHEELS)}, or the path of a file of points (docs/profiles.md)",
+    "rail": f"Rail profile: {', '.join(RAILS)}, or the path of a file of points (docs/profiles.md)",
     "rail_inclination": "Inclination of the rail to the track centre, as 1:40 or as a slope, 0.025",
     "normal_force": "Force that presses each wheel on its rail, before load transfer; what of it is meant says --load",
     "load_transfer": "Share L of that force N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left",

@@ -21,6 +21,7 @@ from .. import ContactSystem, __version__
 from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS
 from ..profiles.files import prepared_text
+from ..profiles.remarks import remarks_in_lines
 from . import SOURCES
 from .compilers import has_zig
 from .description import MODEL, model_description
@@ -44,20 +45,21 @@ DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of P
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
-def build_fmu(output="dist", wheel=None, rail=None):
+def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
     """Pack ``WheelsetContact.fmu`` into the folder ``output`` and return its path.
 
     Parameters
     ----------
     output : folder of the FMU; made if it is not there.
     wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
+    smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
 
     Raises
     ------
     ValueError
         when a profile cannot be used; the sentence says why.
     """
-    starts, profiles = chosen_profiles(wheel_profile=wheel, rail_profile=rail)
+    starts, profiles = chosen_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
     contents = {**runtime(), **documentation(starts), **profiles, **package(starts)}
     data = archive(sealed(contents, starts))
     problems = problems_of(data)
@@ -68,13 +70,14 @@ def build_fmu(output="dist", wheel=None, rail=None):
     return target
 
 
-def chosen_profiles(**chosen):
+def chosen_profiles(smoothing=None, **chosen):
     """Start values of the profile parameters, and the entries of the profile files among them.
 
     Files go in prepared, under their own names: reading points takes scipy, which an FMU must do without.
     """
     starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
-    system = ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in starts.items()})
+    given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
+    system = ContactSystem(**given, smoothing=smoothing)
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
     files = {parameter: Path(name).name for parameter, name in starts.items() if Path(name).is_file()}
     if len(set(files.values())) < len(files):
@@ -183,6 +186,8 @@ def main(arguments=None):
     for kind in ("wheel", "rail"):
         meaning = f"{kind} profile to pack and use by default: a file of points in mm, or a built-in name"
         parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
+    parser.add_argument("--smoothing-um", metavar="NUMBER", type=float, help="how far the curve may keep from measured "
+                        "points, in the mean of squares (default: as far as their noise; 0: through every point)")
     parser.add_argument("--native", action="store_true",
                         help="pack two FMUs that need no Python instead, for FMI 2.0 and FMI 3.0")
     names = ", ".join(PLATFORMS)
@@ -192,17 +197,24 @@ def main(arguments=None):
     native, platforms = chosen.pop("native"), chosen.pop("platforms")
     if platforms and not native:
         parser.error("--platforms belongs to --native")
+    smoothing = chosen.pop("smoothing_um")
+    chosen["smoothing"] = None if smoothing is None else 1e-6 * smoothing
     if has_zig():
         print("compiling with ziglang; the first time for a platform takes up to two minutes", file=sys.stderr)
     try:
-        if native:
-            from .native import build_native_fmus
-
-            names = list(PLATFORMS) if platforms == "all" else platforms and platforms.split(",")
-            print(*build_native_fmus(**chosen, platforms=names), sep="\n")
-        else:
-            print(build_fmu(**chosen))
+        with remarks_in_lines("build_fmu.py"):
+            print(*_built(native, platforms, chosen), sep="\n")
     except (ValueError, OSError) as problem:
         print(f"build_fmu.py: {problem}", file=sys.stderr)
         return 1
     return 0
+
+
+def _built(native, platforms, chosen):
+    """Paths of the FMUs that were asked for."""
+    if not native:
+        return [build_fmu(**chosen)]
+    from .native import build_native_fmus
+
+    names = list(PLATFORMS) if platforms == "all" else platforms and platforms.split(",")
+    return build_native_fmus(**chosen, platforms=names)

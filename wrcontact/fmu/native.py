@@ -25,7 +25,7 @@ HEADERS = {2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
 DESCRIPTIONS = {2: description.model_description, 3: description3.model_description}
 
 
-def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None):
+def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None):
     """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return their paths.
 
     Parameters
@@ -34,13 +34,14 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
     platforms : names of :data:`~wrcontact.kernel.platforms.PLATFORMS`; None is this machine's.
     cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
+    smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
 
     Raises
     ------
     ValueError
         when a profile cannot be used or a compiler fails; the sentence says why.
     """
-    starts, profiles = packed_profiles(wheel_profile=wheel, rail_profile=rail)
+    starts, profiles = packed_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
         made = {version: native_fmu(version, starts, profiles, platforms, folder, cache) for version in HEADERS}
@@ -51,12 +52,12 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     return targets
 
 
-def packed_profiles(**chosen):
+def packed_profiles(smoothing=None, **chosen):
     """Start values of the profile parameters, and all profiles that can be chosen, by name."""
-    starts, _ = chosen_profiles(**chosen)
+    starts, _ = chosen_profiles(smoothing, **chosen)
     profiles = {name: standard_profile(name) for name in BUILDERS}
     given = {parameter.removesuffix("_profile"): name for parameter, name in chosen.items() if name is not None}
-    system = ContactSystem(**given)
+    system = ContactSystem(**given, smoothing=smoothing)
     own = {"wheel_profile": system.wheel, "rail_profile": system.rail}
     return starts, {**profiles, **{name: own[parameter] for parameter, name in starts.items()}}
 

@@ -2,5 +2,6 @@
 
 from .catalogue import RAILS, WHEELS, standard_profile
 from .profile import Profile
+from .remarks import ProfileWarning
 
-__all__ = ["Profile", "RAILS", "WHEELS", "standard_profile"]
+__all__ = ["Profile", "ProfileWarning", "RAILS", "WHEELS", "standard_profile"]

@@ -1,31 +1,41 @@
 """Profiles from files and by name; the only place that opens a profile file.
 
-A points file is text with two columns, y and z in millimetres (comma, semicolon or white space between them; lines that
-are not numbers are skipped), in the project's frames.  It is read as a cubic spline through its points, so it must be
-smooth: noise becomes curvature.  A prepared file (.json) holds the pieces themselves and needs nothing but numpy; an
-FMU carries its profiles that way.
+A file of points is text in one of the formats of formats.py.  Its points are put right where that is certain enough
+(repair.py), smoothed where they are noisy (smoothing.py), and read as a smooth curve; a :class:`ProfileWarning` says what
+was done.  A prepared file (.json) holds the pieces themselves and needs nothing but numpy; an FMU carries its profiles
+that way.
 """
 
 import json
+import math
 import os
-import re
 
 import numpy as np
 
+from ..conventions import MILLIMETRE as MM
 from .catalogue import BUILDERS, RAILS, WHEELS, standard_profile
+from .formats import read_points
 from .profile import Profile
+from .remarks import Refusal, remark
+from .repair import LEAST_POINTS, WIDTHS, mend
+from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
-LEAST_POINTS = 10
-#: A profile's width in millimetres; a file in metres or inches falls outside.
-WIDTHS = (20.0, 200.0)
+#: A larger file is no profile [bytes].
+LARGEST_FILE = 4_000_000
+#: Permitted smoothing [m].
+SMOOTHING = (0.0, 0.5e-3)
+#: Points of a rail as high as this are as high as its highest [mm].
+LEVEL = 1e-9
 
 
-def find_profile(source, kind):
+def find_profile(source, kind, smoothing=None):
     """The profile meant by ``source``: a :class:`Profile`, a standard name, or the path of a file.
 
-    ``kind`` is "wheel" or "rail".  ValueError in one sentence where it is none of these.
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] as for :func:`read_profile`.  ValueError in one sentence where it is
+    none of these.
     """
+    _checked_smoothing(smoothing)
     if isinstance(source, Profile):
         if source.kind != kind:
             raise ValueError(f"{kind} is a {source.kind} profile ({source.name}); permitted are {kind} profiles")
@@ -34,20 +44,92 @@ def find_profile(source, kind):
     if isinstance(source, str) and source in names:
         return standard_profile(source)
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
-        return read_profile(source, kind)
+        return read_profile(source, kind, smoothing)
     other = " (that is the name of the other kind)" if source in BUILDERS else ""
     raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a profile file, "
                      f"or a Profile")
 
 
-def read_profile(path, kind):
-    """The profile in the file at ``path``; ValueError in one sentence where it cannot be one."""
-    name = os.path.splitext(os.path.basename(path))[0]
-    with open(path, encoding="utf-8", errors="replace") as file:
-        text = file.read()
-    if text.lstrip().startswith("{"):
-        return _prepared(json.loads(text), path, kind)
-    return profile_from_points(*_columns(text, path), name=name, kind=kind)
+def read_profile(path, kind, smoothing=None):
+    """The profile in the file at ``path``; ValueError in one sentence where it cannot be one.
+
+    Parameters
+    ----------
+    path : file of points in a format of formats.py, or a prepared file.
+    kind : "wheel" or "rail".
+    smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points; 0 is through every
+        point; None is the noise that the points show, and nothing where that is below 0.01 um.
+    """
+    tolerance = _checked_smoothing(smoothing)
+    try:
+        text = _text(path)
+        if text.lstrip().startswith("{"):
+            return _prepared(text, kind)
+        name, extension = os.path.splitext(os.path.basename(path))
+        points = read_points(text, extension.lower(), kind)
+        remarks = [*points.remarks]
+        profile = _smooth_profile(mend(points, kind, remarks), name, kind, tolerance, remarks)
+    except Refusal as problem:
+        raise ValueError(f"{kind} profile {os.fspath(path)} {problem}") from None
+    remark(kind, os.path.basename(path), remarks)
+    return profile
+
+
+def _checked_smoothing(smoothing):
+    """The tolerance in mm, None where the noise decides."""
+    if smoothing is None:
+        return None
+    try:
+        value = float(smoothing)
+    except (TypeError, ValueError):
+        value = math.nan
+    if not SMOOTHING[0] <= value <= SMOOTHING[1]:
+        raise ValueError(f"smoothing is {smoothing!r}; permitted is {SMOOTHING[0]:g} ... {SMOOTHING[1]:g} m")
+    return value / MM
+
+
+def _text(path):
+    """The text of a file in UTF-8, UTF-16 or Latin-1, whatever its line ends."""
+    with open(path, "rb") as file:
+        content = file.read(LARGEST_FILE + 1)
+    if len(content) > LARGEST_FILE:
+        raise Refusal(f"has more than {LARGEST_FILE / 1e6:g} MB; permitted are files of at most that")
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return content.decode("utf-16", errors="replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")
+
+
+def _smooth_profile(found, name, kind, tolerance, remarks):
+    """The profile through ``found`` points; smoothed where ``tolerance`` [mm] or their noise asks for it."""
+    if found.noise > SMOOTHING[1] / MM:
+        raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
+    asked = tolerance is not None
+    tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
+    try:
+        return _curve_through(found, name, kind, tolerance, asked, remarks)
+    except Refusal:
+        raise
+    except ValueError as problem:
+        raise Refusal(f"has points that no smooth curve goes through ({problem})") from None
+
+
+def _curve_through(found, name, kind, tolerance, asked, remarks):
+    """The profile through or, to ``tolerance`` [mm], along ``found`` points."""
+    if tolerance == 0.0 and np.all(np.diff(found.y) > 0.0):
+        return profile_from_points(found.y, found.z, name=name, kind=kind)
+    curve = Curve(found.y, found.z, found.weight, tolerance)
+    if tolerance > 0.0:
+        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed away"
+        remarks.append(f"{done}, points moved by up to {1e3 * curve.moved:.3g} um")
+    top = curve.highest() if kind == "rail" else curve.nearest(0.0)
+    zones, smooth = pieces_of(curve, top, walls=kind == "rail")
+    if zones[-1].stop - zones[0].start < WIDTHS[0]:
+        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted are "
+                         f"{WIDTHS[0]:g} mm or more between")
+    return Profile(name, kind, zones, smooth)
 
 
 def profile_from_points(y, z, *, name, kind):
@@ -78,14 +160,22 @@ def profile_from_points(y, z, *, name, kind):
                          f"{WIDTHS[1]:g} mm")
     spline = CubicSpline(y, z)
     if kind == "rail":
-        extrema = spline.derivative().roots(extrapolate=False)
-        tops = np.concatenate([extrema, y[[0, -1]]])
-        top = tops[np.argmin(spline(tops))]
+        top = _top(spline)
         y, z = y - top, z - spline(top)
         spline = CubicSpline(y, z)
     zones = tuple(Polynomial(float(low), float(high), tuple(map(float, piece[::-1])), float(low))
                   for low, high, piece in zip(y[:-1], y[1:], spline.c.T))
     return Profile(name, kind, zones)
+
+
+def _top(spline):
+    """Where ``spline`` is highest, its z smallest; the middle of what is level there."""
+    extrema = spline.derivative().roots(extrapolate=False)
+    tops = np.concatenate([extrema[np.isfinite(extrema)], spline.x[[0, -1]]])
+    heights = spline(tops)
+    level = tops[heights <= heights.min() + LEVEL]
+    middle = 0.5 * (level.min() + level.max())
+    return middle if spline(middle) <= heights.min() + LEVEL else tops[np.argmin(heights)]
 
 
 def prepared_text(profile):
@@ -94,32 +184,25 @@ def prepared_text(profile):
     return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1)
 
 
-def _prepared(content, path, kind):
+def _prepared(text, kind):
+    """The profile in the text of a prepared file."""
     try:
-        families = {"arc": Arc, "polynomial": Polynomial}
-        zones = tuple(_zone(families, dict(entry)) for entry in content["zones"])
-        profile = Profile(content["name"], content["kind"], zones, content["smooth"])
-    except (KeyError, TypeError) as error:
-        raise ValueError(f"{path} is not a prepared profile ({error!r})") from error
+        content = json.loads(text)
+        zones = tuple(_zone(dict(entry)) for entry in content["zones"])
+        profile = Profile(str(content["name"]), content["kind"], zones, bool(content["smooth"]))
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as error:
+        raise Refusal(f"is not a prepared profile ({type(error).__name__}: {error})") from None
     return find_profile(profile, kind)
 
 
-def _zone(families, entry):
-    family = families[entry.pop("family")]
+def _zone(entry):
+    family = {"arc": Arc, "polynomial": Polynomial}[entry.pop("family")]
+    numbers = [value for value in entry.values() if not isinstance(value, list)] + entry.get("coefficients", [])
+    if not all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers):
+        raise ValueError("a zone has values that are no finite numbers")
     if "coefficients" in entry:
         entry["coefficients"] = tuple(entry["coefficients"])
-    return family(**entry)
-
-
-def _columns(text, path):
-    """The two columns of numbers in ``text``."""
-    rows = []
-    for line in text.splitlines():
-        parts = [part for part in re.split(r"[\s,;]+", line.strip()) if part]
-        try:
-            rows.append((float(parts[0]), float(parts[1])))
-        except (ValueError, IndexError):
-            continue
-    if not rows:
-        raise ValueError(f"{path} holds no lines of two numbers; permitted are text files with y and z in mm")
-    return np.array(rows).T
+    zone = family(**entry)
+    if not zone.start < zone.stop:
+        raise ValueError(f"a zone goes from y = {zone.start} to {zone.stop} mm")
+    return zone

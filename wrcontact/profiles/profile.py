@@ -63,6 +63,28 @@ class Profile:
                              f"permitted is {JOINT_SLOPE}")
         return Joint(after.start * MM, step * MM, slope, bend / MM)
 
+    @classmethod
+    def from_file(cls, path, kind, smoothing=None):
+        """The profile in a file of points or a prepared file (docs/profiles.md).
+
+        Parameters
+        ----------
+        path : text columns in mm, Simpack's .prw or .prr, MiniProf's .whl or .ban, or a prepared .json.
+        kind : "wheel" or "rail".
+        smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points, 0 ... 0.5e-3;
+            0 is none; None is the noise that the points show.
+
+        Raises
+        ------
+        ValueError
+            when it cannot be used; what could be put right is told by a :class:`~wrcontact.ProfileWarning`.
+        """
+        from .files import read_profile
+
+        if kind not in ("wheel", "rail"):
+            raise ValueError(f"kind is {kind!r}, permitted are 'wheel' and 'rail'")
+        return read_profile(path, kind, smoothing)
+
     @property
     def start(self):
         """Smallest y of the profile [m]."""

@@ -1,0 +1,403 @@
+"""Measured points put right: what is repaired is said, what cannot be is refused.
+
+The recipe is :func:`mend`; every step takes points and gives points, and adds to ``remarks`` what it did, to how many
+points, where and by how much.  A Refusal lacks the file's name, which files.py puts in front.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .remarks import Refusal, counted, stretch
+from .smoothing import LEAST_NOISE, in_chords, noise_of, pseudo_inverse
+
+LEAST_POINTS = 10
+#: A profile's width in millimetres.
+WIDTHS = (20.0, 200.0)
+#: Its height at most [mm]; whole sections of rails have up to 190.
+HIGHEST = 300.0
+#: Its width at most once its back, neck or foot is left off [mm].
+WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
+#: Width of a rail's head on either side of its highest point at least [mm].
+SHOULDER = 10.0
+#: A profile turns back where its y does by this [mm]; noise does not.
+TURN = 0.5
+#: Within this [mm] the side of a rail's head is a wall, which goes on down to where the gauge is measured.
+UPRIGHT = 0.2
+#: Factors to millimetres, with the widths in the file's unit that are taken for it.  Centimetres and inches overlap, but not
+#: where the profile is as wide as wheels (90 ... 160 mm) or rails (48 ... 90 mm) are.
+UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
+         "inches": (25.4, {"wheel": (3.55, 6.3), "rail": (1.9, 3.5)}),
+         "centimetres": (10.0, {"wheel": (9.0, 16.0), "rail": (4.8, 9.0)}),
+         "micrometres": (1e-3, {"wheel": (2e4, 2e5), "rail": (2e4, 2e5)})}
+#: A point this many widths away is no measurement (-9999).
+FAR = 5.0
+#: Points nearer than this to each other are one [mm].
+SAME = 1e-6
+#: Points at the same y are averaged where their z differ by less than this share of the median spacing.
+NEAR = 0.25
+#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are
+#: this close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
+OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
+#: ... and so many times more than its neighbours are themselves off the curve that they agree on; 7 times is a kink.
+AGREED = 8.0
+#: Outliers are taken in passes, one from each neighbourhood.
+MOST_PASSES = 50
+#: Neighbours on either side that say it, and the longest run of outliers.
+SIDE, LONGEST_RUN = 5, 3
+#: So many points at either end have no neighbours to judge them by.
+ENDS = 2
+#: Neighbours that may be outliers themselves and are not heard.
+TRIMMED = 2
+#: Largest share of outliers.
+MOST_OUTLIERS = 0.1
+#: A gap is as long as this [mm] and this many spacings; over longer ones than WIDEST_GAP [mm] nothing is known.
+GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
+#: A gap whose ends both point along it within this [rad] is a straight stretch, not a gap.
+STRAIGHT = 0.02
+#: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
+KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
+#: What turns by more is no profile [rad].
+SPIKE = math.radians(90.0)
+#: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from
+#: the flange's back [mm].
+TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
+#: A profile that comes up again by this behind the tip reaches round to the back of the flange [mm].
+ROUND_BACK = 3.0
+#: How far the running circle's z may be from zero: wear, not another origin [mm].
+OFFSET = 10.0
+
+
+@dataclass(frozen=True)
+class Mended:
+    """Points (n,) in order of the curve, y rising on the whole, z down [mm], their ``weight`` and ``noise`` [mm]."""
+
+    y: np.ndarray
+    z: np.ndarray
+    weight: np.ndarray
+    noise: float = 0.0
+
+    def only(self, which):
+        """The points that ``which``, a mask or indices, picks."""
+        return replace(self, y=self.y[which], z=self.z[which], weight=self.weight[which])
+
+
+def mend(points, kind, remarks):
+    """The :class:`Mended` points of a file's ``points``."""
+    found = Mended(points.y, points.z, points.weight)
+    found = without_nothing(found, points.lines, remarks)
+    found = in_millimetres(found, kind, remarks)
+    found = in_order(found, remarks)
+    found = without_repetition(found, remarks)
+    found = upright(found, kind, points.free, remarks)
+    if kind == "wheel":
+        found = at_running_circle(found, points.free, remarks)
+    found = outward(found, kind)
+    found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks)
+    found = outward(found, kind)
+    noise, certainty = noise_of(found.y, found.z)
+    found = replace(found, noise=noise, weight=found.weight * (certainty if noise > LEAST_NOISE else 1.0))
+    check_gaps(found, remarks)
+    return rounded(found, remarks) if found.noise <= LEAST_NOISE else found
+
+
+def without_nothing(found, lines, remarks):
+    """Without points that are no numbers, and without such as stand for none (-9999)."""
+    finite = np.isfinite(found.y) & np.isfinite(found.z)
+    if not finite.any():
+        raise Refusal("has only points that are not finite numbers; permitted are numbers in mm")
+    if not finite.all():
+        where = ", ".join(map(str, lines[~finite][:3])) + (", ..." if np.sum(~finite) > 3 else "")
+        remarks.append(f"{counted(np.sum(~finite), 'point')} without finite numbers left out (line {where})")
+    found = found.only(finite)
+    with np.errstate(over="ignore"):
+        width = max(_span(part) for part in (found.y, found.z))
+        far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)], axis=0) > FAR * max(width, 1e-12)
+    if far.any():
+        remarks.append(f"{counted(far.sum(), 'point')} far off the others left out (y = {found.y[far][0]:.4g}, "
+                       f"z = {found.z[far][0]:.4g} first)")
+    return found.only(~far)
+
+
+def _span(values):
+    """Width of the middle nine tenths of ``values``."""
+    return np.subtract(*np.percentile(values, [95, 5]))
+
+
+def in_millimetres(found, kind, remarks):
+    """The points in millimetres, as their width tells."""
+    if len(found.y) < LEAST_POINTS:
+        raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
+    width, factor = found.y.max() - found.y.min(), 1.0
+    if not WIDTHS[0] <= width <= WIDTHS[1]:
+        unit = next((unit for unit, (_, widths) in UNITS.items() if widths[kind][0] <= width <= widths[kind][1]), None)
+        if unit is None:
+            raise Refusal(f"is {width:g} mm wide; permitted are {WIDTHS[0]:g} ... {WIDTHS[1]:g} mm")
+        remarks.append(f"taken for {unit}, since it is {width:.4g} wide, and turned into mm")
+        factor = UNITS[unit][0]
+    if not factor * _span(found.z) <= HIGHEST:
+        raise Refusal(f"is {factor * _span(found.z):g} mm high; permitted are {HIGHEST:g} mm or less")
+    return replace(found, y=factor * found.y, z=factor * found.z)
+
+
+def in_order(found, remarks):
+    """The points in the file's order or in that of y, whichever way is shorter, from the smallest y on."""
+    if found.y[0] > found.y[-1]:
+        found = found.only(slice(None, None, -1))
+    order = np.argsort(found.y, kind="stable")
+    ways = [np.sum(np.hypot(np.diff(found.y[k]), np.diff(found.z[k]))) for k in (slice(None), order)]
+    if ways[1] >= ways[0] * (1 - 1e-12):
+        return found
+    moved = order != np.arange(len(order))
+    remarks.append(f"{counted(moved.sum(), 'point')} put in the order of y ({stretch(found.y[moved])})")
+    return found.only(order)
+
+
+def without_repetition(found, remarks):
+    """Points that are there twice once, and the mean of such as have the same y and nearly the same z."""
+    chord = np.hypot(np.diff(found.y), np.diff(found.z))
+    again = np.concatenate([[False], chord < SAME])
+    if again.any():
+        remarks.append(f"{counted(again.sum(), 'repeated point')} left out ({stretch(found.y[again])})")
+        found, chord = found.only(~again), chord[~again[1:]]
+    steps = np.abs(np.diff(found.y))
+    near = NEAR * np.median(steps[steps > SAME]) if np.any(steps > SAME) else 0.0
+    beside = (np.abs(np.diff(found.y)) < SAME) & (np.abs(np.diff(found.z)) < max(near, SAME))
+    if beside.any():
+        first = np.flatnonzero(np.concatenate([[True], ~beside]))
+        count = np.diff(np.append(first, len(found.y)))
+        y, z, weight = (np.add.reduceat(part, first) / count for part in (found.y, found.z, found.weight))
+        spread = np.max(np.abs(np.diff(found.z))[beside])
+        remarks.append(f"{counted(beside.sum(), 'point')} at the same y as others averaged ({stretch(found.y[1:][beside])}, "
+                       f"z up to {1e3 * spread:.3g} um apart)")
+        found = Mended(y, z, weight)
+    if len(found.y) < LEAST_POINTS:
+        raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
+    return found
+
+
+def upright(found, kind, free, remarks):
+    """z down, and a wheel's flange at negative y."""
+    y, z = _evenly(found)
+    low, middle, high = np.percentile(z, [2, 50, 98])
+    if middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle:
+        found, z, middle, high = replace(found, z=-found.z), -z, -middle, -low
+        if not free:
+            remarks.append("z pointed up and is turned down")
+    if kind == "wheel" and np.mean(y[z >= 0.4 * middle + 0.6 * high]) > 0.5 * (y[0] + y[-1]):
+        found = replace(found, y=-found.y).only(slice(None, None, -1))
+        if not free:
+            remarks.append("the flange was at the larger y; mirrored")
+    return found
+
+
+def _evenly(found):
+    """y and z (n,) at even steps across the profile, however densely its parts are measured."""
+    order = np.argsort(found.y, kind="stable")
+    y = np.linspace(found.y.min(), found.y.max(), 401)
+    return y, np.interp(y, found.y[order], found.z[order])
+
+
+def at_running_circle(found, free, remarks):
+    """The wheel with y = 0 at its running circle, and z there within OFFSET of zero."""
+    y, z = _evenly(found)
+    deepest = np.percentile(z, 99)
+    tip = np.median(y[z >= deepest])
+    if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
+        if deepest - z[0] < ROUND_BACK:
+            raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted are "
+                          f"{TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that reach round to the back "
+                          f"of the flange")
+        shift = -BACK - y[0]
+        if not free:
+            remarks.append(f"the running circle is taken to be {BACK:g} mm from the back of the flange, so y moved by "
+                           f"{shift:.4g} mm")
+        found, y = replace(found, y=found.y + shift), y + shift
+    middle = np.interp(0.0, y, z)
+    height = deepest - middle
+    if not FLANGE[0] <= height <= FLANGE[1]:
+        raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; permitted are "
+                      f"{FLANGE[0]:g} ... {FLANGE[1]:g} mm")
+    if z[-1] - middle > FLANGE[0]:
+        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a rail's head has; "
+                      f"permitted are {FLANGE[0]:g} mm or less")
+    if abs(middle) > OFFSET or free:
+        if not free:
+            remarks.append(f"z was {middle:.4g} mm at the running circle and is moved to 0")
+        found = replace(found, z=found.z - middle)
+    return found
+
+
+def outward(found, kind):
+    """The points from the middle outwards as far as y goes; beyond is the back of a flange or the neck of a rail."""
+    middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
+    stop = middle + _farthest(found.y[middle:], kind)
+    start = middle - _farthest(-found.y[middle::-1], kind)
+    found = found.only(slice(start, stop + 1))
+    width = found.y[-1] - found.y[0]
+    if not WIDTHS[0] <= width <= WIDEST[kind]:
+        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... {WIDEST[kind]:g} mm "
+                      f"for a {kind}")
+    top = found.y[np.argmin(found.z)]
+    if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
+        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and {found.y[-1]:.4g} mm; "
+                      f"permitted are heads with {SHOULDER:g} mm or more on either side")
+    if len(found.y) < LEAST_POINTS:
+        raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
+    return found
+
+
+def _farthest(y, kind):
+    """Index of the largest of ``y`` before it falls by TURN, for longer than outliers do; the foot of a rail's wall."""
+    padded = np.pad(y, LONGEST_RUN, mode="edge")
+    calm = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_RUN + 1), axis=1)
+    turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)
+    ahead = y[:turned[0]] if len(turned) else y
+    if kind == "rail":
+        return int(np.flatnonzero(ahead >= ahead.max() - UPRIGHT)[-1])
+    return int(np.flatnonzero(ahead >= ahead.max() - SAME)[0])
+
+
+def without_outliers(found, remarks):
+    """Without single points, and runs of up to three, that are off the curve which their neighbours agree on."""
+    count, most, taken = len(found.y), 0.0, []
+    for _ in range(MOST_PASSES):
+        index, length, height = _runs_off(found)
+        if not len(index):
+            break
+        most = max(most, height.max())
+        gone = np.unique(np.concatenate([np.arange(i, i + n) for i, n in zip(index, length)]))
+        taken += found.y[gone].tolist()
+        if len(taken) > MOST_OUTLIERS * count:
+            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at most "
+                          f"{MOST_OUTLIERS:.0%}")
+        found = found.only(np.delete(np.arange(len(found.y)), gone))
+    if taken:
+        remarks.append(f"{counted(len(taken), 'outlier')} of up to {most:.3g} mm left out ({stretch(taken)})")
+    return found
+
+
+def _runs_off(found):
+    """Runs of outliers that do not disturb each other: first indices, lengths, and how far they are off [mm]."""
+    runs = [_run_errors(found.y, found.z, length) for length in range(1, LONGEST_RUN + 1)]
+    index = np.concatenate([np.arange(len(error)) for error, _ in runs])
+    length = np.repeat(np.arange(1, LONGEST_RUN + 1), [len(error) for error, _ in runs])
+    error, quarrel = (np.concatenate(part) for part in zip(*runs))
+    spacing = np.median(np.hypot(np.diff(found.y), np.diff(found.z)))
+    least = LEAST_OUTLIER * max(1.0, spacing / CLOSE) ** 2
+    between = (index >= ENDS) & (index + length <= len(found.y) - ENDS)
+    off = between & (error > max(OUTLIER * found.noise, least)) & (error > AGREED * quarrel)
+    order = np.flatnonzero(off)[np.argsort(-(error / length)[off], kind="stable")]
+    free, picked = np.ones(len(found.y), dtype=bool), []
+    for k in order:
+        around = slice(max(index[k] - SIDE, 0), index[k] + length[k] + SIDE)
+        if free[around].all():
+            free[around] = False
+            picked.append(k)
+    return index[picked], length[picked], error[picked]
+
+
+def _run_errors(y, z, length):
+    """For every run of ``length`` points: how far its nearest one is off the cubic through its neighbours, and how far these
+    are off it themselves, both [mm] and over their expectation for noise."""
+    near = 2 * SIDE
+    if len(y) < near + length:
+        return np.zeros(0), np.zeros(0)
+    start = np.arange(len(y) - length + 1)
+    left = np.clip(start - SIDE, 0, len(y) - near - length)
+    others = left[:, None] + np.arange(near)
+    others += length * (others >= start[:, None])
+    run = start[:, None] + np.arange(length)
+    along, across = in_chords(y[others], z[others], y[run], z[run])
+    powers = (along / np.abs(along).max(axis=1, keepdims=True))[:, :, None] ** np.arange(4)
+    heard = np.ones((len(start), near, 1))
+    for _ in range(TRIMMED + 1):
+        solved = pseudo_inverse(powers[:, :near] * heard)
+        misses = across - np.einsum("ijk,ikl,il->ij", powers, solved, across[:, :near] * heard[:, :, 0])
+        quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1) / (heard.sum(axis=(1, 2)) - 4))
+        heard[np.arange(len(start)), np.argmax(np.abs(misses[:, :near]) * heard[:, :, 0], axis=1)] = 0.0
+    lever = np.sum(np.einsum("ijk,ikl->ijl", powers[:, near:], solved) ** 2, axis=2)
+    return np.min(np.abs(misses[:, near:]) / np.sqrt(1.0 + lever), axis=1), quarrel
+
+
+def check_gaps(found, remarks):
+    """Say which gaps are bridged; ValueError where one is too wide and not a straight stretch."""
+    y, z = found.y, found.z
+    chord = np.hypot(np.diff(y), np.diff(z))
+    for i in np.flatnonzero((chord > GAP) & (chord > SPACINGS * np.median(chord))):
+        low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
+        here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
+        turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
+        if all(abs(turn) <= STRAIGHT for turn in turns):
+            continue
+        if chord[i] > WIDEST_GAP:
+            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of {chord[i]:.3g} mm; "
+                          f"permitted are {WIDEST_GAP:g} mm or a straight stretch")
+        remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i:i + 2])})")
+
+
+def rounded(found, remarks):
+    """The points with arcs in place of kinks, which have no curvature to press on."""
+    y, z = found.y, found.z
+    heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
+    turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
+    if turned.max() > SPIKE:
+        worst = int(np.argmax(turned))
+        raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike or a fold; "
+                      f"permitted are {math.degrees(SPIKE):.3g} deg")
+    places = _kinks(y, z)
+    if not places:
+        return found
+    if len(places) > MOST_KINKS:
+        raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at most {MOST_KINKS}")
+    spots = np.array([_corner(y, z, index, width) for index, width, _ in places])
+    points, deepest = list(zip(y, z)), 0.0
+    for (index, width, _), spot in zip(places, spots):
+        others = np.hypot(*(spots - spot).T)
+        reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf), 0.9 * math.dist(spot, (y[0], z[0])),
+                    0.9 * math.dist(spot, (y[-1], z[-1])))
+        beyond = max(index - 2, 0), min(index + width + 1, len(y) - 1)
+        arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in beyond]
+        share = np.linspace(0.0, 1.0, 9)[:, None]
+        bow = (1 - share) ** 2 * arms[0] + 2 * share * (1 - share) * spot + share**2 * arms[1]
+        deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
+        points = [p for p in points if math.dist(p, spot) > 1.05 * reach] + [tuple(p) for p in bow]
+        points.sort()
+    sharpest = math.degrees(max(abs(turn) for *_, turn in places))
+    remarks.append(f"{counted(len(places), 'kink')} of up to {sharpest:.3g} deg rounded over {ROUNDED:g} mm "
+                   f"({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
+    table = np.array(points)
+    return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
+
+
+def _kinks(y, z):
+    """Where the chords turn suddenly: index of a point, there (1) or from there to the next (2), and by how much [rad]."""
+    chord = np.hypot(np.diff(y), np.diff(z))
+    turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
+    length = 0.5 * (chord[1:] + chord[:-1])
+    sizes = [np.pad(size, 3) for size in (np.abs(turn), np.abs(turn) / length)]
+    count, found = len(turn), []
+    for width in (1, 2):
+        total, reach = (np.convolve(part, np.ones(width))[width - 1:count] for part in (turn, length))
+        beside = [np.max([size[k:k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0) for size in sizes]
+        sudden = np.flatnonzero((np.abs(total) > KINK) & (np.abs(total) > TIMES * width * beside[0])
+                                & (np.abs(total) > TIMES * reach * beside[1]))
+        found += [(int(i) + 1, width, float(total[i])) for i in sudden
+                  if not any(i < k + more and k < i + 1 + width for k, more, _ in found)]
+    return sorted(found)
+
+
+def _corner(y, z, index, width):
+    """The kink itself (y, z): the point there, or where the chords before and after two points meet."""
+    if width == 1:
+        return np.array([y[index], z[index]])
+    ahead, back = (np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1)))
+    start, stop = np.array([y[index], z[index]]), np.array([y[index + 1], z[index + 1]])
+    cross = ahead[0] * back[1] - ahead[1] * back[0]
+    return start + ahead * (((stop - start)[0] * back[1] - (stop - start)[1] * back[0]) / cross)
+
+
+def _towards(start, end, length):
+    """The point ``length`` from ``start`` on the way to ``end``."""
+    return start + (end - start) * (length / np.hypot(*(end - start)))

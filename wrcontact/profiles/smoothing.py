@@ -1,0 +1,243 @@
+"""Measured points to a smooth curve: how noisy they are, a smoothing spline over their arc length, and its pieces in y.
+
+The spline is FITPACK's of degree 5 over arc length, so that a flange or a gauge face may be as steep as it likes.  It takes
+as few knots as keep the points within the tolerance: sum of squared distances <= (n + 3 sqrt(2 n)) tolerance^2.  Few knots
+on the tread and many in the root make its curvature usable: with 1 to 10 um of noise every 0.2 mm it is off by 0.1 to
+0.5 1/m on S1002's tread, where a spline of one stiffness everywhere is off by 1 to 2 1/m.
+"""
+
+import math
+import warnings
+
+import numpy as np
+
+from .remarks import Refusal
+from .zones import Polynomial
+
+#: Points with less noise than this are left as they are [mm]; rounding to four decimals is three times as much.
+LEAST_NOISE = 1e-5
+#: Noise is what polynomials leave of stretches: points, degree, step from one stretch to the next, and the median of chi
+#: squared with points - degree - 1 degrees of freedom.  Where points are far apart the long stretch leaves the profile's own
+#: joints too; the short one counts where it leaves less than half the variance, and points are SPARSE times the noise apart.
+STRETCHES = ((11, 5, 2, 4.3515), (5, 3, 1, 0.4549))
+SPARSE = 20.0
+#: Against points that repeat each other; it changes a fit by this share.
+RIDGE = 1e-12
+#: Squared cosine of the angle of what is called flat and steep.
+FLAT, STEEP = 0.75, 0.5
+#: Fewest flat or steep stretches from which their noise is taken.
+FEWEST = 6
+#: Points are averaged over this many times the noise before their directions are taken.
+AVERAGED = 10.0
+#: Longest and shortest piece along the curve [mm].
+PIECE, SHORTEST_PIECE = 0.5, 0.01
+#: A wall is a function of y no more beyond this slope; a rail's goes on in straight pieces, that of a wheel ends there.
+WALL = math.tan(math.radians(88.0))
+#: How far below the top of a rail or the running circle a wall may begin, and where on a wheel's field side [mm].
+WALL_DEPTH, FIELD_SIDE = 5.0, 25.0
+#: Least advance of a wall's straight pieces in y, over their length; 20 mm of vertical gauge face move by 0.02 mm.
+LEAN = 1e-3
+#: Least width of a piece in y [mm].
+NARROWEST = 1e-6
+
+
+def noise_of(y, z):
+    """Standard deviation of the points (n,) across their curve where that is flat [mm], and how many times smaller it is at
+    each point (n,).
+
+    It is the median over stretches of what a polynomial leaves there, for flat and steep stretches apart: noise in z alone
+    is less across a flank.
+    """
+    if len(y) < 2 * STRETCHES[0][0]:
+        return 0.0, np.ones(len(y))
+    (flat, steep), short = (_variances(y, z, *stretch) for stretch in STRETCHES)
+    if short[0] < 0.5 * flat and np.median(np.hypot(np.diff(y), np.diff(z))) > SPARSE * math.sqrt(flat):
+        flat, steep = short
+    angle = np.arctan2(np.gradient(z), np.gradient(y))
+    half = STRETCHES[0][0] // 2
+    level = np.convolve(np.pad(np.cos(angle) ** 2, half, mode="edge"), np.ones(2 * half + 1), mode="valid") / (2 * half + 1)
+    sideways = max(2.0 * steep - flat, 0.0)     # steep stretches are taken to be at 45 degrees
+    certainty = np.sqrt(flat / np.maximum(level * flat + (1.0 - level) * sideways, 1e-300))
+    return math.sqrt(flat), np.clip(certainty, 0.2, 5.0) if flat > 0.0 else np.ones(len(y))
+
+
+def _variances(y, z, points, degree, step, median):
+    """Variances of flat and of steep stretches [mm^2]; that of all where there are too few."""
+    starts = np.arange(0, len(y) - points + 1, step)
+    rows = [part[starts[:, None] + np.arange(points)] for part in (y, z)]
+    along, across = in_chords(*rows)
+    left = across - np.einsum("sij,sj->si", _fits(along, degree), across)
+    variance, level = np.sum(left * left, axis=1) / median, np.cos(_directions(*rows)) ** 2
+    return [np.median(variance[some] if some.sum() >= FEWEST else variance) for some in (level > FLAT, level < STEEP)]
+
+
+def _directions(y, z):
+    """Angles (m,) of the lines of least squares through rows of points (m, n) about their means [rad]."""
+    y, z = y - y.mean(axis=1, keepdims=True), z - z.mean(axis=1, keepdims=True)
+    return 0.5 * np.arctan2(2 * np.sum(y * z, axis=1), np.sum(y * y, axis=1) - np.sum(z * z, axis=1))
+
+
+def in_chords(y, z, y_more=None, z_more=None):
+    """Coordinates along and across the line of least squares through each row of ``y``, ``z`` (m, n), of these points and
+    then of those in the rows of ``y_more``, ``z_more``."""
+    angle = _directions(y, z)[:, None]
+    y_mean, z_mean = y.mean(axis=1, keepdims=True), z.mean(axis=1, keepdims=True)
+    y, z = (part if more is None else np.hstack([part, more]) for part, more in ((y, y_more), (z, z_more)))
+    y, z = y - y_mean, z - z_mean
+    return np.cos(angle) * y + np.sin(angle) * z, np.cos(angle) * z - np.sin(angle) * y
+
+
+def _fits(along, degree):
+    """The matrices (m, n, n) that fit a polynomial to values at each row of ``along`` (m, n)."""
+    scale = np.maximum(np.max(np.abs(along), axis=1, keepdims=True), 1e-300)
+    powers = (along / scale)[:, :, None] ** np.arange(degree + 1)
+    return powers @ pseudo_inverse(powers)
+
+
+def pseudo_inverse(powers):
+    """Pseudo-inverses (m, k, n) of scaled ``powers`` (m, n, k), by normal equations with RIDGE."""
+    turned = np.swapaxes(powers, 1, 2)
+    return np.linalg.solve(turned @ powers + RIDGE * np.eye(powers.shape[2]), turned)
+
+
+def arc_lengths(y, z, noise):
+    """Arc length (n,) of every point along averages over AVERAGED times the noise [mm], which noise does not stretch."""
+    chord = np.hypot(np.diff(y), np.diff(z))
+    group = max(1, min(round(AVERAGED * noise / max(np.median(chord), 1e-9)), len(y) // 8))
+    if group == 1:
+        return np.concatenate([[0.0], np.cumsum(chord)])
+    starts = np.arange(0, len(y) - group + 1, group)
+    count = np.diff(np.append(starts, len(y)))
+    y_mean, z_mean = np.add.reduceat(y, starts) / count, np.add.reduceat(z, starts) / count
+    base = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y_mean), np.diff(z_mean)))])
+    angle = np.arctan2(np.gradient(z_mean), np.gradient(y_mean))
+    own = np.repeat(np.arange(len(starts)), count)
+    return base[own] + np.cos(angle[own]) * (y - y_mean[own]) + np.sin(angle[own]) * (z - z_mean[own])
+
+
+def _most(count):
+    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of 700; a curve nearer than that follows it."""
+    return count + 3.0 * math.sqrt(2.0 * count)
+
+
+class Curve:
+    """The smoothing spline through points ``y``, ``z`` (n,) in order, to ``tolerance`` [mm] in the mean of squares.
+
+    ``weight`` (n,) multiplies a point's distance.  With a tolerance of 0 it goes through every point.
+    """
+
+    def __init__(self, y, z, weight, tolerance):
+        from scipy.interpolate import splprep
+
+        s = arc_lengths(y, z, tolerance)
+        order = np.argsort(s, kind="stable")
+        s, y, z, weight = s[order], y[order], z[order], weight[order]
+        new = np.concatenate([[True], np.diff(s) > 1e-7])
+        s, y, z, weight = s[new], y[new], z[new], weight[new]
+        if len(s) < 6:
+            raise Refusal(f"has {len(s)} points that differ; permitted are 6 or more")
+        self.s, self.origin = s, (0.0, 0.0)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # where its knots do not suffice it goes as near to the points as it can
+            self._spline, _ = splprep([y, z], u=s, w=weight, s=_most(len(s)) * tolerance**2, k=5)
+        (y_smooth, z_smooth), *_ = self(s)
+        self.moved = float(np.max(np.hypot(y_smooth - y, z_smooth - z)))
+
+    def __call__(self, s):
+        """((y, z), (y', z'), (y'', z'')) at arc lengths ``s``, from the origin."""
+        from scipy.interpolate import splev
+
+        (y, z), slope, bend = (splev(s, self._spline, der=order) for order in range(3))
+        return (y - self.origin[0], z - self.origin[1]), slope, bend
+
+    def ends_of_pieces(self):
+        """Arc lengths (n,) of its knots, SHORTEST_PIECE apart, and others so that none is longer than PIECE."""
+        knots = np.unique(np.clip(self._spline[0], self.s[0], self.s[-1]))
+        kept = [knots[0]]
+        for knot in knots[1:-1]:
+            if knot - kept[-1] >= SHORTEST_PIECE and knots[-1] - knot >= SHORTEST_PIECE:
+                kept.append(knot)
+        kept.append(knots[-1])
+        parts = [np.linspace(low, high, math.ceil((high - low) / PIECE) + 1)[:-1] for low, high in zip(kept[:-1], kept[1:])]
+        return np.append(np.concatenate(parts), knots[-1])
+
+    def nearest(self, y):
+        """The arc length where the curve is nearest to the abscissa ``y``."""
+        s = np.linspace(self.s[0], self.s[-1], 2001)
+        return s[np.argmin(np.abs(self(s)[0][0] - y))]
+
+    def highest(self):
+        """The arc length of the highest point, where z is smallest; that becomes the origin."""
+        s = np.linspace(self.s[0], self.s[-1], 2001)
+        top = s[np.argmin(self(s)[0][1])]
+        low, high = max(top - (s[1] - s[0]), s[0]), min(top + (s[1] - s[0]), s[-1])
+        while high - low > 1e-9:
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if self(middle)[1][1] < 0.0 else (low, middle)
+        self.origin = tuple(float(part) for part in self(low)[0])
+        return low
+
+
+def pieces_of(curve, top, *, walls):
+    """Quintic pieces in y of ``curve`` around the arc length ``top``, as far out as it is less steep than WALL, and whether
+    they are smooth; with ``walls`` straight pieces go on to its ends.
+
+    Raises
+    ------
+    Refusal
+        where it is steeper than that at ``top``.
+    """
+    s = curve.ends_of_pieces()
+    (y, z), (dy, dz), (ddy, ddz) = curve(s)
+    flat = (np.abs(dz) < WALL * dy) & (dy > 0)
+    middle = int(np.argmin(np.abs(s - top)))
+    if not flat[middle]:
+        raise Refusal(f"folds back or is vertical at y = {y[middle]:.4g} mm, where wheel and rail meet")
+    rising = flat[:-1] & flat[1:] & (np.diff(y) > 0.5 * np.diff(s) / math.hypot(1.0, WALL))
+    breaks = np.flatnonzero(~rising)
+    first = max(breaks[breaks < middle], default=-1) + 1
+    last = min(breaks[breaks >= middle], default=len(s) - 1)
+    slope, bend = dz / dy, (ddz * dy - dz * ddy) / dy**3
+    jets = list(zip(y, z, slope, bend))
+    zones = [_quintic(*pair) for pair in zip(jets[first:last], jets[first + 1:last + 1])]
+    for end in {first, last} - {0, len(s) - 1}:
+        if z[end] < WALL_DEPTH and (walls or y[end] < FIELD_SIDE):
+            raise Refusal(f"folds back or is vertical at y = {y[end]:.4g} mm, z = {z[end]:.3g} mm; permitted is that from z = "
+                          f"{WALL_DEPTH:g} mm on" + ("" if walls else f" and beyond y = {FIELD_SIDE:g} mm"))
+    if walls:
+        lower = _wall(-y[first::-1], z[first::-1], -slope[first])
+        upper = _wall(y[last:], z[last:], slope[last])
+        zones = [_mirrored(zone) for zone in reversed(lower)] + zones + upper
+        return tuple(zones), not (lower or upper)
+    return tuple(zones), True
+
+
+def _quintic(low, high):
+    """The piece between two points (y, z, slope, second derivative)."""
+    (y, c0, c1, twice), (stop, z, slope, bend) = low, high
+    h, c2 = stop - y, 0.5 * twice
+    rest = (z - c0 - h * (c1 + h * c2)) / h**3
+    turn = (slope - c1 - 2 * h * c2) / h**2
+    bow = (bend - 2 * c2) / h
+    terms = (c0, c1, c2, 10 * rest - 4 * turn + 0.5 * bow, (-15 * rest + 7 * turn - bow) / h,
+             (6 * rest - 3 * turn + 0.5 * bow) / h**2)
+    return Polynomial(float(y), float(stop), tuple(map(float, terms)), float(y))
+
+
+def _wall(y, z, slope):
+    """Straight pieces through points of a wall that goes outwards and down, y forced to rise by LEAN, until it turns up."""
+    zones, start, height = [], float(y[0]), float(z[0])
+    for low, high in zip(z[:-1], z[1:]):
+        if high <= low or slope < 0.0:
+            break
+        k = len(zones) + 1
+        stop = max(float(y[k]), start + LEAN * float(high - low), start + NARROWEST)
+        zones.append(Polynomial(start, stop, (height, float(high - height) / (stop - start)), start))
+        start, height = stop, float(high)
+    return zones
+
+
+def _mirrored(zone):
+    """A straight piece of a wall on the other side."""
+    height, slope = zone.coefficients
+    return Polynomial(-zone.stop, -zone.start, (height + slope * (zone.stop - zone.start), -slope), -zone.stop)
