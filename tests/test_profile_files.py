@@ -183,7 +183,7 @@ REPAIRED = {
     "not in order": (Y[HALF], Z[HALF], "wheel", r"76\d points put in the order of y", 1e-4),
     "two exchanged": (Y[np.r_[:300, 301, 300, 302:len(Y)]], Z[np.r_[:300, 301, 300, 302:len(Y)]], "wheel",
                       r"2 points put in the order of y \(y = -32", 1e-4),
-    "reversed": (Y[::-1], Z[::-1], "wheel", "", 1e-4),
+    "reversed": (Y[::-1], Z[::-1], "wheel", "the points ran from the largest y to the smallest; turned round", 1e-4),
     "repeated": (np.repeat(Y, 2), np.repeat(Z, 2), "wheel", "767 repeated points left out", 1e-4),
     "measured twice": (np.tile(Y, 2), np.concatenate([Z, Z + 2e-3]), "wheel",
                        r"put in the order of y .*at the same y as others averaged \(y = .*z up to 2 um apart\)", 3e-3),
@@ -201,6 +201,8 @@ REPAIRED = {
                                "running circle is taken to be 70 mm from the back of the flange, so y moved by -70 mm", 9.1),
     "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle and is moved to 0", 1e-4),
     "gap": (Y[EDGE], Z[EDGE], "wheel", r"gap of 4\.\d+ mm bridged \(y = -34\.\d+ \.\.\. -29\.\d+ mm\)", 0.05),
+    "straight gap": (Y[(Y < 35.0) | (Y > 50.0)], Z[(Y < 35.0) | (Y > 50.0)], "wheel",
+                     r"gap of 15\.\d+ mm bridged \(y = 34\.\d+ \.\.\. 50\.\d+ mm\)", 1e-4),
     "whole section": (np.concatenate([dense(FOOT_Y), RAIL_Y, -dense(FOOT_Y)[::-1]]),
                       np.concatenate([dense(FOOT_Z), RAIL_Z, dense(FOOT_Z)[::-1]]), "rail", "", 1e-4),
 }

@@ -54,7 +54,7 @@ TRIMMED = 2
 MOST_OUTLIERS = 0.1
 #: A gap is as long as this [mm] and this many spacings; over longer ones than WIDEST_GAP [mm] nothing is known.
 GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
-#: A gap whose ends both point along it within this [rad] is a straight stretch, not a gap.
+#: A gap whose ends both point along it within this [rad] is a straight stretch, and may be of any length.
 STRAIGHT = 0.02
 #: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
 KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
@@ -88,7 +88,7 @@ def mend(points, kind, remarks):
     found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
     found = in_millimetres(found, kind, remarks)
-    found = in_order(found, remarks)
+    found = in_order(found, points.free, remarks)
     found = without_repetition(found, remarks)
     found = upright(found, kind, points.free, remarks)
     if kind == "wheel":
@@ -141,13 +141,16 @@ def in_millimetres(found, kind, remarks):
     return replace(found, y=factor * found.y, z=factor * found.z)
 
 
-def in_order(found, remarks):
+def in_order(found, free, remarks):
     """The points in the file's order or in that of y, whichever way is shorter, from the smallest y on."""
-    if found.y[0] > found.y[-1]:
+    backwards = found.y[0] > found.y[-1]
+    if backwards:
         found = found.only(slice(None, None, -1))
     order = np.argsort(found.y, kind="stable")
     ways = [np.sum(np.hypot(np.diff(found.y[k]), np.diff(found.z[k]))) for k in (slice(None), order)]
     if ways[1] >= ways[0] * (1 - 1e-12):
+        if backwards and not free:
+            remarks.append("the points ran from the largest y to the smallest; turned round")
         return found
     moved = order != np.arange(len(order))
     remarks.append(f"{counted(moved.sum(), 'point')} put in the order of y ({stretch(found.y[moved])})")
@@ -326,15 +329,18 @@ def check_gaps(found, remarks):
     y, z = found.y, found.z
     chord = np.hypot(np.diff(y), np.diff(z))
     for i in np.flatnonzero((chord > GAP) & (chord > SPACINGS * np.median(chord))):
-        low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
-        here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
-        turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
-        if all(abs(turn) <= STRAIGHT for turn in turns):
-            continue
-        if chord[i] > WIDEST_GAP:
+        if chord[i] > WIDEST_GAP and not straight_over(y, z, i):
             raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of {chord[i]:.3g} mm; "
                           f"permitted are {WIDEST_GAP:g} mm or a straight stretch")
         remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i:i + 2])})")
+
+
+def straight_over(y, z, i):
+    """Whether the points before ``i`` and those after ``i + 1`` point along the chord between the two."""
+    low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
+    here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
+    turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
+    return all(abs(turn) <= STRAIGHT for turn in turns)
 
 
 def rounded(found, remarks):
