@@ -579,6 +579,7 @@ def test_damaged_files_are_read_or_refused(tmp_path, file):
 
 
 @pytest.mark.slow
+@pytest.mark.complete
 @settings(max_examples=3000, deadline=None, suppress_health_check=QUIET, print_blob=True)
 @given(file=damaged_files())
 def test_many_damaged_files_are_read_or_refused(tmp_path, file):
