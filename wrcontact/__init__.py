@@ -6,4 +6,15 @@ from .status import Status, explain
 from .system import ContactSystem, Stepper
 
 __version__ = "0.1.0"
-__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "explain"]
+__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check", "explain"]
+
+
+def check(system):
+    """What an engineer ought to know of the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
+
+    Where its contacts jump, how fast they move, conformal zones, quality of the profiles, equivalent conicity
+    (docs/check.md); the arguments and results are those of :func:`wrcontact.conditioning.check`.
+    """
+    from . import conditioning  # an FMU does not carry it
+
+    return conditioning.check(system)

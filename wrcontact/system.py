@@ -37,6 +37,9 @@ RANGES = {
     "tolerance": (1e-4, 0.1, "1"),
 }
 
+#: Those of track and wheelset, which with the profiles say where they can touch.
+GEOMETRY = ("rail_inclination", "gauge", "gauge_depth", "running_circle_distance", "nominal_radius")
+
 #: Numeric parameters that may be None: each method then uses its own.
 OPTIONAL = ("tolerance",)
 
@@ -145,6 +148,12 @@ class ContactSystem:
         tables = prepare_tables_of(self.wheel, self.rail, parameters=chosen, methods=methods, resolution=self.resolution)
         tables[layout.SET_STATIONS] = chosen["stations"]
         return tables
+
+    def profile_tables(self):
+        """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the wheel's table, that of the
+        right rail as it leans, and the track coordinate of the rail's highest point [m]."""
+        wheel, rail, scan = (int(self._tables[at]) for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
+        return self._tables[wheel:rail], self._tables[rail:scan], float(self._tables[layout.SET_RAIL_Y])
 
     def __reduce__(self):
         return _rebuild, (type(self), self.parameters)

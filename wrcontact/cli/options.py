@@ -13,6 +13,7 @@ import typer
 
 from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
+from ..system import GEOMETRY as GEOMETRY_NAMES
 
 #: From what people type to SI.  Division by a power of ten is exact to rounding, multiplication by 0.001 is not.
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3, "MPa": lambda value: value * 1e6}
@@ -63,6 +64,8 @@ def ratio(text):
 POSE = [v for v in VARIABLES if v.causality == INPUT and v.name != "roll_guess"]
 LOAD = [v for v in POSE if v.name != "lateral_shift"]
 SYSTEM = [v for v in VARIABLES if v.causality == PARAMETER]
+#: Profiles, track and wheelset, without materials and methods.
+GEOMETRY = [v for v in SYSTEM if (v.keyword or v.name) in ("wheel", "rail", *GEOMETRY_NAMES)]
 PANELS = {INPUT: "Pose and load", PARAMETER: "Wheelset, track, material and methods"}
 
 

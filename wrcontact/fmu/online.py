@@ -11,7 +11,7 @@ from .compilers import CompilerProblem, compile_kernel, has_zig
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "interface/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "fmu", "fmu_src", "halfspace", "true_gap"})
+OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "halfspace", "true_gap"})
 
 
 def online_files():

@@ -1,4 +1,4 @@
-"""Pictures: contacts over the lateral shift, one pose with its patches, and the run of the demo.
+"""Pictures: contacts over the lateral shift, one pose with its patches, the check of a pair, and the run of the demo.
 
 >>> import wrcontact, wrcontact.plots
 >>> system = wrcontact.ContactSystem()
@@ -6,11 +6,13 @@
 >>> wrcontact.plots.save(figure, "pose.png")                                                # doctest: +SKIP
 """
 
+from ..conditioning.jumps import find_jumps
+from .check import check_figure
 from .demo import demo_figure
-from .geometry import find_jumps
 from .patch import outline_figure
 from .pose import contact_figure, pose_figure
 from .style import save
 from .sweep import sweep, sweep_figure
 
-__all__ = ["contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure", "save", "sweep", "sweep_figure"]
+__all__ = ["check_figure", "contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure", "save", "sweep",
+           "sweep_figure"]

@@ -1,10 +1,8 @@
-"""What pictures need and a simulation does not: outlines of wheel and rail on the track, and where contacts jump."""
-
-from dataclasses import dataclass
+"""What pictures need and a simulation does not: outlines of wheel and rail on the track, and names of a wheel's parts."""
 
 import numpy as np
 
-from ..conventions import MIRROR, SIDES
+from ..conventions import MIRROR
 from ..kernel.locus import PLACE_SIZE, outline_point, place_wheelset
 from ..profiles.placement import place_rail, readable_wheel
 
@@ -12,8 +10,6 @@ from ..profiles.placement import place_rail, readable_wheel
 WHEEL_ZONES = {"flange": (-70e-3, -38.426669071e-3), "flange root": (-38.426669071e-3, -26e-3), "tread": (-26e-3, 60e-3)}
 
 POINTS = 1200  # of a drawn outline
-FAR = 0.2e-3  # [m] a larger move of the contact in one step is looked into
-RESOLUTION = 1e-9  # [m] a jump is located to this
 
 
 def wheel_outline(system, state, side):
@@ -56,43 +52,3 @@ def _turned(profile, y, angle):
 def wheel_zone(y_wheel):
     """Name of the part of the wheel S1002 at lateral position ``y_wheel`` [m]."""
     return next(name for name, (low, high) in WHEEL_ZONES.items() if low <= y_wheel <= high)
-
-
-@dataclass(frozen=True)
-class Jump:
-    """A lateral shift [m] at which the contact of one wheel leaps from one place on the wheel to another [m]."""
-
-    side: str
-    lateral_shift: float
-    before: float
-    after: float
-
-
-def find_jumps(system, lateral_shift, yaw=0.0):
-    """Jumps of both contacts between neighbouring values of ``lateral_shift`` [m], rising (n,).
-
-    Where a contact moves far in one step the step is halved until the move is plainly continuous or the jump is known
-    to a nanometre.
-    """
-    places = contact_places(system, lateral_shift, yaw)
-    return [jump for side in SIDES
-            for step in zip(lateral_shift, lateral_shift[1:], places[side], places[side][1:])
-            for jump in _jumps_inside(system, yaw, side, *map(float, step))]
-
-
-def contact_places(system, lateral_shift, yaw=0.0):
-    """Lateral positions of the contacts on the wheels [m] by side, for ``lateral_shift`` (n,); NaN without contact."""
-    table = system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw, normal_force=0.0)
-    return {side: getattr(table, side).contact.y_wheel for side in SIDES}
-
-
-def _jumps_inside(system, yaw, side, low, high, before, after):
-    """Jumps of one contact between two shifts with its places there."""
-    if not abs(after - before) > FAR:
-        return []
-    middle = 0.5 * (low + high)
-    if high - low < RESOLUTION:
-        return [Jump(side, middle, before, after)]
-    between = float(contact_places(system, [middle], yaw)[side][0])
-    return (_jumps_inside(system, yaw, side, low, middle, before, between)
-            + _jumps_inside(system, yaw, side, middle, high, between, after))

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.ticker import MultipleLocator
 
+from ..conditioning.jumps import find_jumps, merged_jumps
 from ..conventions import SIDES
-from .geometry import WHEEL_ZONES, find_jumps
+from .geometry import WHEEL_ZONES
 from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, new_figure, number, styled
 
-NEIGHBOURS = 0.05e-3  # [m] jumps closer than this are told as one
 SHOWN = (-46e-3, 24e-3)  # [m] of the wheel profile
 STEP = 0.05e-3  # [m]
 TICKS = 2  # [mm] between numbers on the shift axis
@@ -85,14 +85,7 @@ def broken_curve(swept, side):
 
 def told_jumps(swept, side):
     """(lateral shift, before, after) [m] of the jumps of one contact; close neighbours are one, at the largest of them."""
-    clusters = []
-    for jump in (jump for jump in swept.jumps if jump.side == side):
-        if clusters and jump.lateral_shift - clusters[-1][-1].lateral_shift < NEIGHBOURS:
-            clusters[-1].append(jump)
-        else:
-            clusters.append([jump])
-    return [(max(cluster, key=lambda jump: abs(jump.after - jump.before)).lateral_shift, cluster[0].before, cluster[-1].after)
-            for cluster in clusters]
+    return [(jump.lateral_shift, jump.before, jump.after) for jump in merged_jumps(swept.jumps, side)]
 
 
 def draw_jump(panel, jump, colour):

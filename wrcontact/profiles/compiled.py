@@ -58,6 +58,12 @@ def evaluate_table(table, y):
     return c0 + u * p1, p1 + u * q2, 2 * (q2 + u * (q3 + u * (q4 + u * c5)))
 
 
+def places(table, step):
+    """Abscissae (n,) over all of ``table``, ends included, at most ``step`` apart [m]."""
+    start, stop = table[layout.START], table[layout.STOP]
+    return np.linspace(start, stop, int((stop - start) / step) + 2)
+
+
 def _zone_pieces(zone, before, after):
     """Quintic pieces (start, coefficients) [mm] of one zone."""
     start, stop, pieces, tail = zone.start, zone.stop, [], []

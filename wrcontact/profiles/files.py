@@ -9,6 +9,7 @@ that way.
 import json
 import math
 import os
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from ..conventions import MILLIMETRE as MM
 from .catalogue import BUILDERS, RAILS, WHEELS, standard_profile
 from .formats import read_points
 from .profile import Profile
+from .reading import Reading
 from .remarks import Refusal, remark
 from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
@@ -109,11 +111,19 @@ def _smooth_profile(found, name, kind, tolerance, remarks):
     asked = tolerance is not None
     tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
     try:
-        return _curve_through(found, name, kind, tolerance, asked, remarks)
+        profile = _curve_through(found, name, kind, tolerance, asked, remarks)
     except Refusal:
         raise
     except ValueError as problem:
         raise Refusal(f"has points that no smooth curve goes through ({problem})") from None
+    return replace(profile, reading=_reading(found, tolerance, remarks))
+
+
+def _reading(found, tolerance, remarks):
+    """What is known of ``found`` points that were smoothed to ``tolerance`` [mm]."""
+    chords = np.hypot(np.diff(found.y), np.diff(found.z)) * MM
+    return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM, tolerance * MM,
+                   tuple(remarks))
 
 
 def _curve_through(found, name, kind, tolerance, asked, remarks):

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
+from .reading import Reading
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by rounding.
 JOINT_HEIGHT = 2e-4
@@ -29,7 +30,7 @@ class Profile:
     ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or "rail"
     (origin at the highest point of the head).  Height is positive down for both.  When it is built, a profile checks
     that its zones follow each other without a hole and meet in height and slope; ``smooth=False`` allows corners, for
-    measured profiles.
+    measured profiles.  ``reading`` is what a file of points said of itself; it changes nothing.
 
     Raises
     ------
@@ -42,6 +43,7 @@ class Profile:
     zones: tuple
     smooth: bool = True
     joints: tuple = field(init=False, compare=False)
+    reading: Reading | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self):
         if self.kind not in ("wheel", "rail"):

@@ -1,0 +1,166 @@
+"""``wrcontact check``: what was found of a pair of profiles, as text and as JSON."""
+
+import dataclasses
+import json
+import math
+
+import numpy as np
+from rich import box
+from rich.table import Table
+
+from ..conditioning.conformal import NEAR
+from ..conditioning.jumps import merged_jumps
+from ..system import GEOMETRY
+from .report import console
+
+#: Lateral shifts of the printed table [mm].
+PRINTED = (0, 1, 2, 3, 4, 5, 6, 7, 8)
+#: Of the curves in that table: heading, what it is, factor to the printed unit, digits.
+MOVES = (
+    ("roll\nmrad/mm", lambda curves: curves.roll_rate, 1.0, 3),
+    ("on wheel\nmm/mm", lambda curves: curves.right.wheel_rate, 1.0, 2),
+    ("on rail\nmm/mm", lambda curves: curves.right.rail_rate, 1.0, 2),
+    ("next jump\nmm", lambda curves: curves.jump_distance, 1e3, 2),
+    ("angle\ndeg", lambda curves: curves.right.contact_angle, math.degrees(1), 1),
+    ("curvature\n1/m", lambda curves: curves.right.curvature, 1.0, 1),
+    ("near\nmm", lambda curves: curves.right.near_width, 1e3, 1),
+)
+#: Of a profile: what, its unit, factor to that, digits, and how it is read; those of points come from a Reading.
+QUALITIES = (
+    ("readable from", "mm", 1e3, 2, lambda quality: quality.start),
+    ("to", "mm", 1e3, 2, lambda quality: quality.stop),
+    ("contacts within 8 mm of shift from", "mm", 1e3, 2, lambda quality: quality.visited[0]),
+    ("to", "mm", 1e3, 2, lambda quality: quality.visited[1]),
+    ("pieces", "", 1.0, 0, lambda quality: quality.pieces),
+    ("kinks where contacts are", "", 1.0, 0, lambda quality: len(quality.kinks)),
+    ("largest step of curvature there", "1/m", 1.0, 1, lambda quality: quality.curvature_step),
+    ("curvature off its mean over 4 mm there", "1/m", 1.0, 2, lambda quality: quality.roughness),
+)
+READINGS = (
+    ("points", "", 1.0, 0, lambda reading: reading.points),
+    ("from point to point, median", "mm", 1e3, 3, lambda reading: reading.spacing),
+    ("largest", "mm", 1e3, 3, lambda reading: reading.widest),
+    ("noise", "um", 1e6, 2, lambda reading: reading.noise),
+    ("smoothing", "um", 1e6, 2, lambda reading: reading.smoothing),
+)
+
+
+def print_check(report):
+    """All tables and sentences of a :class:`~wrcontact.conditioning.Conditioning`."""
+    out, chosen = console(), report.system.parameters
+    lean = chosen["rail_inclination"]
+    out.print(f"{report.wheel.name} on {report.rail.name}: gauge {_mm(chosen['gauge'])} mm, "
+              f"{f'inclination 1:{1 / lean:.4g}' if lean else 'rails upright'}, nominal radius {_mm(chosen['nominal_radius'])} mm, "
+              f"running circles {_mm(chosen['running_circle_distance'])} mm apart; without yaw", soft_wrap=True)
+    out.print(_range_words(report), soft_wrap=True)
+    parts = [("Profiles", profile_table(report)),
+             ("Jumps of the right contact (the left one's are the mirror image)", jump_table(report)),
+             ("Right contact over the lateral shift", move_table(report.curves)),
+             ("Equivalent conicity", conicity_table(report.conicity)),
+             ("Conformal zones of the right contact", zone_table(report))]
+    for title, table in parts:
+        out.print(f"\n{title}{'' if table.row_count else ': none'}", soft_wrap=True)
+        if table.row_count:
+            out.print(table)
+    out.print("\nWhat to know" + ("" if report.remarks else ": nothing out of the ordinary"), soft_wrap=True)
+    for remark in report.remarks:
+        out.print(f" * {remark}", soft_wrap=True)
+
+
+def _mm(value):
+    return f"{value * 1e3:.6g}"
+
+
+def _shown(value, factor, digits):
+    """A number as text; "-" where there is none."""
+    value = float(value) * factor
+    return f"{round(value, digits) + 0.0:.{digits}f}" if math.isfinite(value) else "-"
+
+
+def _range_words(report):
+    first, last = report.usable_shifts
+    if not math.isfinite(first):
+        return "no contact in the centred position"
+    flange = f"{report.flange_shift * 1e3:.2f} mm" if math.isfinite(report.flange_shift) else "nowhere"
+    return f"contact from {first * 1e3:.2f} to {last * 1e3:.2f} mm of lateral shift, on the flange (steeper than 45 deg) from: {flange}"
+
+
+def _table(*headings):
+    table = Table(box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
+    for heading in headings:
+        table.add_column(heading, justify="right", vertical="bottom", no_wrap=True)
+    return table
+
+
+def profile_table(report):
+    """Where each profile begins and ends, what its contacts visit, how rough it is there, and its points."""
+    both = (report.wheel, report.rail)
+    table = Table("", "", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
+    for quality in both:
+        table.add_column(f"{quality.kind} {quality.name}", justify="right")
+    for words, unit, factor, digits, read in QUALITIES:
+        table.add_row(words, unit, *(_shown(read(quality), factor, digits) for quality in both))
+    for words, unit, factor, digits, read in READINGS if report.wheel.reading or report.rail.reading else ():
+        table.add_row(words, unit, *(_shown(read(quality.reading), factor, digits) if quality.reading else "-" for quality in both))
+    return table
+
+
+def jump_table(report):
+    """Lateral shift, and the places on wheel and rail before and after, as the shift rises."""
+    table = _table("shift\nmm", "on wheel\nbefore", "after\nmm", "on rail\nbefore", "after\nmm")
+    for jump in merged_jumps(report.jumps, "right"):
+        table.add_row(_shown(jump.lateral_shift, 1e3, 4), *(_shown(y, 1e3, 2) for y in (jump.before, jump.after, jump.rail_before,
+                                                                                     jump.rail_after)))
+    return table
+
+
+def move_table(curves):
+    """How roll and contact follow the lateral shift."""
+    table = _table("shift\nmm", *(heading for heading, *_ in MOVES))
+    for shift in PRINTED:
+        at = int(np.argmin(np.abs(curves.lateral_shift - shift * 1e-3)))
+        if np.isfinite(curves.roll[at]):
+            table.add_row(str(shift), *(_shown(read(curves)[at], factor, digits) for _, read, factor, digits in MOVES))
+    return table
+
+
+def conicity_table(conicity):
+    """Amplitude, conicity without roll and with, and the wavelength without."""
+    table = _table("amplitude\nmm", "without\nroll", "with\nroll", "wavelength\nm")
+    for amplitude, level, rolled, wavelength in zip(conicity.amplitude, conicity.level, conicity.rolled, conicity.wavelength):
+        table.add_row(_shown(amplitude, 1e3, 0), _shown(level, 1.0, 3), _shown(rolled, 1.0, 3), _shown(wavelength, 1.0, 1))
+    return table
+
+
+def zone_table(report):
+    """Lateral shifts over which the right contact is conformal."""
+    table = _table("from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over", "turns by\ndeg")
+    for zone in report.conformal:
+        if zone.side == "right":
+            table.add_row(*(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)), *(_shown(y, 1e3, 1) for y in
+                          (zone.y_low, zone.y_high, zone.width)), _shown(zone.turn, math.degrees(1), 1))
+    return table
+
+
+# --- JSON ------------------------------------------------------------------------------------------
+
+
+def check_text(report):
+    """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI under its own names; null where there is no value."""
+    chosen = report.system.parameters
+    fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
+    system = {"wheel": report.wheel.name, "rail": report.rail.name, **{name: chosen[name] for name in GEOMETRY}}
+    return json.dumps(_plain({**fields, "system": system}), indent=1)
+
+
+def _plain(value):
+    """What JSON has of a value."""
+    if dataclasses.is_dataclass(value):
+        return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+    if isinstance(value, dict):
+        return {name: _plain(entry) for name, entry in value.items()}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    return value

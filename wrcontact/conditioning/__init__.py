@@ -1,0 +1,19 @@
+"""How well a pair of profiles is conditioned: what an engineer ought to know of it before a simulation runs on it.
+
+>>> import wrcontact
+>>> report = wrcontact.check(wrcontact.ContactSystem(rail="60E1"))
+>>> report.usable, round(report.nearest_jump * 1e3, 2), round(report.conicity.level[2], 3)      # at 3 mm
+(True, 0.21, 0.174)
+
+It asks a ContactSystem, and nothing asks it: no simulation carries it.
+"""
+
+from .conicity import Conicity, equivalent_conicity
+from .conformal import ConformalZone
+from .curves import Curves, SideCurves
+from .jumps import Jump, find_jumps
+from .quality import ProfileQuality
+from .report import Conditioning, check
+
+__all__ = ["Conditioning", "Conicity", "ConformalZone", "Curves", "Jump", "ProfileQuality", "SideCurves", "check",
+           "equivalent_conicity", "find_jumps"]

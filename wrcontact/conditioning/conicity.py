@@ -1,0 +1,158 @@
+"""Equivalent conicity after EN 15302: the cone on which a free wheelset would swing with the same wavelength.
+
+A wheelset that rolls without slip and without mass follows, over the distance x,
+
+    y'' + delta_r(y) / (e r0) = 0
+
+with delta_r the rolling radius right less left, e the distance of the running circles, r0 the nominal radius.  A cone has
+delta_r = 2 y tan(gamma), so that its wavelength L is Klingel's, and tan(gamma) = (pi / L)^2 2 e r0 is what any other pair gets
+from its own L at an amplitude.  e r0 cancels, so both are 1 here.  S(y), the integral of delta_r, is what the swing conserves:
+y'^2 / 2 + S(y) = E, and half of L is the integral of dy / sqrt(2 (E - S)) from one turning point to the other.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+#: Amplitudes of the report [m].
+AMPLITUDES = np.arange(1.0, 9.0) * 1e-3
+#: Places at which a half swing is summed up: the error falls with their square, 1e-6 of the conicity.
+PLACES = 2000
+#: Where the rolling radii differ by less [m] over a whole amplitude there is no conicity: 1 um over 1 km of track.
+LEVEL = 1e-9
+#: This near to a turning point, over the swing's width, S is as high as there to rounding.
+ROUNDING = 1e-7
+
+OFF_PROFILE = "the contact leaves the profiles"
+NO_RETURN = "the rolling radius difference does not turn the wheelset back"
+
+
+@dataclass(frozen=True)
+class Conicity:
+    """Equivalent conicity tan(gamma) at amplitudes, arrays (m,), NaN where there is no swing of that amplitude.
+
+    ``amplitude`` [m]; ``level`` without roll, both wheels on their rails at roll zero, as EN 15302 has its reference values;
+    ``rolled`` with the wheelset's roll; ``middle`` of the level swing [m]; ``wavelength`` of the level swing [m];
+    ``level_reason`` and ``rolled_reason``, "" or why there is no swing; ``nonlinearity``, change of the level conicity from 2 to
+    4 mm over these 2 mm [1/m] (Polach, Vehicle System Dynamics 48 S1 (2010) 19-36).
+    """
+
+    amplitude: np.ndarray
+    level: np.ndarray
+    rolled: np.ndarray
+    middle: np.ndarray
+    wavelength: np.ndarray
+    level_reason: tuple
+    rolled_reason: tuple
+    nonlinearity: float
+
+
+class Swing:
+    """A free wheelset on the rolling radius differences ``difference`` (n,) [m] at the lateral shifts ``shift`` (n,) [m], rising,
+    with straight lines between them."""
+
+    def __init__(self, shift, difference):
+        self.shift, self.difference = shift, difference
+        width = np.diff(shift)
+        self.steepness = np.diff(difference) / width
+        self.sums = np.concatenate([[0.0], np.cumsum(0.5 * (difference[1:] + difference[:-1]) * width)])
+
+    def energy(self, y):
+        """S at ``y`` [m], any shape [m^2]."""
+        piece = np.clip(np.searchsorted(self.shift, y, side="right") - 1, 0, len(self.shift) - 2)
+        u = y - self.shift[piece]
+        return self.sums[piece] + u * (self.difference[piece] + 0.5 * self.steepness[piece] * u)
+
+    def difference_at(self, y):
+        """The rolling radius difference at ``y`` [m]."""
+        return np.interp(y, self.shift, self.difference)
+
+    def first_turns(self, amplitude):
+        """First turning points [m] of all swings from there to 2 ``amplitude`` further: S is equal at both, less in between,
+        and the rolling radius difference leads back from both."""
+        last = self.shift[-1] - 2 * amplitude
+        ends = np.unique(np.concatenate([self.shift, self.shift - 2 * amplitude, [last]]))
+        ends = ends[(ends >= self.shift[0]) & (ends <= last)]
+
+        def rise(y):
+            return self.energy(y + 2 * amplitude) - self.energy(y)
+
+        rises = rise(ends)
+        up = np.flatnonzero((rises[:-1] < 0.0) & (rises[1:] >= 0.0))
+        turns = [brentq(rise, ends[i], ends[i + 1], xtol=1e-16, rtol=1e-15) for i in up]
+        return [turn for turn in turns if self._swings(turn, turn + 2 * amplitude)]
+
+    def _swings(self, first, last):
+        edge = ROUNDING * (last - first)
+        inside = self.sums[(self.shift > first + edge) & (self.shift < last - edge)]
+        return (self.difference_at(first) < 0.0 < self.difference_at(last)
+                and np.max(inside, initial=-math.inf) < self.energy(first))
+
+    def half_wave(self, first, last):
+        """Distance x from the turning point ``first`` to ``last``, e r0 = 1; y = middle + amplitude sin(phi) takes away the
+        singular ends."""
+        phi = math.pi * ((np.arange(PLACES) + 0.5) / PLACES - 0.5)
+        middle, amplitude = 0.5 * (first + last), 0.5 * (last - first)
+        y = middle + amplitude * np.sin(phi)
+        level = np.where(phi < 0.0, self.energy(first), self.energy(last))      # equal but for the rounding of the turn
+        speed = np.sqrt(2.0 * np.maximum(level - self.energy(y), np.finfo(float).tiny))
+        return np.sum(amplitude * np.cos(phi) / speed) * math.pi / PLACES
+
+    def conicity(self, amplitude):
+        """tan(gamma) [1], the middle of the swing [m], and "" or why there is none; of several swings that nearest the track's
+        middle."""
+        turns = self.first_turns(amplitude) if self.shift[-1] - self.shift[0] > 2 * amplitude else []
+        if turns:
+            first = min(turns, key=lambda turn: abs(turn + amplitude))
+            return 0.5 * (math.pi / self.half_wave(first, first + 2 * amplitude)) ** 2, first + amplitude, ""
+        if self.shift[0] > -amplitude or self.shift[-1] < amplitude:
+            return math.nan, math.nan, OFF_PROFILE
+        within = np.abs(self.shift) <= amplitude
+        if np.max(np.abs(self.difference[within]), initial=0.0) < LEVEL:
+            return 0.0, 0.0, ""
+        return math.nan, math.nan, NO_RETURN
+
+
+def equivalent_conicity(lateral_shift, radius_difference, amplitude):
+    """Equivalent conicity tan(gamma) [1] at each ``amplitude`` (m,) [m]: an array (m,), NaN where there is no such swing.
+
+    EN 15302:2021, by the integral of the equation of motion, for any rolling radius difference: with jumps, other left and
+    right wheels, or a rest beside the middle of the track.  The amplitude is half the distance of the two turning points.
+
+    Parameters
+    ----------
+    lateral_shift : (n,) [m], rising; a jump is two values close to each other.
+    radius_difference : (n,) rolling radius right less left [m] there.
+
+    Raises
+    ------
+    ValueError
+        when the arrays are not of one length of 2 or more, not finite, or do not rise, or an amplitude is not above 0 m.
+    """
+    shift, difference = np.asarray(lateral_shift, dtype=float), np.asarray(radius_difference, dtype=float)
+    if shift.ndim != 1 or shift.shape != difference.shape or len(shift) < 2:
+        raise ValueError(f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; permitted are arrays "
+                         f"of the same length, 2 or more")
+    if not (np.all(np.isfinite(shift)) and np.all(np.isfinite(difference)) and np.all(np.diff(shift) > 0.0)):
+        raise ValueError("lateral_shift does not rise all along, or there are values that are not finite; permitted are finite "
+                         "numbers [m], lateral_shift rising")
+    amplitudes = np.atleast_1d(np.asarray(amplitude, dtype=float))
+    if not np.all(amplitudes > 0.0):
+        raise ValueError(f"amplitude is {amplitude!r}; permitted is amplitude > 0 m")
+    swing = Swing(shift, difference)
+    return np.array([swing.conicity(value)[0] for value in amplitudes])
+
+
+def conicities(level, rolled, *, running_circle_distance, nominal_radius):
+    """The :class:`Conicity` of two curves, each (lateral shift (n,), rolling radius difference (n,)), or None for no contact."""
+    nothing = math.nan, math.nan, OFF_PROFILE
+    (values, middles, reasons), (rolled_values, _, rolled_reasons) = (
+        zip(*(nothing if curve is None else Swing(*curve).conicity(value) for value in AMPLITUDES)) for curve in (level, rolled))
+    values = np.array(values)
+    with np.errstate(divide="ignore"):
+        wavelength = 2 * math.pi * np.sqrt(running_circle_distance * nominal_radius / (2 * values))
+    at = {round(value * 1e3): k for k, value in enumerate(AMPLITUDES)}
+    return Conicity(AMPLITUDES, values, np.array(rolled_values), np.array(middles), wavelength, reasons, rolled_reasons,
+                    float(values[at[4]] - values[at[2]]) / 2e-3)

@@ -1,0 +1,98 @@
+"""What one ought to know of a pair, in sentences, the gravest first."""
+
+import math
+
+import numpy as np
+
+from .jumps import merged_jumps
+
+LEAST_RANGE = 1e-3  # [m] a pair is usable with contact at all shifts up to this, the smallest amplitude of the conicity
+RUNNING = 8e-3  # [m] the largest amplitude of the conicity: shifts within it are asked for
+STRAIGHT = 3e-3  # [m] shifts that straight track asks for; EN 15302 compares conicities at this amplitude
+CLOSE = 1e-3  # [m] a jump nearer to the centred position is met all the time
+MANY = 8  # jumps of one contact within RUNNING: exact profiles have 3 to 5
+FAST = 20.0  # lateral moves of a contact per shift: 10 um of gauge or of profile then move it by 0.2 mm
+FLANGE = math.radians(45.0)  # treads and roots of wheels in use are less steep where they touch, flanges steeper
+OFF_MIDDLE = 0.05e-3  # [m] a swing about a place farther from the track's middle is none about the middle
+ROUGH = 1.0  # [1/m] a fifth of the relative curvature that S1002 has on UIC60's shoulder, 5 to 8 1/m
+
+
+def sentences(*, usable, usable_shifts, jumps, nearest_jump, flange_shift, curves, conformal, conicity, wheel, rail, **_):
+    """The sentences on what ``check`` found, by the names of a Conditioning."""
+    if not math.isfinite(usable_shifts[0]):
+        return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
+                *_on_profile(wheel), *_on_profile(rail))
+    return (*_on_range(usable, usable_shifts, flange_shift, curves), *_on_jumps(jumps, nearest_jump), *_on_moves(curves),
+            *_on_zones(conformal), *_on_conicity(conicity), *_on_profile(wheel), *_on_profile(rail))
+
+
+def _mm(value, digits=2):
+    return f"{round(value * 1e3, digits) + 0.0:.{digits}f}"
+
+
+def _on_range(usable, usable_shifts, flange_shift, curves):
+    first, last = usable_shifts
+    if not usable:
+        yield (f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} ... {_mm(last)} mm: the "
+               f"pair cannot be used")
+    elif max(first, -last) > -RUNNING:
+        yield f"the contact leaves the profiles beyond lateral shifts of {_mm(first)} ... {_mm(last)} mm"
+    inside = (curves.lateral_shift >= first) & (curves.lateral_shift <= last)
+    lost = np.flatnonzero(inside & np.isnan(curves.roll))
+    if len(lost):
+        yield f"no contact is found at {len(lost)} of {inside.sum()} lateral shifts between"
+    if flange_shift <= 0.0:
+        yield "a flange touches in the centred position already"
+    elif flange_shift < STRAIGHT:
+        yield f"the flange touches from {_mm(flange_shift)} mm of lateral shift on"
+
+
+def _on_jumps(jumps, nearest_jump):
+    if nearest_jump < CLOSE:
+        nearest = min(jumps, key=lambda jump: (abs(jump.lateral_shift), jump.side == "left"))
+        yield (f"contact jumps {_mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)} mm from the centred position, from {_mm(nearest.before, 1)} to "
+               f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: which place is in contact there hangs on details")
+    count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, "right"))
+    if count > MANY:
+        yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the curvatures are rough, or "
+               f"the profiles nearly fit each other")
+
+
+def _on_moves(curves):
+    near = np.abs(curves.lateral_shift) <= RUNNING
+    rate = np.where(near & np.isfinite(curves.right.wheel_rate), np.abs(curves.right.wheel_rate), 0.0)
+    worst = int(np.argmax(rate))
+    if rate[worst] > FAST:
+        yield (f"at {_mm(curves.lateral_shift[worst])} mm the right contact moves by {rate[worst]:.0f} mm on its wheel per mm of "
+               f"lateral shift")
+
+
+def _on_zones(conformal):
+    for zone in conformal:
+        if zone.side == "right" and zone.start <= RUNNING and zone.stop >= -RUNNING:
+            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and rail lie within 0.1 mm "
+                   f"over up to {_mm(zone.width, 0)} mm, which turn by up to {math.degrees(zone.turn):.0f} deg")
+
+
+def _on_conicity(conicity):
+    aside = [k for k, middle in enumerate(conicity.middle) if abs(middle) > OFF_MIDDLE]
+    if aside:
+        k = aside[0]
+        yield (f"a free wheelset swings about {_mm(conicity.middle[k])} mm, not about the middle of the track, at "
+               f"{_mm(conicity.amplitude[k], 0)} mm amplitude: in the middle the rolling radius difference drives it out")
+    for reason in dict.fromkeys(filter(None, conicity.level_reason)):
+        at = ", ".join(_mm(value, 0) for value, why in zip(conicity.amplitude, conicity.level_reason) if why == reason)
+        yield f"there is no equivalent conicity at {at} mm amplitude: {reason}"
+
+
+def _on_profile(profile):
+    name = f"{profile.kind} profile {profile.name}"
+    for remark in profile.reading.remarks if profile.reading else ():
+        yield f"{name}: {remark}"
+    if profile.kinks:
+        y, turn = max(profile.kinks, key=lambda kink: abs(kink[1]))
+        yield f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where contacts are" + (
+            f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else "")
+    if profile.roughness > ROUGH:
+        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where contacts are: they follow noise; "
+               f"more smoothing helps")

@@ -1,0 +1,192 @@
+"""The check of a pair of profiles: a wheelset moved across the track, and what that shows."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..conventions import SIDES
+from ..kernel.prepare_tables import LATERAL_LIMIT
+from ..status import Status
+from ..system import GEOMETRY, ContactSystem
+from .conformal import conformal_zones, near_stretches
+from .conicity import AMPLITUDES, Conicity, conicities
+from .curves import Curves, SideCurves, geometry, jump_distance, radius_difference, rates
+from .jumps import RESOLUTION, find_jumps
+from .quality import ProfileQuality, profile_quality
+from .remarks import FLANGE, LEAST_RANGE, sentences
+
+STEP = 0.05e-3  # [m] from shift to shift of the curves
+FINE = 0.01e-3  # [m] from shift to shift of what the conicity integrates, to 1e-5 of it
+END = 1e-6  # [m] an end of the usable shifts is found to this
+HOLE = 0.2e-3  # [m] single shifts without contact are bridged in the conicity; a wider hole is the end of the profiles
+
+
+@dataclass(frozen=True)
+class Conditioning:
+    """What :func:`check` found of a pair.
+
+    Attributes
+    ----------
+    system : the ContactSystem that was checked; its parameters are the track and the wheelset.
+    usable : whether there is contact at every shift up to the smallest amplitude of the conicity, 1 mm.
+    usable_shifts : (first, last) lateral shift [m] of the stretch with contact around the centred position, at most the
+        kernel's +-15 mm; NaN without contact there.
+    jumps : tuple of :class:`~wrcontact.conditioning.Jump`, left ones first.
+    nearest_jump : lateral shift [m] from the centred position to the nearest jump of either contact; infinite without one.
+    flange_shift : lateral shift [m] from which on the right contact is steeper than 45 deg; infinite where it never is.
+    curves : :class:`~wrcontact.conditioning.Curves` over the lateral shift, every 0.05 mm within +-15 mm.
+    conformal : tuple of :class:`~wrcontact.conditioning.ConformalZone`, left ones first.
+    conicity : :class:`~wrcontact.conditioning.Conicity` at amplitudes of 1 ... 8 mm.
+    conicity_curves : by "level" and "rolled", (lateral shift (n,), rolling radius difference (n,)) [m] that the conicity
+        comes from, with both values at every jump; None without contact.
+    wheel, rail : :class:`~wrcontact.conditioning.ProfileQuality`.
+    remarks : tuple of sentences, what one ought to know; empty for a pair without any trouble.
+    """
+
+    system: ContactSystem
+    usable: bool
+    usable_shifts: tuple
+    jumps: tuple
+    nearest_jump: float
+    flange_shift: float
+    curves: Curves
+    conformal: tuple
+    conicity: Conicity
+    conicity_curves: dict
+    wheel: ProfileQuality
+    rail: ProfileQuality
+    remarks: tuple
+
+
+def check(system):
+    """What an engineer ought to know of the pair of profiles of ``system``, without yaw: a :class:`Conditioning`.
+
+    Only its profiles and its geometry count (rail_inclination, gauge, gauge_depth, running_circle_distance,
+    nominal_radius): contacts are rigid.  It takes about a second.  A pair without contact is told as such, by
+    ``usable`` and in ``remarks``; nothing is raised.  The equivalent conicity follows EN 15302.
+
+    >>> import wrcontact
+    >>> wrcontact.check(wrcontact.ContactSystem()).conformal[1].side
+    'right'
+    """
+    rolling, level = _wheelset(system, "rigid"), _wheelset(system, "compliant")
+    shifts = _shifts(STEP)
+    table = geometry(rolling, shifts)
+    jumps = tuple(find_jumps(rolling, shifts))
+    curves = _curves(rolling, level, shifts, table, jumps)
+    swings = {"level": _swing_curve(level, find_jumps(level, shifts)), "rolled": _swing_curve(rolling, jumps)}
+    found = {
+        "usable_shifts": _usable_shifts(rolling, shifts, np.asarray(table.status)),
+        "jumps": jumps,
+        "nearest_jump": float(np.min(jump_distance(jumps, np.zeros(1)))),
+        "flange_shift": _flange_shift(rolling, curves),
+        "curves": curves,
+        "conformal": conformal_zones(shifts, {side: getattr(curves, side) for side in SIDES}),
+        "conicity": conicities(*swings.values(), **{name: system.parameters[name] for name in GEOMETRY[3:]}),
+        "conicity_curves": swings,
+        **_profiles(rolling, curves),
+    }
+    first, last = found["usable_shifts"]
+    usable = bool(first <= -LEAST_RANGE and last >= LEAST_RANGE)
+    return Conditioning(system=system, usable=usable, **found, remarks=sentences(usable=usable, **found))
+
+
+def _wheelset(system, contact_mode):
+    """The same wheelset and track with the cheapest normal contact, and this contact mode; a compliant one is level."""
+    chosen = {name: system.parameters[name] for name in GEOMETRY}
+    return ContactSystem(system.wheel, system.rail, **chosen, contact_mode=contact_mode, normal_model="hertz")
+
+
+def _shifts(step):
+    """Lateral shifts (n,) [m] over all that the kernel takes, the same left and right, zero among them."""
+    half = np.linspace(0.0, LATERAL_LIMIT, round(LATERAL_LIMIT / step) + 1)
+    return np.concatenate([-half[:0:-1], half])
+
+
+def _run_around(shifts, fine):
+    """Slice of the unbroken run of True in ``fine`` (n,) that holds the shift 0; an empty one where it does not."""
+    middle = int(np.argmin(np.abs(shifts)))
+    if not fine[middle]:
+        return slice(0, 0)
+    gaps = np.flatnonzero(~fine)
+    return slice(int(np.max(gaps[gaps < middle], initial=-1)) + 1, int(np.min(gaps[gaps > middle], initial=len(fine))))
+
+
+def _usable_shifts(system, shifts, status):
+    """First and last lateral shift [m] of the stretch with contact around zero, found to END."""
+    run = _run_around(shifts, status <= Status.UNLOADED)
+    if run.stop == 0:
+        return math.nan, math.nan
+
+    def touches(shift):
+        return geometry(system, [shift]).status[0] <= Status.UNLOADED
+
+    first = shifts[0] if run.start == 0 else _boundary(touches, shifts[run.start], shifts[run.start - 1])
+    last = shifts[-1] if run.stop == len(shifts) else _boundary(touches, shifts[run.stop - 1], shifts[run.stop])
+    return float(first), float(last)
+
+
+def _boundary(holds, inside, outside):
+    """How far ``holds`` reaches from ``inside``, where it does, to ``outside``, where it does not, found to END [m]."""
+    while abs(outside - inside) > END:
+        middle = 0.5 * (inside + outside)
+        inside, outside = (middle, outside) if holds(middle) else (inside, middle)
+    return inside
+
+
+def _curves(rolling, level, shifts, table, jumps):
+    """The :class:`Curves` of the states ``table`` at ``shifts``."""
+    roll_rate, moves = rates(rolling, shifts)
+    near, sides = near_stretches(rolling, shifts, table), {}
+    for name in SIDES:
+        side = getattr(table, name)
+        sides[name] = SideCurves(side.contact.y_wheel, side.contact.y_rail, *moves[name], side.contact_angle,
+                                 side.curvature_y, side.rolling_radius, *near[name])
+    return Curves(shifts, table.roll, roll_rate, jump_distance(jumps, shifts),
+                  table.right.rolling_radius - table.left.rolling_radius, radius_difference(level, shifts), **sides)
+
+
+def _swing_curve(system, jumps):
+    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at every jump; None
+    without contact there."""
+    beside = [jump.lateral_shift + step for jump in jumps for step in (-RESOLUTION, RESOLUTION)]
+    shifts = np.unique(np.concatenate([_shifts(FINE), np.clip(beside, -LATERAL_LIMIT, LATERAL_LIMIT)]))
+    difference = radius_difference(system, shifts)
+    known = np.isfinite(difference)
+    shifts, difference = shifts[known], difference[known]
+    if not len(shifts) or np.min(np.abs(shifts)) > HOLE:
+        return None
+    holes = np.concatenate([np.diff(shifts) <= HOLE, [False]])
+    first = np.flatnonzero(~holes & (shifts < 0.0))
+    run = slice(int(first[-1]) + 1 if len(first) else 0, int(np.flatnonzero(~holes & (shifts >= 0.0))[0]) + 1)
+    return (shifts[run], difference[run]) if run.stop - run.start > 1 else None
+
+
+def _flange_shift(system, curves):
+    """Lateral shift from which on, to the right, the right contact is steeper than FLANGE; infinite where it never is."""
+    angle = curves.right.contact_angle
+    steep = np.flatnonzero(np.isfinite(angle) & ~(angle < FLANGE))
+    if not len(steep):
+        return math.inf
+    at = curves.lateral_shift[steep[0]]
+    if steep[0] == 0 or not math.isfinite(angle[steep[0] - 1]):
+        return float(at)
+    return float(_boundary(lambda shift: geometry(system, [shift]).right.contact_angle[0] >= FLANGE, at,
+                           curves.lateral_shift[steep[0] - 1]))
+
+
+def _profiles(system, curves):
+    """Both profiles' :class:`ProfileQuality`, where contacts are within the largest amplitude."""
+    near = np.abs(curves.lateral_shift) <= AMPLITUDES[-1]
+    wheel, rail, _ = system.profile_tables()
+    leans = system.parameters["rail_inclination"]
+    return {"wheel": profile_quality(system.wheel, wheel, _visited("y_wheel", curves, near)),
+            "rail": profile_quality(system.rail, rail, _visited("y_rail", curves, near), leans)}
+
+
+def _visited(name, curves, near):
+    """Smallest and largest place ``name`` [m] of both contacts at the shifts ``near``; NaN without one."""
+    found = np.concatenate([getattr(getattr(curves, side), name)[near] for side in SIDES])
+    found = found[np.isfinite(found)]
+    return (float(np.min(found)), float(np.max(found))) if len(found) else (math.nan, math.nan)

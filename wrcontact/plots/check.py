@@ -1,0 +1,236 @@
+"""The picture of ``wrcontact check``: where contacts are, what they do to the rolling radii, and how well that is conditioned."""
+
+import numpy as np
+
+from ..conditioning.conformal import NEAR, TURN, WIDE
+from ..conditioning.conicity import AMPLITUDES, Swing
+from ..conditioning.jumps import merged_jumps
+from ..profiles.compiled import evaluate_table, places
+from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, SIDE_COLOUR, WHEEL_COLOUR, new_figure, number, styled
+from .sweep import BAND
+
+SHOWN = 8e-3  # [m] lateral shifts shown, the largest amplitude
+JOINED = 0.25e-3  # [m] lateral shift from one joined pair of places to the next
+APART = 14e-3  # [m] drawn between wheel and rail
+STEP = 0.2e-3  # [m] from point to point of a drawn profile
+MARGIN = 8e-3  # [m] of the profiles beside the outermost contacts
+FINE_AMPLITUDES = np.arange(5, 81) * 1e-4  # [m] of the drawn conicity
+SHIFT_COLOURS = "viridis"
+LEVEL_COLOUR, ROLLED_COLOUR = "#009E73", INK
+BROKEN = {"linestyle": ":", "linewidth": 1.2}
+
+
+@styled
+def check_figure(report):
+    """What ``report``, a :class:`~wrcontact.conditioning.Conditioning`, says of a pair, in seven panels."""
+    figure = new_figure(10, 12.2)
+    grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
+    figure.suptitle(_headline(report), x=0.01, ha="left")
+    draw_places(figure, figure.add_subplot(grid[0, :]), report)
+    panels = [figure.add_subplot(grid[row, column]) for row in (1, 2, 3) for column in (0, 1)]
+    for panel, draw in zip(panels, (draw_radii, draw_conicity, draw_moves, draw_roll_rate, draw_distance, draw_near)):
+        draw(panel, report)
+    return figure
+
+
+def _headline(report):
+    chosen = report.system.parameters
+    lean = chosen["rail_inclination"]
+    return (f"{report.wheel.name} on {report.rail.name}, {f'inclination 1:{1 / lean:.3g}' if lean else 'upright'}, "
+            f"gauge {chosen['gauge'] / MM:.6g} mm, nominal radius {chosen['nominal_radius'] / MM:.6g} mm")
+
+
+# --- places of contact -----------------------------------------------------------------------------
+
+
+def draw_places(figure, panel, report):
+    """Wheel and rail one above the other, with the places that touch joined, coloured by the lateral shift; jumps are dotted."""
+    panel.set_label("places")
+    panel.set_title("Places of right wheel and rail that touch; dotted beside a jump")
+    wheel, rail, y_top = report.system.profile_tables()
+    aside = y_top - report.system.parameters["running_circle_distance"] / 2  # of the rail's frame from the wheel's, centred
+    side, colours = report.curves.right, _shift_colours()
+    _draw_profile(panel, wheel, report.wheel.visited, 0.0, APART / MM, WHEEL_COLOUR, up=True)
+    _draw_profile(panel, rail, report.rail.visited, aside, 0.0, RAIL_COLOUR, up=False)
+    for shift in np.arange(-SHOWN, SHOWN + 0.5 * JOINED, JOINED):
+        at = int(np.argmin(np.abs(report.curves.lateral_shift - shift)))
+        if np.isfinite(side.y_wheel[at]):
+            _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at], color=colours.to_rgba(shift / MM), linewidth=0.9)
+    for jump in _shown_jumps(report, "right"):
+        colour = colours.to_rgba(jump.lateral_shift / MM)
+        for place, beside in ((jump.before, jump.rail_before), (jump.after, jump.rail_after)):
+            top = _join(panel, wheel, rail, aside, place, beside, color=colour, **BROKEN)
+        if abs(jump.after - jump.before) > 1 * MM:
+            panel.annotate(f"{number(jump.lateral_shift / MM, 2)}", top, (0, 3), textcoords="offset points", ha="center",
+                           fontsize=7.5)
+    panel.set(aspect="equal", xlabel="across the wheel from its running circle, field side + [mm]", yticks=[])
+    panel.spines["left"].set_visible(False)
+    figure.colorbar(colours, ax=panel, label="lateral shift, right + [mm]", pad=0.01, aspect=30)
+
+
+def _shift_colours():
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    return ScalarMappable(Normalize(-SHOWN / MM, SHOWN / MM), SHIFT_COLOURS)
+
+
+def _draw_profile(panel, table, visited, aside, height, colour, up):
+    """A profile around its contacts [mm], filled upwards or downwards."""
+    y = places(table, STEP)
+    low, high = visited if np.all(np.isfinite(visited)) else (y[0], y[-1])
+    y = y[(y >= low - MARGIN) & (y <= high + MARGIN)]
+    z = height - evaluate_table(table, y)[0] / MM
+    edge = np.max(z) + 3 if up else np.min(z) - 3
+    panel.fill_between((y + aside) / MM, z, edge, color=colour, alpha=0.18, linewidth=0)
+    panel.plot((y + aside) / MM, z, color=colour)
+    name, at = ("wheel", np.max(z) + 1) if up else ("rail", np.min(z) - 1)
+    panel.text((y[-1] + aside) / MM - 1, at, name, color=WHEEL_COLOUR if up else RAIL_LABEL, ha="right", va="center")
+
+
+def _join(panel, wheel, rail, aside, y_wheel, y_rail, **look):
+    """A line from a place on the wheel to one on the rail; its upper end [mm]."""
+    top = y_wheel / MM, (APART - evaluate_table(wheel, y_wheel)[0]) / MM
+    panel.plot([top[0], (y_rail + aside) / MM], [top[1], -evaluate_table(rail, y_rail)[0] / MM], **look)
+    return top
+
+
+def _shown_jumps(report, side):
+    return [jump for jump in merged_jumps(report.jumps, side) if abs(jump.lateral_shift) <= SHOWN]
+
+
+# --- rolling radii and conicity --------------------------------------------------------------------
+
+
+def draw_radii(panel, report):
+    """Rolling radius difference [mm] over the lateral shift, with roll and without."""
+    panel.set_label("radii")
+    panel.set_title("Rolling radius difference, right less left")
+    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"), ("level", LEVEL_COLOUR, "without roll")):
+        if report.conicity_curves[name] is not None:
+            shift, difference = report.conicity_curves[name]
+            panel.plot(shift / MM, difference / MM, color=colour, label=words, zorder=2 if name == "rolled" else 3,
+                       linewidth=1.6 if name == "rolled" else 1.1)
+    panel.axhline(0, color=QUIET, linewidth=0.6)
+    _shift_axis(panel, "mm")
+    _legend(panel)
+
+
+def draw_conicity(panel, report):
+    """Equivalent conicity over the amplitude, with roll and without; the values of the report as dots."""
+    panel.set_label("conicity")
+    panel.set_title("Equivalent conicity (EN 15302: without roll)")
+    top = 0.1
+    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"), ("level", LEVEL_COLOUR, "without roll")):
+        curve, dots = report.conicity_curves[name], getattr(report.conicity, name)
+        if curve is not None:
+            swing = Swing(*curve)
+            panel.plot(FINE_AMPLITUDES / MM, [swing.conicity(value)[0] for value in FINE_AMPLITUDES], color=colour, label=words)
+            panel.plot(AMPLITUDES / MM, dots, "o", color=colour, markersize=3.5)
+            top = max(top, 1.1 * np.nanmax(dots, initial=0.0))
+    panel.set(xlim=(0, AMPLITUDES[-1] / MM + 0.2), ylim=(0, top), xlabel="amplitude [mm]", ylabel="tan γ")
+    _legend(panel)
+
+
+def _legend(panel):
+    if panel.get_legend_handles_labels()[0]:
+        panel.legend(loc="upper left")
+    else:
+        panel.text(0.5, 0.5, "no contact", transform=panel.transAxes, ha="center", color=QUIET)
+
+
+# --- conditioning ----------------------------------------------------------------------------------
+
+
+def draw_moves(panel, report):
+    """How far the right contact moves per lateral shift, on wheel and rail; logarithmic."""
+    panel.set_label("moves")
+    panel.set_title("Move of the right contact per lateral shift")
+    shift, side = report.curves.lateral_shift / MM, report.curves.right
+    for rate, colour, words in ((side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")):
+        panel.plot(*_broken(report, shift, np.abs(rate), "right"), color=colour, label=words)
+    _mark_jumps(panel, report, ("right",))
+    panel.set_yscale("log")
+    _shift_axis(panel, "mm / mm")
+    panel.legend(loc="upper left")
+
+
+def draw_roll_rate(panel, report):
+    """How far the wheelset rolls per lateral shift; logarithmic."""
+    panel.set_label("roll rate")
+    panel.set_title("Roll per lateral shift")
+    shift, rate = report.curves.lateral_shift / MM, np.abs(report.curves.roll_rate)
+    for side in SIDE_COLOUR:
+        shift, rate = _broken(report, shift, rate, side)
+    panel.plot(shift, rate, color=INK)
+    _mark_jumps(panel, report, SIDE_COLOUR)
+    panel.set_yscale("log")
+    _shift_axis(panel, "mrad / mm")
+
+
+def draw_distance(panel, report):
+    """Lateral shift to the nearest jump of either contact."""
+    panel.set_label("distance")
+    panel.set_title("Distance to the nearest jump of either contact")
+    distance = np.where(np.isfinite(report.curves.jump_distance), report.curves.jump_distance, np.nan)
+    panel.plot(report.curves.lateral_shift / MM, distance / MM, color=INK)
+    _mark_jumps(panel, report, SIDE_COLOUR)
+    if np.isfinite(report.nearest_jump):
+        panel.plot([0], [report.nearest_jump / MM], "o", color=INK, markersize=4)
+        panel.annotate(f"centred: {number(report.nearest_jump / MM, 2)} mm", (0, report.nearest_jump / MM), (0, 12),
+                       textcoords="offset points", ha="center", fontsize=8, bbox=BAND)
+    else:
+        panel.text(0.5, 0.5, "no jumps", transform=panel.transAxes, ha="center", color=QUIET)
+    _shift_axis(panel, "mm")
+    panel.set_ylim(0, None)
+
+
+def draw_near(panel, report):
+    """How long the stretch within NEAR of the rail is, on the right wheel; conformal shifts are shaded."""
+    panel.set_label("near")
+    panel.set_title(f"Length of the right wheel within {NEAR / MM:g} mm of the rail")
+    shift, side = report.curves.lateral_shift / MM, report.curves.right
+    for zone in report.conformal:
+        if zone.side == "right":
+            panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal")
+    panel.plot(*_broken(report, shift, side.near_width / MM, "right"), color=INK)
+    panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
+    panel.text(0.01, WIDE / MM, f"shaded: longer, or turns by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left", va="bottom",
+               fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
+    _shift_axis(panel, "mm")
+    panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0),
+                                                         initial=0.0)))
+
+
+def _broken(report, shift, values, side):
+    """The curve, with a hole at each jump of ``side``."""
+    at = np.array([jump.lateral_shift / MM for jump in report.jumps if jump.side == side])
+    order = np.argsort(np.concatenate([shift, at]), kind="stable")
+    return np.concatenate([shift, at])[order], np.concatenate([values, np.full(len(at), np.nan)])[order]
+
+
+def _mark_jumps(panel, report, sides):
+    """Dotted lines at the jumps of ``sides``, in their colours."""
+    for side in sides:
+        for jump in _shown_jumps(report, side):
+            panel.axvline(jump.lateral_shift / MM, color=SIDE_COLOUR[side], linewidth=0.8, linestyle=":", gid=f"{side} jump")
+
+
+def _shift_axis(panel, unit):
+    panel.set(xlim=(-SHOWN / MM, SHOWN / MM), xlabel="lateral shift, right + [mm]", ylabel=unit)
+    _scale_to_shown(panel)
+
+
+def _scale_to_shown(panel):
+    """Let the height of ``panel`` fit what its curves have within the shown shifts."""
+    shown = [np.asarray(line.get_ydata(), dtype=float)[np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM]
+             for line in panel.lines if len(line.get_xdata()) > 2]
+    values = np.concatenate([*shown, [np.nan]])
+    values = values[np.isfinite(values)]
+    if len(values) and np.ptp(values) > 0.0:
+        low, high = np.min(values), np.max(values)
+        if panel.get_yscale() == "log":
+            positive = values[values > 0.0]
+            panel.set_ylim(max(np.min(positive), 1e-3 * high) / 1.3, 1.3 * high)
+        else:
+            panel.set_ylim(low - 0.05 * (high - low), high + 0.05 * (high - low))
