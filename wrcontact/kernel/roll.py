@@ -11,7 +11,7 @@ take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
-from .gap import gap_jet, gap_per_roll
+from .gap import gap_jet, gap_per_roll, on_profiles
 from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST,
                      SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS,
                      WORK_PLACE, WORK_SIDE)
@@ -74,7 +74,7 @@ def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
     It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
-    a minimum can run away or vanish.
+    a minimum can run away or vanish, and beyond the end of a profile there is none.
     """
     left = work[LEFT + SIDE_BEST_Y]
     right = work[RIGHT + SIDE_BEST_Y]
@@ -98,6 +98,8 @@ def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
         move_left += turn_left * move / rate_left
         move_right -= turn_right * move / rate_right
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
+            if on_profiles(tables, left, rail_left) == 0 or on_profiles(tables, right, rail_right) == 0:
+                return roll, 0
             keep_known(work, LEFT, left, gap_left, rail_left)
             keep_known(work, RIGHT, right, gap_right, rail_right)
             return roll, 1

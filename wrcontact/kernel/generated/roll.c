@@ -58,7 +58,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  *
  * Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
  * It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
- * a minimum can run away or vanish.
+ * a minimum can run away or vanish, and beyond the end of a profile there is none.
  */
 static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
 {
@@ -113,6 +113,12 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
         move_right -= turn_right * move / rate_right;
         if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < search__SHARP) && (fabs(move_right) < search__SHARP))
         {
+            if ((gap__on_profiles(tables, left, rail_left) == INT64_C(0)) || (gap__on_profiles(tables, right, rail_right) == INT64_C(0)))
+            {
+                (*result_0_0001) = roll;
+                (*result_1_0001) = INT64_C(0);
+                return 0;
+            }
             roll__keep_known(work, roll__LEFT, left, gap_left, rail_left);
             roll__keep_known(work, roll__RIGHT, right, gap_right, rail_right);
             (*result_0_0001) = roll;
