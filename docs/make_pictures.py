@@ -2,6 +2,7 @@
 
     frames      frames and signs (docs/conventions.md)
     demo        the picture of ``wrcontact demo`` (README)
+    check       the picture of ``wrcontact check`` (docs/check.md)
     models      the pressures of examples/compare_models.py (README)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
 
@@ -47,6 +48,14 @@ def models():
             os.chdir(home)
 
 
+def check():
+    """The picture of the check of S1002 on 60E1."""
+    import wrcontact
+    from wrcontact.plots import check_figure
+
+    return check_figure(wrcontact.check(ContactSystem(rail="60E1")))
+
+
 def demo():
     """The picture of ``wrcontact demo``, from a run of the FMU."""
     from wrcontact.cli.demo import step_through, stored_run
@@ -87,7 +96,7 @@ def source(number):
     return source_figure(compute(number, Study()))
 
 
-PICTURES = {"frames": frames, "demo": demo, "models": models, "source_5_8": partial(source, "5.8"),
+PICTURES = {"frames": frames, "demo": demo, "check": check, "models": models, "source_5_8": partial(source, "5.8"),
             "source_7_14": partial(source, "7.14")}
 
 

@@ -26,7 +26,7 @@ from wrcontact.status import explain
 from wrcontact.system import CHOICES
 
 ROOT = Path(__file__).resolve().parent.parent
-COMMANDS = ("demo", "solve", "sweep", "plot", "figures")
+COMMANDS = ("demo", "solve", "sweep", "plot", "check", "figures")
 INPUT_NAMES = [v.name for v in VARIABLES if v.causality == INPUT]
 #: A process sees the package that this one sees, and no display.
 OUTSIDE = {**{k: v for k, v in os.environ.items() if k not in ("DISPLAY", "MPLBACKEND")},
