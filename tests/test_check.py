@@ -1,4 +1,4 @@
-"""The check of a pair: conicity, jumps, moves, conformal zones and quality, against closed forms and independent searches."""
+"""The check of a pair: conicity, jumps, moves, conformal zones, quality, against closed forms and independent searches."""
 
 import csv
 import dataclasses
@@ -73,7 +73,7 @@ def test_constant_difference_thrown_over_in_the_middle():
 
 
 def test_cones_with_a_clearance_between_them():
-    """Nothing turns the wheelset within +-2 mm, a cone of 0.1 beyond: it crosses the clearance at the speed it comes with."""
+    """Nothing turns the wheelset within +-2 mm, a cone of 0.1 beyond: it crosses the clearance as fast as it comes."""
     free, cone = 2 * MM, 0.1
     shift = np.array([-10 * MM, -free, free, 10 * MM])
     difference = np.array([-2 * cone * (10 * MM - free), 0, 0, 2 * cone * (10 * MM - free)])
@@ -200,13 +200,13 @@ def test_arc_on_arc_has_its_closed_form(arcs):
 
 
 def test_moves_on_arcs(arcs):
-    """Places of equal slope: on the wheel they move by R_w / (R_w - R_r) = 11 per shift, on the rail by R_r / (R_w - R_r); the
-    roll turns with them by 2 slope R_w / ((R_w - R_r) 2 arm) of the shift and takes a share of it."""
+    """Of a level wheelset the places of equal slope move by R_w / (R_w - R_r) = 11 per shift on the wheel, by
+    R_r / (R_w - R_r) on the rail; roll turns the wheel against the rail, as a shift of (R_r + r0) roll does."""
     middle = len(arcs.curves.lateral_shift) // 2
     side = arcs.curves.right
-    assert side.y_wheel[middle] == pytest.approx(0.0, abs=1e-6) and side.contact_angle[middle] == pytest.approx(SLOPE, rel=1e-2)
+    assert side.y_wheel[middle] == pytest.approx(0.0, abs=1e-6)
+    assert side.contact_angle[middle] == pytest.approx(SLOPE, rel=1e-2)
     assert side.wheel_rate[middle] - side.rail_rate[middle] == pytest.approx(-1.0, abs=0.05)
-    # rail_rate / wheel_rate = R_r / R_w but for the roll, which turns the wheel against the rail
     turned = arcs.curves.roll_rate[middle]
     wheel = -HOLLOW / (HOLLOW - HEAD) * (1.0 - (HEAD + 0.46) * turned)
     assert side.wheel_rate[middle] == pytest.approx(wheel, rel=0.02)
@@ -332,8 +332,8 @@ def test_hollow_wear_raises_the_conicity(tmp_path, depth):
 
 
 def test_kink_is_told():
-    wheel = Profile("bent", "wheel", (Polynomial(-70, -9, (-0.045, -0.055), -9.0), Polynomial(-9, 60, (-0.045, -0.05), -9.0)),
-                    smooth=False)
+    halves = Polynomial(-70, -9, (-0.045, -0.055), -9.0), Polynomial(-9, 60, (-0.045, -0.05), -9.0)
+    wheel = Profile("bent", "wheel", halves, smooth=False)
     report = wrcontact.check(ContactSystem(wheel))
     (y, turn), = report.wheel.kinks
     assert y == pytest.approx(-9 * MM) and turn == pytest.approx(5e-3, rel=0.01)

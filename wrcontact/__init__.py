@@ -10,7 +10,7 @@ __all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "W
 
 
 def check(system):
-    """What an engineer ought to know of the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
+    """What one ought to know of the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
 
     Where its contacts jump, how fast they move, conformal zones, quality of the profiles, equivalent conicity
     (docs/check.md); the arguments and results are those of :func:`wrcontact.conditioning.check`.

@@ -150,8 +150,8 @@ class ContactSystem:
         return tables
 
     def profile_tables(self):
-        """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the wheel's table, that of the
-        right rail as it leans, and the track coordinate of the rail's highest point [m]."""
+        """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the wheel's table, that of
+        the right rail as it leans, and the track coordinate of the rail's highest point [m]."""
         wheel, rail, scan = (int(self._tables[at]) for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
         return self._tables[wheel:rail], self._tables[rail:scan], float(self._tables[layout.SET_RAIL_Y])
 

@@ -50,8 +50,9 @@ def print_check(report):
     out, chosen = console(), report.system.parameters
     lean = chosen["rail_inclination"]
     out.print(f"{report.wheel.name} on {report.rail.name}: gauge {_mm(chosen['gauge'])} mm, "
-              f"{f'inclination 1:{1 / lean:.4g}' if lean else 'rails upright'}, nominal radius {_mm(chosen['nominal_radius'])} mm, "
-              f"running circles {_mm(chosen['running_circle_distance'])} mm apart; without yaw", soft_wrap=True)
+              f"{f'inclination 1:{1 / lean:.4g}' if lean else 'rails upright'}, nominal radius "
+              f"{_mm(chosen['nominal_radius'])} mm, running circles "
+              f"{_mm(chosen['running_circle_distance'])} mm apart; without yaw", soft_wrap=True)
     out.print(_range_words(report), soft_wrap=True)
     parts = [("Profiles", profile_table(report)),
              ("Jumps of the right contact (the left one's are the mirror image)", jump_table(report)),
@@ -82,7 +83,8 @@ def _range_words(report):
     if not math.isfinite(first):
         return "no contact in the centred position"
     flange = f"{report.flange_shift * 1e3:.2f} mm" if math.isfinite(report.flange_shift) else "nowhere"
-    return f"contact from {first * 1e3:.2f} to {last * 1e3:.2f} mm of lateral shift, on the flange (steeper than 45 deg) from: {flange}"
+    return (f"contact from {first * 1e3:.2f} to {last * 1e3:.2f} mm of lateral shift, on the flange (steeper than 45 deg) "
+            f"from: {flange}")
 
 
 def _table(*headings):
@@ -101,7 +103,8 @@ def profile_table(report):
     for words, unit, factor, digits, read in QUALITIES:
         table.add_row(words, unit, *(_shown(read(quality), factor, digits) for quality in both))
     for words, unit, factor, digits, read in READINGS if report.wheel.reading or report.rail.reading else ():
-        table.add_row(words, unit, *(_shown(read(quality.reading), factor, digits) if quality.reading else "-" for quality in both))
+        table.add_row(words, unit, *(_shown(read(quality.reading), factor, digits) if quality.reading else "-"
+                                     for quality in both))
     return table
 
 
@@ -109,8 +112,8 @@ def jump_table(report):
     """Lateral shift, and the places on wheel and rail before and after, as the shift rises."""
     table = _table("shift\nmm", "on wheel\nbefore", "after\nmm", "on rail\nbefore", "after\nmm")
     for jump in merged_jumps(report.jumps, "right"):
-        table.add_row(_shown(jump.lateral_shift, 1e3, 4), *(_shown(y, 1e3, 2) for y in (jump.before, jump.after, jump.rail_before,
-                                                                                     jump.rail_after)))
+        places = (jump.before, jump.after, jump.rail_before, jump.rail_after)
+        table.add_row(_shown(jump.lateral_shift, 1e3, 4), *(_shown(y, 1e3, 2) for y in places))
     return table
 
 
@@ -127,8 +130,10 @@ def move_table(curves):
 def conicity_table(conicity):
     """Amplitude, conicity without roll and with, and the wavelength without."""
     table = _table("amplitude\nmm", "without\nroll", "with\nroll", "wavelength\nm")
-    for amplitude, level, rolled, wavelength in zip(conicity.amplitude, conicity.level, conicity.rolled, conicity.wavelength):
-        table.add_row(_shown(amplitude, 1e3, 0), _shown(level, 1.0, 3), _shown(rolled, 1.0, 3), _shown(wavelength, 1.0, 1))
+    columns = ((conicity.amplitude, 1e3, 0), (conicity.level, 1.0, 3), (conicity.rolled, 1.0, 3),
+               (conicity.wavelength, 1.0, 1))
+    for row in range(len(conicity.amplitude)):
+        table.add_row(*(_shown(values[row], factor, digits) for values, factor, digits in columns))
     return table
 
 

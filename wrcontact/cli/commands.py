@@ -131,14 +131,14 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 @takes(geometry=GEOMETRY)
 def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="Picture to write: .png, .svg or .pdf")]
           = Path("check.png"),
-          file: Annotated[Optional[Path], typer.Option("--json", metavar="FILE", help="Write everything to this file as JSON, in "
-                          "SI units")] = None,
+          file: Annotated[Optional[Path], typer.Option("--json", metavar="FILE", help="Write everything to this file as JSON, "
+                          "in SI units")] = None,
           smoothing: Smoothing = None):
     """Check a pair of profiles before a simulation relies on it.
 
-    Where contacts jump and how far that is from the centred position, how fast contacts and roll follow the lateral shift, where
-    wheel and rail are conformal, how good the profiles are, and the equivalent conicity at 1 to 8 mm after EN 15302, printed and
-    drawn. The exit code is 1 if the pair has no contact within 1 mm of the centred position.
+    Where contacts jump and how far that is from the centred position, how fast contacts and roll follow the lateral shift,
+    where wheel and rail are conformal, how good the profiles are, and the equivalent conicity at 1 to 8 mm after EN 15302,
+    printed and drawn. The exit code is 1 if the pair has no contact within 1 mm of the centred position.
 
     Example: wrcontact check --wheel worn.whl --rail 60E1 --output worn.png
     """

@@ -1,9 +1,9 @@
 """Conformal contact: where wheel and rail lie close to each other over a long or a strongly bent stretch.
 
-Of the undeformed profiles at a rigid contact, the stretch around it counts in which the wheel is nearer than NEAR to the rail,
-along the contact's normal.  Where that is wide, or turns by much, three things go wrong at once: the place of the contact
-hangs on micrometres of the profiles, a patch is no ellipse of the curvatures at one point, and a half-space with one normal is
-no model of it.
+Of the undeformed profiles at a rigid contact, the stretch around it counts in which the wheel is nearer than NEAR to the
+rail, along the contact's normal.  Where that is wide, or turns by much, three things go wrong at once: the place of the
+contact hangs on micrometres of the profiles, a patch is no ellipse of the curvatures at one point, and a half-space with one
+normal is no model of it.
 """
 
 import math
@@ -28,8 +28,8 @@ CHORD = 20
 
 @dataclass(frozen=True)
 class ConformalZone:
-    """Lateral shifts ``start`` to ``stop`` [m] over which one contact is conformal: its place on the wheel goes from ``y_low`` to
-    ``y_high`` [m], the near stretch is up to ``width`` long [m] and turns by up to ``turn`` [rad]."""
+    """Lateral shifts ``start`` to ``stop`` [m] over which one contact is conformal: its place on the wheel goes from
+    ``y_low`` to ``y_high`` [m], the near stretch is up to ``width`` long [m] and turns by up to ``turn`` [rad]."""
 
     side: str
     start: float
@@ -69,7 +69,7 @@ class Outlines:
 
 
 def near_stretches(system, lateral_shift, table):
-    """Length [m] and turn [rad] of the near stretches by side, (2, n), for the states ``table`` at ``lateral_shift`` (n,)."""
+    """Length [m] and turn [rad] of the near stretches by side, (2, n), for the states ``table`` at these shifts (n,)."""
     outlines, found = Outlines(system), {}
     for side, sign in zip(SIDES, (MIRROR[0], 1.0)):
         wheel = getattr(table, side)

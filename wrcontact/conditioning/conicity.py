@@ -5,9 +5,9 @@ A wheelset that rolls without slip and without mass follows, over the distance x
     y'' + delta_r(y) / (e r0) = 0
 
 with delta_r the rolling radius right less left, e the distance of the running circles, r0 the nominal radius.  A cone has
-delta_r = 2 y tan(gamma), so that its wavelength L is Klingel's, and tan(gamma) = (pi / L)^2 2 e r0 is what any other pair gets
-from its own L at an amplitude.  e r0 cancels, so both are 1 here.  S(y), the integral of delta_r, is what the swing conserves:
-y'^2 / 2 + S(y) = E, and half of L is the integral of dy / sqrt(2 (E - S)) from one turning point to the other.
+delta_r = 2 y tan(gamma), so that its wavelength L is Klingel's, and tan(gamma) = (pi / L)^2 2 e r0 is what any other pair
+gets from its own L at an amplitude.  e r0 cancels, so both are 1 here.  S(y), the integral of delta_r, is what the swing
+conserves: y'^2 / 2 + S(y) = E, and half of L is the integral of dy / sqrt(2 (E - S)) from one turning point to the other.
 """
 
 import math
@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 AMPLITUDES = np.arange(1.0, 9.0) * 1e-3
 #: Places at which a half swing is summed up: the error falls with their square, 1e-6 of the conicity.
 PLACES = 2000
-#: Where the rolling radii differ by less [m] over a whole amplitude there is no conicity: 1 um over 1 km of track.
+#: Rolling radii that differ by less [m] over a whole amplitude are equal: profiles are printed to 1 nm.
 LEVEL = 1e-9
 #: This near to a turning point, over the swing's width, S is as high as there to rounding.
 ROUNDING = 1e-7
@@ -35,8 +35,8 @@ class Conicity:
 
     ``amplitude`` [m]; ``level`` without roll, both wheels on their rails at roll zero, as EN 15302 has its reference values;
     ``rolled`` with the wheelset's roll; ``middle`` of the level swing [m]; ``wavelength`` of the level swing [m];
-    ``level_reason`` and ``rolled_reason``, "" or why there is no swing; ``nonlinearity``, change of the level conicity from 2 to
-    4 mm over these 2 mm [1/m] (Polach, Vehicle System Dynamics 48 S1 (2010) 19-36).
+    ``level_reason`` and ``rolled_reason``, "" or why there is no swing; ``nonlinearity``, change of the level conicity from
+    2 to 4 mm over these 2 mm [1/m] (Polach, Vehicle System Dynamics 48 S1 (2010) 19-36).
     """
 
     amplitude: np.ndarray
@@ -50,7 +50,7 @@ class Conicity:
 
 
 class Swing:
-    """A free wheelset on the rolling radius differences ``difference`` (n,) [m] at the lateral shifts ``shift`` (n,) [m], rising,
+    """A free wheelset on rolling radius differences ``difference`` (n,) [m] at lateral shifts ``shift`` (n,) [m], rising,
     with straight lines between them."""
 
     def __init__(self, shift, difference):
@@ -101,8 +101,8 @@ class Swing:
         return np.sum(amplitude * np.cos(phi) / speed) * math.pi / PLACES
 
     def conicity(self, amplitude):
-        """tan(gamma) [1], the middle of the swing [m], and "" or why there is none; of several swings that nearest the track's
-        middle."""
+        """tan(gamma) [1], the middle of the swing [m], and "" or why there is none; of several swings that nearest the
+        middle of the track."""
         turns = self.first_turns(amplitude) if self.shift[-1] - self.shift[0] > 2 * amplitude else []
         if turns:
             first = min(turns, key=lambda turn: abs(turn + amplitude))
@@ -133,11 +133,11 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
     """
     shift, difference = np.asarray(lateral_shift, dtype=float), np.asarray(radius_difference, dtype=float)
     if shift.ndim != 1 or shift.shape != difference.shape or len(shift) < 2:
-        raise ValueError(f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; permitted are arrays "
-                         f"of the same length, 2 or more")
+        raise ValueError(f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; permitted are "
+                         f"arrays of the same length, 2 or more")
     if not (np.all(np.isfinite(shift)) and np.all(np.isfinite(difference)) and np.all(np.diff(shift) > 0.0)):
-        raise ValueError("lateral_shift does not rise all along, or there are values that are not finite; permitted are finite "
-                         "numbers [m], lateral_shift rising")
+        raise ValueError("lateral_shift does not rise all along, or there are values that are not finite; permitted are "
+                         "finite numbers [m], lateral_shift rising")
     amplitudes = np.atleast_1d(np.asarray(amplitude, dtype=float))
     if not np.all(amplitudes > 0.0):
         raise ValueError(f"amplitude is {amplitude!r}; permitted is amplitude > 0 m")
@@ -146,13 +146,21 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
 
 
 def conicities(level, rolled, *, running_circle_distance, nominal_radius):
-    """The :class:`Conicity` of two curves, each (lateral shift (n,), rolling radius difference (n,)), or None for no contact."""
-    nothing = math.nan, math.nan, OFF_PROFILE
-    (values, middles, reasons), (rolled_values, _, rolled_reasons) = (
-        zip(*(nothing if curve is None else Swing(*curve).conicity(value) for value in AMPLITUDES)) for curve in (level, rolled))
-    values = np.array(values)
+    """The :class:`Conicity` of two curves, each (lateral shift, rolling radius difference) (n,), None without contact."""
+    values, middles, reasons = _at_amplitudes(level)
+    rolled_values, _, rolled_reasons = _at_amplitudes(rolled)
     with np.errstate(divide="ignore"):
         wavelength = 2 * math.pi * np.sqrt(running_circle_distance * nominal_radius / (2 * values))
     at = {round(value * 1e3): k for k, value in enumerate(AMPLITUDES)}
-    return Conicity(AMPLITUDES, values, np.array(rolled_values), np.array(middles), wavelength, reasons, rolled_reasons,
+    return Conicity(AMPLITUDES, values, rolled_values, middles, wavelength, reasons, rolled_reasons,
                     float(values[at[4]] - values[at[2]]) / 2e-3)
+
+
+def _at_amplitudes(curve):
+    """Conicities (m,), middles (m,) and reasons at AMPLITUDES, of one curve or None."""
+    if curve is None:
+        nothing = np.full(len(AMPLITUDES), math.nan)
+        return nothing, nothing, (OFF_PROFILE,) * len(AMPLITUDES)
+    swing = Swing(*curve)
+    values, middles, reasons = zip(*map(swing.conicity, AMPLITUDES))
+    return np.array(values), np.array(middles), reasons

@@ -7,8 +7,8 @@ import numpy as np
 from ..conventions import SIDES
 from .jumps import FAR, LIFTED
 
-#: Half the difference of two shifts from which a derivative is taken [m]: roll and places are known to 1e-14, and curvatures of
-#: profiles change over 1e-4 m at the least.
+#: Half the difference of two shifts from which a derivative is taken [m]: roll and places are known to 1e-14, and curvatures
+#: of profiles change over 1e-4 m at the least.
 NUDGE = 1e-6
 
 
@@ -16,9 +16,9 @@ NUDGE = 1e-6
 class SideCurves:
     """One contact over the lateral shift, arrays (n,), NaN where there is none.
 
-    ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, how far they move per lateral shift [1]; ``contact_angle`` [rad],
-    ``curvature``, of wheel against rail across the track [1/m]; ``rolling_radius`` [m]; ``near_width`` [m] and ``near_turn``
-    [rad], how long and how bent the stretch of the wheel is that lies within NEAR of the rail (conformal.py).
+    ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, how far they move per lateral shift [1]; ``contact_angle``
+    [rad], ``curvature``, of wheel against rail across the track [1/m]; ``rolling_radius`` [m]; ``near_width`` [m] and
+    ``near_turn`` [rad], how long and how bent the stretch of the wheel is that lies within NEAR of the rail (conformal.py).
     """
 
     y_wheel: np.ndarray
@@ -36,9 +36,9 @@ class SideCurves:
 class Curves:
     """A pair over the lateral shift, arrays (n,), NaN where there is no contact.
 
-    ``lateral_shift`` [m]; ``roll`` [rad] and ``roll_rate``, its derivative [rad/m]; ``jump_distance`` [m], to the nearest jump of
-    either contact, infinite without one; ``radius_difference`` and ``level_radius_difference`` [m], of the rolling radii right and
-    left, with the wheelset's roll and without; ``left`` and ``right``, a :class:`SideCurves` each.
+    ``lateral_shift`` [m]; ``roll`` [rad] and ``roll_rate``, its derivative [rad/m]; ``jump_distance`` [m], to the nearest
+    jump of either contact, infinite without one; ``radius_difference`` and ``level_radius_difference`` [m], of the rolling
+    radii right and left, with the wheelset's roll and without; ``left`` and ``right``, a :class:`SideCurves` each.
     """
 
     lateral_shift: np.ndarray

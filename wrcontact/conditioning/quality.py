@@ -21,10 +21,11 @@ STEP = 0.05e-3
 class ProfileQuality:
     """One profile, and the part of it that contacts visit.
 
-    ``start``, ``stop`` where it can be read [m], a rail on the track as it leans; ``visited`` first and last place of a contact
-    [m], NaN without one; ``pieces`` how many; ``kinks``, (y [m], turn [rad]) of the visited joints that turn by more than KINK;
-    ``curvature_step``, the largest step of the curvature at a visited joint [1/m]; ``roughness``, how far the visited curvature
-    is off its mean over SMOOTH, in the median [1/m]; ``reading`` of the file, None for a profile that is not from points.
+    ``start``, ``stop`` where it can be read [m], a rail on the track as it leans; ``visited`` first and last place of a
+    contact [m], NaN without one; ``pieces`` how many; ``kinks``, (y [m], turn [rad]) of the visited joints that turn by more
+    than KINK; ``curvature_step``, the largest step of the curvature at a visited joint [1/m]; ``roughness``, how far the
+    visited curvature is off its mean over SMOOTH, in the median [1/m]; ``reading`` of the file, None for a profile that is
+    not from points.
     """
 
     name: str
@@ -40,8 +41,8 @@ class ProfileQuality:
 
 
 def profile_quality(profile, table, visited, inclination=0.0):
-    """The :class:`ProfileQuality` of ``profile``, which the kernel reads as ``table``, with contacts between ``visited`` = (low,
-    high) [m]; a rail leans by ``inclination``."""
+    """The :class:`ProfileQuality` of ``profile``, which the kernel reads as ``table``, with contacts between ``visited`` =
+    (low, high) [m]; a rail leans by ``inclination``."""
     y = _on_track(profile, math.atan(inclination))
     joints = [joint for joint, at in zip(profile.joints, y) if visited[0] <= at <= visited[1]]
     y = y[(y >= visited[0]) & (y <= visited[1])]
@@ -67,8 +68,8 @@ def _on_track(profile, angle):
 
 
 def _roughness(table, low, high):
-    """Median distance [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH; a design's few joints do
-    not count in it."""
+    """Median distance [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH; a design's few
+    joints do not count in it."""
     y = places(table, STEP)
     y = y[(y >= low) & (y <= high)]
     window = np.ones(int(SMOOTH / STEP) | 1)

@@ -33,8 +33,8 @@ def _mm(value, digits=2):
 def _on_range(usable, usable_shifts, flange_shift, curves):
     first, last = usable_shifts
     if not usable:
-        yield (f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} ... {_mm(last)} mm: the "
-               f"pair cannot be used")
+        yield (f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} ... {_mm(last)} "
+               f"mm: the pair cannot be used")
     elif max(first, -last) > -RUNNING:
         yield f"the contact leaves the profiles beyond lateral shifts of {_mm(first)} ... {_mm(last)} mm"
     inside = (curves.lateral_shift >= first) & (curves.lateral_shift <= last)
@@ -50,12 +50,13 @@ def _on_range(usable, usable_shifts, flange_shift, curves):
 def _on_jumps(jumps, nearest_jump):
     if nearest_jump < CLOSE:
         nearest = min(jumps, key=lambda jump: (abs(jump.lateral_shift), jump.side == "left"))
-        yield (f"contact jumps {_mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)} mm from the centred position, from {_mm(nearest.before, 1)} to "
+        distance = _mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)
+        yield (f"contact jumps {distance} mm from the centred position, from {_mm(nearest.before, 1)} to "
                f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: which place is in contact there hangs on details")
     count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, "right"))
     if count > MANY:
-        yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the curvatures are rough, or "
-               f"the profiles nearly fit each other")
+        yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the curvatures are "
+               f"rough, or the profiles nearly fit each other")
 
 
 def _on_moves(curves):
@@ -63,15 +64,15 @@ def _on_moves(curves):
     rate = np.where(near & np.isfinite(curves.right.wheel_rate), np.abs(curves.right.wheel_rate), 0.0)
     worst = int(np.argmax(rate))
     if rate[worst] > FAST:
-        yield (f"at {_mm(curves.lateral_shift[worst])} mm the right contact moves by {rate[worst]:.0f} mm on its wheel per mm of "
-               f"lateral shift")
+        yield (f"at {_mm(curves.lateral_shift[worst])} mm the right contact moves by {rate[worst]:.0f} mm on its wheel per "
+               f"mm of lateral shift")
 
 
 def _on_zones(conformal):
     for zone in conformal:
         if zone.side == "right" and zone.start <= RUNNING and zone.stop >= -RUNNING:
-            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and rail lie within 0.1 mm "
-                   f"over up to {_mm(zone.width, 0)} mm, which turn by up to {math.degrees(zone.turn):.0f} deg")
+            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and rail lie "
+                   f"within 0.1 mm over up to {_mm(zone.width, 0)} mm, which turn by up to {math.degrees(zone.turn):.0f} deg")
 
 
 def _on_conicity(conicity):
@@ -94,5 +95,5 @@ def _on_profile(profile):
         yield f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where contacts are" + (
             f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else "")
     if profile.roughness > ROUGH:
-        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where contacts are: they follow noise; "
-               f"more smoothing helps")
+        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where contacts are: they "
+               f"follow noise; more smoothing helps")

@@ -148,8 +148,8 @@ def _curves(rolling, level, shifts, table, jumps):
 
 
 def _swing_curve(system, jumps):
-    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at every jump; None
-    without contact there."""
+    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at every jump;
+    None without contact there."""
     beside = [jump.lateral_shift + step for jump in jumps for step in (-RESOLUTION, RESOLUTION)]
     shifts = np.unique(np.concatenate([_shifts(FINE), np.clip(beside, -LATERAL_LIMIT, LATERAL_LIMIT)]))
     difference = radius_difference(system, shifts)

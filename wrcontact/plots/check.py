@@ -1,4 +1,4 @@
-"""The picture of ``wrcontact check``: where contacts are, what they do to the rolling radii, and how well that is conditioned."""
+"""The picture of ``wrcontact check``: where contacts are, what they do to rolling radii, and how well that is conditioned."""
 
 import numpy as np
 
@@ -44,7 +44,7 @@ def _headline(report):
 
 
 def draw_places(figure, panel, report):
-    """Wheel and rail one above the other, with the places that touch joined, coloured by the lateral shift; jumps are dotted."""
+    """Wheel above rail, with the places that touch joined, coloured by the lateral shift; jumps are dotted."""
     panel.set_label("places")
     panel.set_title("Places of right wheel and rail that touch; dotted beside a jump")
     wheel, rail, y_top = report.system.profile_tables()
@@ -55,7 +55,8 @@ def draw_places(figure, panel, report):
     for shift in np.arange(-SHOWN, SHOWN + 0.5 * JOINED, JOINED):
         at = int(np.argmin(np.abs(report.curves.lateral_shift - shift)))
         if np.isfinite(side.y_wheel[at]):
-            _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at], color=colours.to_rgba(shift / MM), linewidth=0.9)
+            _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at], color=colours.to_rgba(shift / MM),
+                  linewidth=0.9)
     for jump in _shown_jumps(report, "right"):
         colour = colours.to_rgba(jump.lateral_shift / MM)
         for place, beside in ((jump.before, jump.rail_before), (jump.after, jump.rail_after)):
@@ -113,7 +114,7 @@ def draw_radii(panel, report):
                        linewidth=1.6 if name == "rolled" else 1.1)
     panel.axhline(0, color=QUIET, linewidth=0.6)
     _shift_axis(panel, "mm")
-    _legend(panel)
+    _legend(panel, "upper left")
 
 
 def draw_conicity(panel, report):
@@ -125,16 +126,17 @@ def draw_conicity(panel, report):
         curve, dots = report.conicity_curves[name], getattr(report.conicity, name)
         if curve is not None:
             swing = Swing(*curve)
-            panel.plot(FINE_AMPLITUDES / MM, [swing.conicity(value)[0] for value in FINE_AMPLITUDES], color=colour, label=words)
+            values = [swing.conicity(value)[0] for value in FINE_AMPLITUDES]
+            panel.plot(FINE_AMPLITUDES / MM, values, color=colour, label=words)
             panel.plot(AMPLITUDES / MM, dots, "o", color=colour, markersize=3.5)
             top = max(top, 1.1 * np.nanmax(dots, initial=0.0))
     panel.set(xlim=(0, AMPLITUDES[-1] / MM + 0.2), ylim=(0, top), xlabel="amplitude [mm]", ylabel="tan γ")
-    _legend(panel)
+    _legend(panel, "upper center")
 
 
-def _legend(panel):
+def _legend(panel, place):
     if panel.get_legend_handles_labels()[0]:
-        panel.legend(loc="upper left")
+        panel.legend(loc=place)
     else:
         panel.text(0.5, 0.5, "no contact", transform=panel.transAxes, ha="center", color=QUIET)
 
@@ -147,7 +149,8 @@ def draw_moves(panel, report):
     panel.set_label("moves")
     panel.set_title("Move of the right contact per lateral shift")
     shift, side = report.curves.lateral_shift / MM, report.curves.right
-    for rate, colour, words in ((side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")):
+    rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
+    for rate, colour, words in rates:
         panel.plot(*_broken(report, shift, np.abs(rate), "right"), color=colour, label=words)
     _mark_jumps(panel, report, ("right",))
     panel.set_yscale("log")
@@ -195,8 +198,8 @@ def draw_near(panel, report):
             panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal")
     panel.plot(*_broken(report, shift, side.near_width / MM, "right"), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
-    panel.text(0.01, WIDE / MM, f"shaded: longer, or turns by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left", va="bottom",
-               fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
+    panel.text(0.01, WIDE / MM, f"shaded: longer, or turns by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left",
+               va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
     _shift_axis(panel, "mm")
     panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0),
                                                          initial=0.0)))
