@@ -62,6 +62,9 @@ FINE_CELL: Final[float] = 0.501e-3
 PROBE_STRIDE: Final[int] = 8
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (3e-5 m)^2 / 8, 2e-9 m at worst.
 NARROW: Final[float] = 3.2e-5
+#: Second derivatives below minus this [1/m] are those of rough profiles, or steep: waves as short as a cell, of less bend, hide
+#: no more than 1e-7 m.  Treads of exact and of smoothed profiles stay above it.
+ROUGH: Final[float] = 20.0
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
 #: The end of the rail is located to this [m].
@@ -430,7 +433,10 @@ def list_candidate(work: 'float[:]', side: int, node: int, direction: int, absci
 def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
                 least: float, most: float, first: float, last: float):
     """Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
-    turns.  ``least`` and ``most`` bound the second derivative."""
+    turns.  ``least`` and ``most`` bound the second derivative.
+
+    Where that may be below -ROUGH there can be another minimum beside the one that is found, and halving goes on.
+    """
     stack = side + SIDE_STACK
     gap_low, mismatch_low, rate = vertical_gap(tables, place, at, first)
     gap_high, mismatch_high, rate = vertical_gap(tables, place, at, last)
@@ -454,10 +460,13 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
             keep_best(work, side, high, gap_high)
         if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
-            if mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded:
+            turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
+            rough = least < -ROUGH
+            known = low < work[side + SIDE_BEST_Y] and work[side + SIDE_BEST_Y] < high
+            if turns and not (rough and known):
                 y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
                 keep_best(work, side, y, gap)
-            elif width > NARROW and (folded or not least > 0.0):
+            if width > NARROW and (folded or rough or not (turns or least > 0.0)):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
                 state[STATE_GAP_COUNT] += 1.0

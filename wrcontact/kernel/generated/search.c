@@ -610,6 +610,8 @@ static inline int64_t search__list_candidate(array_double_1d work, int64_t side,
 
 /* Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
  * turns.  ``least`` and ``most`` bound the second derivative.
+ *
+ * Where that may be below -ROUGH there can be another minimum beside the one that is found, and halving goes on.
  */
 static inline int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last)
 {
@@ -626,6 +628,9 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
     double width;
     double lowest;
     bool folded;
+    bool turns;
+    bool rough;
+    bool known;
     double y;
     double gap;
     double middle;
@@ -657,12 +662,15 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
         if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
-            if ((mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded))
+            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
+            rough = least < -search__ROUGH;
+            known = (low < (*cspan_at(&work, side + layout__SIDE_BEST_Y))) && ((*cspan_at(&work, side + layout__SIDE_BEST_Y)) < high);
+            if (turns && (!(rough && known)))
             {
                 search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
                 search__keep_best(work, side, y, gap);
             }
-            else if ((width > search__NARROW) && (folded || (!(least > 0.0))))
+            if ((width > search__NARROW) && (folded || rough || (!(turns || (least > 0.0)))))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);

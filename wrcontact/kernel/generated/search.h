@@ -53,6 +53,7 @@ static const double search__WIDEST = 0.25;
 static const double search__FINE_CELL = 0.000501;
 static const int64_t search__PROBE_STRIDE = INT64_C(8);
 static const double search__NARROW = 3.2e-05;
+static const double search__ROUGH = 20.0;
 static const double search__SHARP = 1e-13;
 static const double search__END_SHARP = 1e-09;
 static const double search__LARGE_GAP = 1000.0;
