@@ -20,6 +20,8 @@ NEAR = 0.1e-3
 WIDE = 25e-3
 #: [rad] Regions that lean apart by more have planes of their own in this package (kernel/planes.py).
 TURN = math.radians(15.0)
+#: [m] Shifts no farther apart than this belong to one zone.
+ONE = 0.21e-3
 #: [m] From point to point of the outlines; between them straight lines are 0.03 um off on the sharpest flange.
 STEP = 0.05e-3
 #: The direction of the wheel is that of chords over so many steps, 1 mm: noise does not turn them.
@@ -80,17 +82,17 @@ def near_stretches(system, lateral_shift, table):
 
 def conformal_zones(lateral_shift, sides):
     """The :class:`ConformalZone` of both contacts, left ones first; ``sides`` are their SideCurves by name."""
-    return tuple(_zone(name, lateral_shift[run], side, run) for name, side in sides.items()
-                 for run in _runs((side.near_width > WIDE) | (side.near_turn > TURN)))
+    return tuple(_zone(name, lateral_shift, side, shifts) for name, side in sides.items()
+                 for shifts in _zones(lateral_shift, (side.near_width > WIDE) | (side.near_turn > TURN)))
 
 
-def _zone(name, shifts, side, run):
-    place = side.y_wheel[run]
-    return ConformalZone(name, float(shifts[0]), float(shifts[-1]), float(np.min(place)), float(np.max(place)),
-                         float(np.max(side.near_width[run])), float(np.max(side.near_turn[run])))
+def _zones(lateral_shift, conformal):
+    """Indices of the ``conformal`` shifts (n,), zone by zone; those no farther apart than ONE are in the same."""
+    found = np.flatnonzero(conformal)
+    return [part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1) if len(part)]
 
 
-def _runs(flags):
-    """Slices of the unbroken runs of True in ``flags`` (n,)."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
-    return [slice(start, stop) for start, stop in zip(edges[::2], edges[1::2])]
+def _zone(name, lateral_shift, side, shifts):
+    place = side.y_wheel[shifts]
+    return ConformalZone(name, float(lateral_shift[shifts[0]]), float(lateral_shift[shifts[-1]]), float(np.min(place)),
+                         float(np.max(place)), float(np.max(side.near_width[shifts])), float(np.max(side.near_turn[shifts])))
