@@ -8,9 +8,7 @@ never the one that the host has installed.
 import argparse
 import hashlib
 import io
-import os
 import sys
-import tempfile
 import zipfile
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
@@ -22,6 +20,7 @@ from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS
 from ..profiles.files import prepared_text
 from ..profiles.remarks import remarks_in_lines
+from ..whole_file import sentence_of, write_whole
 from . import SOURCES
 from .compilers import has_zig
 from .description import MODEL, model_description
@@ -66,6 +65,7 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
     if problems:
         raise ValueError("the FMU would not be valid: " + " ".join(problems))
     target = Path(output, f"{MODEL}.fmu")
+    target.parent.mkdir(parents=True, exist_ok=True)
     write_whole(target, data)
     return target
 
@@ -158,20 +158,6 @@ def archive(entries):
     return stream.getvalue()
 
 
-def write_whole(target, data):
-    """Write a file so that it is either whole or the one from before."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    handle, part = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        os.chmod(part, 0o644)
-        os.replace(part, target)
-    except BaseException:
-        os.unlink(part)
-        raise
-
-
 def problems_of(data):
     """What fmpy finds wrong with the archive ``data``; an empty list is a valid FMU."""
     from fmpy.validation import validate_fmu
@@ -205,8 +191,11 @@ def main(arguments=None):
         with remarks_in_lines("build_fmu.py"):
             print(*_built(native, platforms, chosen), sep="\n")
     except (ValueError, OSError) as problem:
-        print(f"build_fmu.py: {problem}", file=sys.stderr)
+        print(f"build_fmu.py: {sentence_of(problem) if isinstance(problem, OSError) else problem}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("build_fmu.py: interrupted; an FMU is whole, or as it was before", file=sys.stderr)
+        return 130
     return 0
 
 

@@ -11,11 +11,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from ..kernel.files import HERE, fingerprint
 from ..kernel.platforms import PLATFORMS, host_platform, library_name
+from ..whole_file import write_whole
 
 #: No fused a*b + c: the results are those of the kernel's Python source, to the last bit.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
@@ -52,9 +54,9 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
         def compiled(source):
             kept = place / f"{digest(command, folder, source)}.o"
             if not kept.exists():
-                part = kept.with_suffix(f".{os.getpid()}.part.o")
-                run("-c", source, "-o", str(part))
-                part.replace(kept)
+                made = Path(scratch, f"{threading.get_ident()}.o")
+                run("-c", source, "-o", str(made))
+                write_whole(kept, made.read_bytes())
             return str(kept)
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
