@@ -1,11 +1,15 @@
-"""Native FMUs for all tests of a run: what they are compiled of is compiled once."""
+"""FMUs for all tests of a run: what the native ones are compiled of is compiled once."""
+
+import os
 
 import pytest
 
 
 @pytest.fixture(scope="session")
 def compiled(tmp_path_factory):
-    """Folder in which compiled sources are kept for the next FMU."""
+    """Folder in which compiled sources are kept for the next FMU; all workers of a run have the same."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        return tmp_path_factory.getbasetemp().parent / "compiled"
     return tmp_path_factory.mktemp("compiled")
 
 

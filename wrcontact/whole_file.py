@@ -11,6 +11,7 @@ import errno
 import os
 import secrets
 import stat
+import tempfile
 import time
 from pathlib import Path
 
@@ -75,7 +76,6 @@ def _remove_abandoned(folder):
 
 
 def sentence_of(problem):
-    """What an OSError says, in one sentence with the name of the file."""
-    if problem.filename is None:
-        return str(problem.strerror or problem)
-    return f"{os.fsdecode(problem.filename)}: {problem.strerror}"
+    """What an OSError says, in one sentence with the name of the file; only scratch files have none."""
+    where = os.fsdecode(problem.filename or tempfile.tempdir or "the folder for temporary files")
+    return f"{where}: {problem.strerror or problem}"

@@ -18,6 +18,7 @@ import pythonfmu
 from .. import ContactSystem, __version__
 from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS
+from ..profiles.catalogue import BUILDERS
 from ..profiles.files import prepared_text
 from ..profiles.remarks import remarks_in_lines
 from ..whole_file import sentence_of, write_whole
@@ -59,7 +60,8 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
         when a profile cannot be used; the sentence says why.
     """
     starts, profiles = chosen_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
-    contents = {**runtime(), **documentation(starts), **profiles, **package(starts)}
+    files = {f"resources/{name}": prepared_text(profile).encode() for name, profile in profiles.items()}
+    contents = {**runtime(), **documentation(starts), **files, **package(starts)}
     data = archive(sealed(contents, starts))
     problems = problems_of(data)
     if problems:
@@ -71,7 +73,7 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
 
 
 def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the entries of the profile files among them.
+    """Start values of the profile parameters, and the profiles of the files among them, each read once, by file name.
 
     Files go in prepared, under their own names: reading points takes scipy, which an FMU must do without.
     """
@@ -79,11 +81,10 @@ def chosen_profiles(smoothing=None, **chosen):
     given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
     system = ContactSystem(**given, smoothing=smoothing)
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
-    files = {parameter: Path(name).name for parameter, name in starts.items() if Path(name).is_file()}
+    files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     if len(set(files.values())) < len(files):
         raise ValueError(f"wheel and rail profile have one file name, {files['wheel_profile']}; rename one")
-    entries = {f"resources/{file}": prepared_text(profiles[parameter]).encode() for parameter, file in files.items()}
-    return {**starts, **files}, entries
+    return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def runtime():

@@ -43,7 +43,7 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
 
     def run(*arguments):
         done = subprocess.run([*command, *arguments], cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **zig_cache(scratch)})
         if done.returncode:
             raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{done.stdout}")
 
@@ -64,6 +64,20 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
         output = Path(scratch, library)
         run("-shared", *chosen.link_flags(library), *objects, "-o", str(output), "-lm")
         return output.read_bytes()
+
+
+def zig_cache(scratch):
+    """Environment in which zig has a cache: none of its own, but in ``scratch`` where it could not write to its usual one."""
+    if sys.platform == "win32" or "ZIG_GLOBAL_CACHE_DIR" in os.environ:
+        return {}
+    try:
+        usual = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "zig")
+        usual.mkdir(parents=True, exist_ok=True)
+        if os.access(usual, os.W_OK):
+            return {}
+    except (OSError, RuntimeError):     # read-only, or there is no home
+        pass
+    return {"ZIG_GLOBAL_CACHE_DIR": os.path.join(scratch, "zig"), "ZIG_LOCAL_CACHE_DIR": os.path.join(scratch, "zig")}
 
 
 def digest(command, folder, source):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import fmpy
 
-from .. import ContactSystem, __version__
+from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
@@ -55,12 +55,8 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
 
 def packed_profiles(smoothing=None, **chosen):
     """Start values of the profile parameters, and all profiles that can be chosen, by name."""
-    starts, _ = chosen_profiles(smoothing, **chosen)
-    profiles = {name: standard_profile(name) for name in BUILDERS}
-    given = {parameter.removesuffix("_profile"): name for parameter, name in chosen.items() if name is not None}
-    system = ContactSystem(**given, smoothing=smoothing)
-    own = {"wheel_profile": system.wheel, "rail_profile": system.rail}
-    return starts, {**profiles, **{name: own[parameter] for parameter, name in starts.items()}}
+    starts, own = chosen_profiles(smoothing, **chosen)
+    return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
 
 
 def native_fmu(version, starts, profiles, platforms, folder, cache):
