@@ -287,12 +287,12 @@ def damaged_states(fmu, rows, seed, count, foreign=()):
             "saved": saved.hex()}
 
 
-def localised(fmu, locale_name, scenario, arguments):
+def localised(fmu, locale_name, inner, arguments):
     """A scenario in a host that has chosen this locale for its numbers."""
     locale.setlocale(locale.LC_NUMERIC, locale_name)
     written = ctypes.create_string_buffer(16)
     ctypes.CDLL(None).snprintf(written, 16, b"%g", c_double(1.5))
-    return {"one and a half": written.value.decode(), "answer": globals()[scenario](fmu, **arguments)}
+    return {"one and a half": written.value.decode(), "answer": globals()[inner](fmu, **arguments)}
 
 
 def forked(fmu, rows):
@@ -397,6 +397,21 @@ def neighbours(fmu, other, other_folder):
     one.step(lateral_shift=1e-3), two.step(lateral_shift=1e-3)
     wheels = [one.get("wheel_profile"), two.get("wheel_profile")]
     return {"one": one.get(), "two": two.get(), "wheels": wheels, "modules": modules()}
+
+
+def several(fmu, others, rows, shared):
+    """Several FMUs in one process, stepped in turn, with two instances of the first."""
+    fmus = {"first": fmu, **{name: Fmu(*where) for name, where in others.items()}, "again": fmu}
+    for one in fmus.values() if shared else ():
+        for library in Path(one.folder, "binaries").glob("*/*.so"):
+            ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
+    made = {name: one.running(name) for name, one in fmus.items()}
+    seen = {name: {"seen": [], "rail": instance.get("rail_profile")["rail_profile"]} for name, instance in made.items()}
+    for row in rows:
+        for name, instance in made.items():
+            instance.step(**row)
+            seen[name]["seen"].append(instance.get())
+    return seen
 
 
 def refusals(fmu, cases):
