@@ -510,14 +510,15 @@ def walk(fmu, seed, steps, resumed=False):
     references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
     angle, place, twin = (reals.index(reference[f"right.{name}"])
                           for name in ("contact_angle", "contact.y_wheel", "patch[2].normal_force"))
-    seen = dict.fromkeys(("bad", "flange", "jumps", "twins", "partings", "homes", "same_bits"), 0)
-    digest, pages, first_bad, last_place, home = hashlib.blake2b(digest_size=8), [], [], 0.0, None
+    seen = dict.fromkeys(("bad", "flange", "jumps", "twins", "partings", "made", "homes", "same_bits"), 0)
+    digest, sizes, first_bad, last_place, home = hashlib.blake2b(digest_size=8), [], [], 0.0, None
     lowest, highest = [list(values) for _ in range(2)], [list(values) for _ in range(2)]
     walker = Walker(seed)
     for k, row in enumerate(walker.rows(steps)):
         if resumed and elsewhere.draw() > 1.0 - 2.0 / PARTING:
-            instance = part(fmu, instance, elsewhere)
+            before, instance = instance, part(fmu, instance, elsewhere)
             seen["partings"] += 1
+            seen["made"] += instance is not before
         slave = instance.slave
         slave.setReal([0, 1, 2, 3, 4], row)
         slave.doStep(0.0, 1e-3)
@@ -538,11 +539,11 @@ def walk(fmu, seed, steps, resumed=False):
             lowest[half] = list(values) if first else list(map(min, lowest[half], values))
             highest[half] = list(values) if first else list(map(max, highest[half], values))
         if 10 * k >= steps and k % 1000 == 0:
-            pages.append(resident())
+            sizes.append(resident())
     kept = {"home": list((c_double * len(reals)).from_buffer_copy(home)), "low": lowest[0], "high": highest[0],
             "late_low": lowest[1], "late_high": highest[1]}
     return {**seen, **kept, "steps": steps, "first_bad": first_bad, "last": walker.at, "digest": digest.hexdigest(),
-            "resident": [pages[0], min(pages), max(pages)]}
+            "resident": [sizes[0], min(sizes), max(sizes)]}
 
 
 PARTING = 500  # steps from one saved state of a walk to the next, in the mean
@@ -573,9 +574,9 @@ def part(fmu, instance, elsewhere):
 
 
 def resident():
-    """Resident memory of this process [bytes]; 0 where the system does not tell."""
+    """Resident memory of this process [bytes], counted page by page; 0 where the system does not tell."""
     try:
-        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+        return int(Path("/proc/self/smaps_rollup").read_text().split("Rss:")[1].split()[0]) * 1024
     except OSError:
         return 0
 

@@ -898,21 +898,21 @@ typedef struct {
     long bad, flange, jumps, twins, partings;       /* steps that are not valid, with flange contact, ... */
     double first_bad[5];
     unsigned long long digest;                      /* of all outputs of all steps */
-    long before, least, most;                       /* resident pages after a tenth of the walk, and from then on */
+    long before, least, most;                       /* resident memory after a tenth of the walk, and from then on */
     double low[2][SEEN], high[2][SEEN];             /* of the outputs at home, in each half of the walk */
     long homes, same_bits;
     double home[SEEN], values[SEEN];
 } walk;
 
+/* Resident memory [kB], counted page by page: /proc/self/statm may be late by 16 pages a processor. */
 static long resident(void)
 {
-    char text[100] = "";
-    const int file = open("/proc/self/statm", O_RDONLY);
-    long size = 0, pages = 0;
-    if (file >= 0 && read(file, text, sizeof text - 1) > 0)
-        sscanf(text, "%ld %ld", &size, &pages);
+    char text[500] = "";
+    const int file = open("/proc/self/smaps_rollup", O_RDONLY);
+    if (file < 0 || read(file, text, sizeof text - 1) <= 0 || !strstr(text, "Rss:"))
+        printf("resident memory is not told\n"), exit(1);
     close(file);
-    return pages;
+    return atol(strstr(text, "Rss:") + 4);
 }
 
 /* The place of an output's value among those of usual_row. */
@@ -1023,11 +1023,11 @@ static void *run_walk(void *argument)
             note_home(self, 2 * k >= self->steps);
         if (k >= self->steps / 10 && k % LOOK == 0)
         {
-            const long pages = resident();
+            const long size = resident();
             if (!self->before)
-                self->before = self->least = self->most = pages;
-            self->least = pages < self->least ? pages : self->least;
-            self->most = pages > self->most ? pages : self->most;
+                self->before = self->least = self->most = size;
+            self->least = size < self->least ? size : self->least;
+            self->most = size > self->most ? size : self->most;
         }
     }
     return NULL;

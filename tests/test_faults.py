@@ -377,7 +377,8 @@ def read_only(tmp_path):
 
 @slow
 @needs_compiler
-def test_read_only_installation_home_and_folder(tmp_path, read_only):
+@pytest.mark.parametrize("what", ["native", pytest.param("all", marks=complete)])
+def test_read_only_installation_home_and_folder(tmp_path, read_only, what):
     """The package evaluates, draws and builds its FMUs; where it may not write, one sentence says so."""
     installed, home, closed = (tmp_path / name for name in ("installed", "home", "closed"))
     package = Path(whole_file.__file__).parent
@@ -399,28 +400,30 @@ def test_read_only_installation_home_and_folder(tmp_path, read_only):
     answer = run("import wrcontact; print(wrcontact.__file__); print(wrcontact.ContactSystem().evaluate(1e-3).roll)")
     file, roll = answer.stdout.split()
     assert Path(file).is_relative_to(installed) and float(roll) == ContactSystem().evaluate(1e-3).roll
-    built = run("from wrcontact.fmu import build_fmu; from wrcontact.fmu.native import build_native_fmus as native; "
-                "print(build_fmu('out')); print(*native('out'))")
-    assert built.returncode == 0 and "uncompiled" not in built.stderr and "no compiled kernel" not in built.stderr, built.stderr
-    assert assert_files_are_whole(tmp_path / "out") == 3
+    run("from wrcontact.fmu.native import build_native_fmus; build_native_fmus('out')")
+    if what == "all":       # zig compiles libraries of Windows into its new cache
+        assert "no compiled kernel" not in run("from wrcontact.fmu import build_fmu; build_fmu('out')").stderr
+    assert assert_files_are_whole(tmp_path / "out") == (3 if what == "all" else 2)
     command = "from wrcontact.cli import main; main({!r}.split(), prog_name='wrcontact')"
     assert run(command.format("plot --output plot.png")).returncode == 0 and imread(tmp_path / "plot.png").size
     for words, wanted in (("sweep --csv closed/a.csv", "closed/a.csv"), ("plot --output closed/a.png", "closed/a.png"),
-                          ("demo --output closed/demo", "closed/demo"), ("figures --only 7.2 --output closed", "closed/fig_7_2.csv")):
+                          ("figures --only 7.2 --output closed", "closed/fig_7_2.csv")):
         done = run(command.format(words))
         assert done.returncode == 2 and done.stderr.splitlines()[-1] == f"wrcontact: {wanted}: Permission denied", done.stderr
 
 
 def test_zig_has_a_cache_where_the_home_is_read_only(tmp_path, monkeypatch):
-    """In the scratch folder of the build; elsewhere its usual one."""
+    """One that it shares with all that this process compiles; elsewhere its usual one."""
     for name in ("XDG_CACHE_HOME", "ZIG_GLOBAL_CACHE_DIR"):
         monkeypatch.delenv(name, raising=False)
+    find = zig_cache.__wrapped__
     monkeypatch.setenv("HOME", str(tmp_path))
-    assert zig_cache("scratch") == {}
+    assert find() == {}
     monkeypatch.setenv("HOME", "/dev/null")
-    assert zig_cache("scratch") == dict.fromkeys(("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR"), "scratch/zig")
+    folder, = set(find().values())
+    assert Path(folder).is_dir() and os.access(folder, os.W_OK)
     monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", "/mine")
-    assert zig_cache("scratch") == {}
+    assert find() == {}
 
 
 @slow

@@ -4,6 +4,7 @@ zig compiles a part of the C library for every platform at first, which takes a 
 keeps that in its own cache (``ZIG_GLOBAL_CACHE_DIR`` moves it).
 """
 
+import atexit
 import hashlib
 import importlib.util
 import os
@@ -13,6 +14,7 @@ import sys
 import tempfile
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
 from pathlib import Path
 
 from ..kernel.files import HERE, fingerprint
@@ -43,7 +45,7 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
 
     def run(*arguments):
         done = subprocess.run([*command, *arguments], cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **zig_cache(scratch)})
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **zig_cache()})
         if done.returncode:
             raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{done.stdout}")
 
@@ -66,8 +68,9 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
         return output.read_bytes()
 
 
-def zig_cache(scratch):
-    """Environment in which zig has a cache: none of its own, but in ``scratch`` where it could not write to its usual one."""
+@lru_cache(maxsize=None)
+def zig_cache():
+    """Environment in which zig has a cache: its usual one, or one until this process ends where it could not write to that."""
     if sys.platform == "win32" or "ZIG_GLOBAL_CACHE_DIR" in os.environ:
         return {}
     try:
@@ -77,7 +80,9 @@ def zig_cache(scratch):
             return {}
     except (OSError, RuntimeError):     # read-only, or there is no home
         pass
-    return {"ZIG_GLOBAL_CACHE_DIR": os.path.join(scratch, "zig"), "ZIG_LOCAL_CACHE_DIR": os.path.join(scratch, "zig")}
+    folder = tempfile.mkdtemp(prefix="wrcontact-zig-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return {"ZIG_GLOBAL_CACHE_DIR": folder, "ZIG_LOCAL_CACHE_DIR": folder}
 
 
 def digest(command, folder, source):
