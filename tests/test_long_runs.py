@@ -26,8 +26,8 @@ NOMINAL = np.array([v.nominal for v in REALS])
 #: How far an answer at one pose may scatter with the way there [of the nominal value]: the roll search ends within 1e-14 rad
 #: and the contact point within 1e-13 m, and both are 1e-3 and more in size.
 SCATTER = 1e-9
-#: Resident memory after the warm-up, a tenth of the walk, is flat to this share.
-FLAT = 0.01
+#: Resident memory after the warm-up, a tenth of the walk, is flat to this share; shorter walks are over before it.
+FLAT, WARM = 0.01, 100_000
 #: PythonFMU makes a class for every instance and never frees it [bytes]: 180 objects, and what lies between them.
 CLASS = 30e3
 #: Between the tables of two instances of the Python FMU the heap has holes, 2 MB after 200 instances and after 1000 [bytes].
@@ -73,9 +73,10 @@ def assert_sound(walk):
     scatter = np.maximum(highest - home, home - lowest)
     late = np.maximum(np.array(walk["late_high"]) - home, home - np.array(walk["late_low"]))
     assert len(home) == len(NOMINAL) and np.max(np.maximum(scatter, late) / NOMINAL) < SCATTER
-    before, least, most = walk["resident"]
-    room = CLASS * walk["made"] + TABLES if walk.get("partings") and "made" in walk else 0.0
-    assert least > (1.0 - FLAT) * before - room and most < (1.0 + FLAT) * before + room, (walk["resident"], room)
+    if walk["steps"] >= WARM:
+        before, least, most = walk["resident"]
+        room = CLASS * walk["made"] + TABLES if walk.get("made") else 0.0
+        assert least > (1.0 - FLAT) * before - room and most < (1.0 + FLAT) * before + room, (walk["resident"], room)
     return walk["digest"]
 
 
@@ -89,13 +90,13 @@ def assert_home(walk):
 
 
 @needs_glibc
-@pytest.mark.parametrize("version, steps", [(2, 200_000), (3, 20_000), pytest.param(2, 10_000_000, marks=complete)])
+@pytest.mark.parametrize("version, steps", [(2, 100_000), (3, 10_000), pytest.param(2, 10_000_000, marks=complete)])
 def test_a_native_walk_repeats_itself_and_resumes(hosts, version, steps):
     [walk], [resumed] = together(*([hosts[version], way, SEED, steps, 0] for way in ("walk", "resumed")))
     assert assert_sound(walk) == assert_sound(resumed)
     assert resumed["partings"] > steps / 1000
     assert_home(walk)
-    if steps <= 200_000:
+    if steps <= 100_000:
         assert walk["last"] == resumed["last"] == walked(SEED, steps)
 
 
@@ -120,7 +121,7 @@ def test_a_native_walk_with_other_methods(hosts, steps):
 
 
 @needs_glibc
-@pytest.mark.parametrize("steps", [10_000, pytest.param(1_250_000, marks=complete)])
+@pytest.mark.parametrize("steps", [5_000, pytest.param(1_250_000, marks=complete)])
 def test_eight_native_walks_in_eight_threads(hosts, steps):
     [threads], *alone = together([hosts[2], "walks", SEED, steps, 8]), *(
         together([hosts[2], "walk", SEED + k, steps, 0])[0] for k in range(8))
