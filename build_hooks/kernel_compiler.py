@@ -18,6 +18,7 @@ KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 _NAMES = runpy.run_path(str(KERNEL / "platforms.py"))
 PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
 LIBRARY_NAME = library_name(host_platform())
+write_whole = runpy.run_path(str(KERNEL.parent / "whole_file.py"))["write_whole"]
 
 #: What steps, what prepares and what differentiates: units of their own, so that no other takes from the optimising of the first.
 SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
@@ -58,14 +59,9 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
 
 
 def place(library, folder):
-    """Copy a library into ``folder`` under another name and move it: there is a whole one, or the one from before."""
+    """Copy a library into ``folder``: there is a whole one, or the one from before."""
     target = Path(folder) / library.name
-    part = target.with_name(f"{target.name}.{os.getpid()}.part")
-    try:
-        shutil.copyfile(library, part)
-        os.replace(part, target)
-    finally:
-        part.unlink(missing_ok=True)
+    write_whole(target, library.read_bytes())
     return target
 
 

@@ -1,12 +1,30 @@
-"""Native FMUs for all tests of a run: what they are compiled of is compiled once."""
+"""FMUs for all tests of a run: what the native ones are compiled of is compiled once."""
+
+import os
+import shutil
+import subprocess
 
 import pytest
 
 
 @pytest.fixture(scope="session")
 def compiled(tmp_path_factory):
-    """Folder in which compiled sources are kept for the next FMU."""
+    """Folder in which compiled sources are kept for the next FMU; all workers of a run have the same."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        return tmp_path_factory.getbasetemp().parent / "compiled"
     return tmp_path_factory.mktemp("compiled")
+
+
+@pytest.fixture
+def comma(tmp_path, monkeypatch):
+    """Name of a locale whose decimals have a comma, known to processes that are started now."""
+    if not shutil.which("localedef"):
+        pytest.skip("localedef, which makes a locale with decimal commas, is not installed")
+    source = tmp_path / "comma"
+    source.write_text('LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
+    subprocess.run(["localedef", "-c", "-i", str(source), "-f", "ANSI_X3.4-1968", str(tmp_path / "de_DE")], capture_output=True)
+    monkeypatch.setenv("LOCPATH", str(tmp_path))
+    return "de_DE"
 
 
 @pytest.fixture(scope="session")

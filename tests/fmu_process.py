@@ -5,10 +5,15 @@
 The host's own wrcontact is shut out: what answers is the code in the FMU.
 """
 
+import ctypes
 import gc
+import hashlib
 import json
+import locale
+import math
 import os
 import shutil
+import subprocess
 import sys
 import threading
 from ctypes import c_double, c_uint
@@ -28,6 +33,8 @@ class Shut:
 sys.meta_path.insert(0, Shut())
 
 import fmpy  # noqa: E402
+from damages import damages  # noqa: E402
+from walker import HOME, Walker  # noqa: E402
 from fmpy.fmi1 import FMICallException  # noqa: E402
 from fmpy.fmi2 import (  # noqa: E402
     FMU2Slave,
@@ -42,7 +49,7 @@ class Fmu:
     """An unpacked FMU: its description and where its variables are."""
 
     def __init__(self, file, folder):
-        self.folder = str(folder)
+        self.file, self.folder = file, str(folder)
         fmpy.extract(file, unzipdir=self.folder)
         self.description = fmpy.read_model_description(self.folder)
         self.variables = {v.name: v for v in self.description.modelVariables}
@@ -258,6 +265,64 @@ def _go_on(instance, rows):
     return seen
 
 
+def damaged_states(fmu, rows, seed, count, foreign=()):
+    """Bytes that are no state of this FMU, each offered to a running instance: how many, which were accepted or told in other
+    than one sentence, and whether the instance went on as one that was left alone."""
+    one, other = fmu.running("one"), fmu.running("other")
+    for row in rows[:3]:
+        one.step(**row), other.step(**row)
+    state = one.slave.getFMUstate()
+    saved = one.slave.serializeFMUstate(state)
+    one.slave.freeFMUstate(state)
+    cases = [*damages(saved, seed, count), *(("foreign", bytes.fromhex(text)) for text in foreign)]
+    wrong = []
+    for name, bad in cases:
+        one.told()
+        if not refused(set_state_from, one.slave, bad):
+            wrong.append([name, "accepted"])
+        lines = [line[-1] for line in one.told() if line[1]]
+        if len(lines) > 1 or not all("the saved state" in line and "the present state is kept" in line for line in lines):
+            wrong.append([name, lines])
+    return {"count": len(cases), "wrong": wrong[:5], "equal": _go_on(one, rows[3:]) == _go_on(other, rows[3:]),
+            "saved": saved.hex()}
+
+
+def localised(fmu, locale_name, inner, arguments):
+    """A scenario in a host that has chosen this locale for its numbers."""
+    locale.setlocale(locale.LC_NUMERIC, locale_name)
+    written = ctypes.create_string_buffer(16)
+    ctypes.CDLL(None).snprintf(written, 16, b"%g", c_double(1.5))
+    return {"one and a half": written.value.decode(), "answer": globals()[inner](fmu, **arguments)}
+
+
+def forked(fmu, rows):
+    """An instance of before a fork goes on in both processes, and in a spawned one from its bytes."""
+    instance = fmu.running()
+    for row in rows[:3]:
+        instance.step(**row)
+    state = instance.slave.getFMUstate()
+    saved = instance.slave.serializeFMUstate(state)
+    inlet, outlet = os.pipe()
+    if os.fork() == 0:
+        with open(outlet, "w") as pipe:
+            json.dump(_go_on(instance, rows[3:]), pipe)
+        os._exit(0)
+    os.close(outlet)
+    with open(inlet) as pipe:
+        child = json.load(pipe)
+    command = [sys.executable, __file__, "spawned", str(fmu.file), fmu.folder + " spawned"]
+    spawned = subprocess.run(command, input=json.dumps({"rows": rows[3:], "saved": saved.hex()}), text=True,
+                             capture_output=True, check=True)
+    return {"parent": _go_on(instance, rows[3:]), "child": child, "spawned": json.loads(spawned.stdout)}
+
+
+def spawned(fmu, rows, saved):
+    """Go on from the bytes of a state."""
+    instance = fmu.instance()
+    set_state_from(instance.slave, bytes.fromhex(saved))
+    return _go_on(instance, rows)
+
+
 def derivatives(fmu, rows, outputs, inputs, start):
     """Directional derivatives after steps, with whether the instance stayed as it was; and which calls are refused."""
     instance, seen = fmu.running(**start), []
@@ -332,6 +397,21 @@ def neighbours(fmu, other, other_folder):
     one.step(lateral_shift=1e-3), two.step(lateral_shift=1e-3)
     wheels = [one.get("wheel_profile"), two.get("wheel_profile")]
     return {"one": one.get(), "two": two.get(), "wheels": wheels, "modules": modules()}
+
+
+def several(fmu, others, rows, shared):
+    """Several FMUs in one process, stepped in turn, with two instances of the first."""
+    fmus = {"first": fmu, **{name: Fmu(*where) for name, where in others.items()}, "again": fmu}
+    for one in fmus.values() if shared else ():
+        for library in Path(one.folder, "binaries").glob("*/*.so"):
+            ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
+    made = {name: one.running(name) for name, one in fmus.items()}
+    seen = {name: {"seen": [], "rail": instance.get("rail_profile")["rail_profile"]} for name, instance in made.items()}
+    for row in rows:
+        for name, instance in made.items():
+            instance.step(**row)
+            seen[name]["seen"].append(instance.get())
+    return seen
 
 
 def refusals(fmu, cases):
@@ -422,10 +502,81 @@ def endurance(fmu, steps):
     return {"resident": resident() - before[0], "blocks": sys.getallocatedblocks() - before[1]}
 
 
+def walk(fmu, seed, steps, resumed=False):
+    """A random walk, now and then going on from a saved state: what was seen on it, as native_host.c's walks."""
+    instance, elsewhere = fmu.running(logging=False), Walker(~seed % 2**64)
+    reference = {name: variable.valueReference for name, variable in fmu.variables.items()}
+    reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"]
+    references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
+    angle, place, twin = (reals.index(reference[f"right.{name}"])
+                          for name in ("contact_angle", "contact.y_wheel", "patch[2].normal_force"))
+    seen = dict.fromkeys(("bad", "flange", "jumps", "twins", "partings", "made", "homes", "same_bits"), 0)
+    digest, sizes, first_bad, last_place, home = hashlib.blake2b(digest_size=8), [], [], 0.0, None
+    lowest, highest = [list(values) for _ in range(2)], [list(values) for _ in range(2)]
+    walker = Walker(seed)
+    for k, row in enumerate(walker.rows(steps)):
+        if resumed and elsewhere.draw() > 1.0 - 2.0 / PARTING:
+            before, instance = instance, part(fmu, instance, elsewhere)
+            seen["partings"] += 1
+            seen["made"] += instance is not before
+        slave = instance.slave
+        slave.setReal([0, 1, 2, 3, 4], row)
+        slave.doStep(0.0, 1e-3)
+        slave.fmi2GetReal(slave.component, references, len(reals), values)
+        digest.update(values)
+        if slave.getInteger([reference["status"]]) != [0] or not math.isfinite(math.fsum(values)):
+            first_bad = first_bad or list(row)
+            seen["bad"] += 1
+        seen["flange"] += values[angle] > 1.0  # [rad]
+        seen["jumps"] += abs(values[place] - last_place) > 5e-3  # [m]
+        seen["twins"] += values[twin] > 0.0
+        last_place = values[place]
+        if row is HOME:
+            home, half = home or bytes(values), int(2 * k >= steps)
+            seen["homes"] += 1
+            seen["same_bits"] += bytes(values) == home
+            first = seen["homes"] == 1 or not any(lowest[half])
+            lowest[half] = list(values) if first else list(map(min, lowest[half], values))
+            highest[half] = list(values) if first else list(map(max, highest[half], values))
+        if 10 * k >= steps and k % 1000 == 0:
+            sizes.append(resident())
+    kept = {"home": list((c_double * len(reals)).from_buffer_copy(home)), "low": lowest[0], "high": highest[0],
+            "late_low": lowest[1], "late_high": highest[1]}
+    return {**seen, **kept, "steps": steps, "first_bad": first_bad, "last": walker.at, "digest": digest.hexdigest(),
+            "resident": [sizes[0], min(sizes), max(sizes)]}
+
+
+PARTING = 500  # steps from one saved state of a walk to the next, in the mean
+
+
+def part(fmu, instance, elsewhere):
+    """The instance that goes on from the saved state: this one after steps elsewhere or a reset, or another one."""
+    slave, kind = instance.slave, int(1.5 + 1.5 * elsewhere.draw())
+    state = slave.getFMUstate()
+    if kind < 2:
+        for k in range(4):
+            elsewhere.move()
+            slave.setReal([0, 1, 2, 3, 4], [math.nan] * 5 if k == 2 else elsewhere.at)
+            slave.doStep(0.0, 1e-3)
+            slave.getReal([fmu.variables["roll"].valueReference])
+        if kind == 1:
+            slave.reset()
+    else:
+        saved = slave.serializeFMUstate(state)
+        slave.freeFMUstate(state)
+        slave.fmi2FreeInstance(slave.component)  # fmpy's own also unloads the library
+        instance = fmu.instance(logging=False)
+        slave = instance.slave
+        state = slave.deSerializeFMUstate(saved)
+    slave.setFMUstate(state)
+    slave.freeFMUstate(state)
+    return instance
+
+
 def resident():
-    """Resident memory of this process [bytes]; 0 where the system does not tell."""
+    """Resident memory of this process [bytes], counted page by page; 0 where the system does not tell."""
     try:
-        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+        return int(Path("/proc/self/smaps_rollup").read_text().split("Rss:")[1].split()[0]) * 1024
     except OSError:
         return 0
 

@@ -14,7 +14,11 @@
  *     native_host threads <count> <file>   steps over the rows of inputs in the file, in threads and one after the other
  *     native_host allocations <file>       how many there are between the initialisation and the end
  *     native_host cost <file>              microseconds of set 5, do step, get all over the rows
+ *     native_host walk <seed> <steps> <variant>        a random walk over tread, flange root and flange, both wheels loaded
+ *     native_host resumed <seed> <steps> <variant>     the same walk, going on from saved states at random times
+ *     native_host walks <seed> <steps> <threads>       walks from seeds that follow each other, each in its thread
  */
+#include <fcntl.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdarg.h>
@@ -665,16 +669,9 @@ static int row_count;
 static value_reference five[5], outputs[MODEL_VARIABLES];      /* the inputs of a row; the Real outputs */
 static size_t output_count, value_count;
 
-/* The rows of inputs in a file, and where values are. */
-static int read_rows(const char *path)
+/* Where values are. */
+static void find_values(void)
 {
-    FILE *file = fopen(path, "r");
-    while (file && row_count < MOST_ROWS
-           && fscanf(file, "%lf %lf %lf %lf %lf", rows[row_count], rows[row_count] + 1, rows[row_count] + 2, rows[row_count] + 3,
-                     rows[row_count] + 4) == 5)
-        row_count += 1;
-    if (file)
-        fclose(file);
     for (int i = 0; i < 5; i += 1)
         five[i] = FIRST_INPUT + (value_reference)i;
     for (value_reference r = FIRST_REFERENCE; r < REFERENCES; r += 1)
@@ -686,6 +683,19 @@ static int read_rows(const char *path)
             value_count += FMI == 3 && model_blocks[r].run >= 0 ? MODEL_STATIONS : 1;
         }
     }
+}
+
+/* The rows of inputs in a file, and where values are. */
+static int read_rows(const char *path)
+{
+    FILE *file = fopen(path, "r");
+    while (file && row_count < MOST_ROWS
+           && fscanf(file, "%lf %lf %lf %lf %lf", rows[row_count], rows[row_count] + 1, rows[row_count] + 2, rows[row_count] + 3,
+                     rows[row_count] + 4) == 5)
+        row_count += 1;
+    if (file)
+        fclose(file);
+    find_values();
     return row_count ? OK : (printf("no rows in %s\n", path), OK + 1);
 }
 
@@ -844,12 +854,247 @@ static int run_threads(int count)
     return wrong || equal != count;
 }
 
+/* --- long walks ------------------------------------------------------------------------------------------------- */
+
+/* Where a wheelset goes: lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer. */
+static const double LOWEST[5] = {-8e-3, -0.035, -0.02, 1e3, -0.95}, HIGHEST[5] = {8e-3, 0.035, 0.02, 200e3, 0.95};
+static const double STRIDE[5] = {2e-3, 0.01, 5e-3, 50e3, 0.3};        /* the longest step */
+static const double HOME[5] = {5e-3, 2e-3, 0.0, 78.5e3, 0.1};         /* where it comes back to every RETURN steps */
+enum { RETURN = 500, LOOK = 1000, PARTING = 500, SEEN = MODEL_VARIABLES + 6 * 201 };
+
+typedef struct {
+    unsigned long long random;
+    double at[5];
+} walker;
+
+/* The next number from -1 to 1; the same arithmetic is in walk_process.py. */
+static double draw(walker *self)
+{
+    self->random = self->random * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (double)(self->random >> 11) * 0x1p-52 - 1.0;
+}
+
+/* A step in every direction, mostly a short one, reflected at the bounds. */
+static void move(walker *self)
+{
+    for (int i = 0; i < 5; i += 1)
+    {
+        const double r = draw(self);
+        double next = self->at[i] + STRIDE[i] * (r * r * r);
+        if (next < LOWEST[i])
+            next = LOWEST[i] + (LOWEST[i] - next);
+        if (next > HIGHEST[i])
+            next = HIGHEST[i] - (next - HIGHEST[i]);
+        self->at[i] = next;
+    }
+}
+
+/* A walk, and what was seen on it. */
+typedef struct {
+    component c;
+    walker walker, elsewhere;
+    long steps;
+    bool resumes;
+    long bad, flange, jumps, twins, partings;       /* steps that are not valid, with flange contact, ... */
+    double first_bad[5];
+    unsigned long long digest;                      /* of all outputs of all steps */
+    long before, least, most;                       /* resident memory after a tenth of the walk, and from then on */
+    double low[2][SEEN], high[2][SEEN];             /* of the outputs at home, in each half of the walk */
+    long homes, same_bits;
+    double home[SEEN], values[SEEN];
+} walk;
+
+/* Resident memory [kB], counted page by page: /proc/self/statm may be late by 16 pages a processor. */
+static long resident(void)
+{
+    char text[500] = "";
+    const int file = open("/proc/self/smaps_rollup", O_RDONLY);
+    if (file < 0 || read(file, text, sizeof text - 1) <= 0 || !strstr(text, "Rss:"))
+        printf("resident memory is not told\n"), exit(1);
+    close(file);
+    return atol(strstr(text, "Rss:") + 4);
+}
+
+/* The place of an output's value among those of usual_row. */
+static size_t value_named(const char *name)
+{
+    const int wanted = (int)(variable_named(name) - model_variables);
+    size_t place = 0;
+    for (size_t i = 0; i < output_count; i += 1)
+    {
+        const int first = FMI == 2 ? (int)outputs[i] : model_blocks[outputs[i]].first;
+        if (first == wanted)
+            return place;
+        place += FMI == 3 && model_blocks[outputs[i]].run >= 0 ? MODEL_STATIONS : 1;
+    }
+    printf("there is no %s\n", name), exit(1);
+}
+
+/* Leave the instance as it is and go on from its saved state: after steps elsewhere, after a reset, or in another instance. */
+static int part(walk *self)
+{
+    const unsigned kind = (unsigned)(2.0 + 2.0 * draw(&self->elsewhere));
+    static byte bytes[200000];
+    const double nowhere[5] = {NAN, 0.0, 0.0, -1.0, 2.0};
+    saved_state state = NULL;
+    size_t size = 0;
+    int wrong = get_state(self->c, &state);
+    self->partings += 1;
+    if (kind < 2)
+    {
+        for (int i = 0; i < 4; i += 1)
+        {
+            move(&self->elsewhere);
+            wrong |= usual_row(self->c, i == 2 ? nowhere : self->elsewhere.at, self->values);
+        }
+        if (kind == 1)
+            wrong |= (int)CALL(Reset)(self->c);
+        wrong |= set_state(self->c, state);
+        return wrong | free_state(self->c, &state);
+    }
+    wrong |= state_size(self->c, state, &size) | (size > sizeof bytes);
+    wrong |= write_state(self->c, state, bytes, size);
+    CALL(FreeInstance)(self->c);
+    self->c = NULL;
+    while (!self->c)
+        self->c = create("instance", MODEL_TOKEN);
+    state = NULL;
+    wrong |= read_state(self->c, bytes, size, &state) | set_state(self->c, state);
+    return wrong | free_state(self->c, &state);
+}
+
+static void note_home(walk *self, bool second_half)
+{
+    if (self->homes == 0)
+        memcpy(self->home, self->values, value_count * sizeof(double));
+    self->homes += 1;
+    self->same_bits += memcmp(self->home, self->values, value_count * sizeof(double)) == 0;
+    double *low = self->low[second_half], *high = self->high[second_half];
+    for (size_t i = 0; i < value_count; i += 1)
+    {
+        low[i] = fmin(low[i], self->values[i]);
+        high[i] = fmax(high[i], self->values[i]);
+    }
+}
+
+static void note_step(walk *self, int status, size_t angle, size_t place, double *last_place, size_t twin)
+{
+    bool valid = status == OK;
+    for (size_t i = 0; i < value_count; i += 1)
+    {
+        unsigned long long word;
+        memcpy(&word, self->values + i, sizeof word);
+        self->digest = (self->digest ^ word) * 1099511628211ULL;
+        self->digest ^= self->digest >> 32;
+        valid = valid && isfinite(self->values[i]);
+    }
+    if (!valid && self->bad++ == 0)
+        memcpy(self->first_bad, self->walker.at, sizeof self->first_bad);
+    self->flange += self->values[angle] > 1.0;                              /* [rad] */
+    self->jumps += fabs(self->values[place] - *last_place) > 5e-3;          /* [m]; a stride alone moves it by less than that */
+    self->twins += self->values[twin] > 0.0;
+    *last_place = self->values[place];
+}
+
+static void *run_walk(void *argument)
+{
+    walk *self = argument;
+    const size_t angle = value_named("right.contact_angle"), place = value_named("right.contact.y_wheel");
+    const size_t twin = value_named("right.patch[2].normal_force");
+    const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
+    double last_place = 0.0;
+    for (int half = 0; half < 2; half += 1)
+        for (size_t i = 0; i < SEEN; i += 1)
+            self->low[half][i] = INFINITY, self->high[half][i] = -INFINITY;
+    for (long k = 0; k < self->steps; k += 1)
+    {
+        int outcome = -1, wrong = 0;
+        if (self->resumes && draw(&self->elsewhere) > 1.0 - 2.0 / PARTING)
+            wrong |= part(self);
+        move(&self->walker);
+        wrong |= usual_row(self->c, k % RETURN ? self->walker.at : HOME, self->values);
+#if FMI == 2
+        wrong |= fmi2GetInteger(self->c, &status, 1, &outcome);
+#else
+        wrong |= fmi3GetInt32(self->c, &status, 1, &outcome, 1);
+#endif
+        note_step(self, wrong | outcome, angle, place, &last_place, twin);
+        if (k % RETURN == 0)
+            note_home(self, 2 * k >= self->steps);
+        if (k >= self->steps / 10 && k % LOOK == 0)
+        {
+            const long size = resident();
+            if (!self->before)
+                self->before = self->least = self->most = size;
+            self->least = size < self->least ? size : self->least;
+            self->most = size > self->most ? size : self->most;
+        }
+    }
+    return NULL;
+}
+
+static void print_numbers(const char *name, const double *some, size_t size)
+{
+    printf(", \"%s\": [", name);
+    for (size_t i = 0; i < size; i += 1)
+        printf("%s%.17g", i ? ", " : "", some[i]);
+    printf("]");
+}
+
+static int run_walks(unsigned long long first, long steps, int variant, int threads, bool resumes)
+{
+    walk *walks = calloc((size_t)threads, sizeof *walks);
+    pthread_t *started_threads = calloc((size_t)threads, sizeof *started_threads);
+    int wrong = 0;
+    seed = 3;
+    for (int i = 0; i < threads; i += 1)
+    {
+        walks[i].walker.random = first + (unsigned long long)i;
+        walks[i].elsewhere.random = ~first;
+        walks[i].steps = steps, walks[i].resumes = resumes, walks[i].c = ready(variant);
+        memcpy(walks[i].walker.at, HOME, sizeof HOME);
+        memcpy(walks[i].elsewhere.at, HOME, sizeof HOME);
+    }
+    for (int i = 1; i < threads; i += 1)
+        wrong |= pthread_create(started_threads + i, NULL, run_walk, walks + i);
+    run_walk(walks);
+    for (int i = 1; i < threads; i += 1)
+        pthread_join(started_threads[i], NULL);
+    for (int i = 0; i < threads; i += 1)
+    {
+        const walk *self = walks + i;
+        printf("%s{\"steps\": %ld, \"bad\": %ld, \"flange\": %ld, \"jumps\": %ld, \"twins\": %ld, \"partings\": %ld, "
+               "\"digest\": \"%016llx\", \"resident\": [%ld, %ld, %ld], \"homes\": %ld, \"same_bits\": %ld",
+               i ? ", " : "[", steps, self->bad, self->flange, self->jumps, self->twins, self->partings, self->digest,
+               self->before, self->least, self->most, self->homes, self->same_bits);
+        print_numbers("first_bad", self->first_bad, self->bad ? 5 : 0);
+        print_numbers("last", self->walker.at, 5);
+        print_numbers("home", self->home, value_count);
+        print_numbers("low", self->low[0], value_count), print_numbers("high", self->high[0], value_count);
+        print_numbers("late_low", self->low[1], value_count), print_numbers("late_high", self->high[1], value_count);
+        printf("}");
+        CALL(FreeInstance)(self->c);
+    }
+    printf("]\n");
+    free(walks), free(started_threads);
+    return wrong;
+}
+
 int main(int count, char **arguments)
 {
     if (count == 4 && strcmp(arguments[1], "fuzz") == 0)
         return supervised_fuzz(strtoull(arguments[2], NULL, 10), atol(arguments[3]));
+    if (count == 5 && strstr("walk walks resumed", arguments[1]))
+    {
+        const bool threads = strcmp(arguments[1], "walks") == 0;
+        const int last = atoi(arguments[4]);
+        find_values();
+        return run_walks(strtoull(arguments[2], NULL, 10), atol(arguments[3]), threads ? 0 : last, threads ? last : 1,
+                         strcmp(arguments[1], "resumed") == 0);
+    }
     if (count < 3 || read_rows(arguments[count - 1]) != OK)
-        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <file> | cost <file>\n"), 2;
+        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <file> | cost <file> | "
+                      "walk <seed> <steps> <variant> | resumed <seed> <steps> <variant> | walks <seed> <steps> <threads>\n"), 2;
     seed = 3;
     if (count == 4 && strcmp(arguments[1], "threads") == 0)
         return run_threads(atoi(arguments[2]));

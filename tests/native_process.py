@@ -9,6 +9,7 @@ import sys
 from ctypes import c_double, c_size_t, c_uint32
 
 import fmpy
+from damages import damages
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
 
@@ -105,6 +106,30 @@ def first_instant(fmu, start=None):
     inside = instance.get()
     instance.slave.exitInitializationMode()
     return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get()}
+
+
+def damaged_states(fmu, rows, seed, count, foreign=()):
+    """As in fmu_process.py."""
+    one, other = fmu.running(), fmu.running()
+    for row in rows[:3]:
+        one.step(**row), other.step(**row)
+    state = one.slave.getFMUState()
+    saved = one.slave.serializeFMUState(state)
+    one.slave.freeFMUState(state)
+    cases = [*damages(saved, seed, count), *(("foreign", bytes.fromhex(text)) for text in foreign)]
+    wrong = []
+    for name, bad in cases:
+        one.told()
+        accepted = not refused(one.slave.deserializeFMUState, bad)
+        lines = [line for _, line in one.told()]
+        if accepted or len(lines) != 1 or "the saved state" not in lines[0] or "the present state is kept" not in lines[0]:
+            wrong.append([name, accepted, lines])
+    equal = []
+    for instance in (one, other):
+        for row in rows[3:]:
+            instance.step(**row)
+        equal.append(instance.get())
+    return {"count": len(cases), "wrong": wrong[:5], "equal": equal[0] == equal[1], "saved": saved.hex()}
 
 
 def trajectory(fmu, rows, names, start=None):

@@ -521,6 +521,25 @@ def test_saved_states(run, mode):
     assert seen["after"]["status"] == 0
 
 
+def test_damaged_states_are_refused(run):
+    """Flipped bits, cut and longer ones, noise: each with one sentence, and the instance goes on."""
+    seen = run("damaged_states", rows=poses(8), seed=5, count=300)
+    assert seen["wrong"] == [] and seen["equal"] and seen["count"] > 300
+
+
+@pytest.mark.slow
+def test_numbers_have_a_point_in_a_locale_with_commas(run, comma):
+    for scenario, cases in (("outcomes", {"off": {"lateral_shift": 0.0812}}), ("refusals", {"gauge": {"gauge": 14.35}})):
+        seen = run("localised", locale_name=comma, inner=scenario, arguments={"cases": cases})
+        assert seen["one and a half"] == "1,5" and seen["answer"] == run(scenario, cases=cases)
+
+
+@pytest.mark.slow
+def test_an_instance_goes_on_after_a_fork_and_in_a_spawned_process(run):
+    seen = run("forked", rows=poses(8))
+    assert seen["parent"] == seen["child"] == seen["spawned"]
+
+
 def test_reset(run):
     seen = run("reset", start={"gauge": 1.44, "normal_model": "hertz"})
     assert seen["first"] == seen["second"]

@@ -493,6 +493,31 @@ def test_directional_derivatives(run, run3, start, stations):
         assert refused and len(lines) == 1 and len(lines[0][-1]) > 30, f"{name}: {lines}"
 
 
+def test_damaged_states_are_refused(run, run3):
+    """Flipped bits, cut and longer ones, noise, those of the other FMU: each with one sentence, and the instance goes on."""
+    seen = run("damaged_states", rows=poses(8), seed=5, count=300)
+    other = run3("damaged_states", rows=poses(8), seed=6, count=300, foreign=[seen["saved"]])
+    for answer in (seen, other, run("damaged_states", rows=poses(8), seed=7, count=0, foreign=[other["saved"]])):
+        assert answer["wrong"] == [] and answer["equal"] and answer["count"] > 30
+
+
+def test_numbers_have_a_point_in_a_locale_with_commas(run, comma):
+    """In statuses and in refusals, short numbers and long ones; the host prints with a comma."""
+    cases = {"status": {"lateral_shift": 0.0812}, "small": {"normal_force": -1.25e-7}, "large": {"lateral_shift": -1.5e300},
+             "transfer": {"load_transfer": 1.5}}
+    wrong = {"gauge": {"gauge": 14.35}, "long": {"gauge": 0.12345678901234567}, "tolerance": {"tolerance": 2.5e-4},
+             "large": {"youngs_modulus": 2.5e25}}
+    for scenario, some in (("outcomes", cases), ("refusals", wrong)):
+        seen = run("localised", locale_name=comma, inner=scenario, arguments={"cases": some})
+        assert seen["one and a half"] == "1,5" and seen["answer"] == run(scenario, cases=some)
+        assert all("." in answer["log"][0][-1] for answer in seen["answer"].values())
+
+
+def test_an_instance_goes_on_after_a_fork_and_in_a_spawned_process(run):
+    seen = run("forked", rows=poses(8))
+    assert seen["parent"] == seen["child"] == seen["spawned"]
+
+
 def test_reset(run):
     start = {"rail_inclination": 0.05, "normal_model": "hertz"}
     seen = run("reset", start=start)
@@ -878,6 +903,16 @@ def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
     assert answer_of(linked_host(version), "threads", 8, rows_file) == {"equal": 8, "variants": 8, "wrong": 0}
 
 
+@needs_glibc
+def test_a_random_walk_repeats_itself_and_resumes(linked_host):
+    """A little of tests/test_long_runs.py: the same bits by FMI 2.0, by FMI 3.0, and from saved states at random times."""
+    walks = [answer_of(linked_host(version), way, 7, 4_000, 0)[0] for version in (2, 3) for way in ("walk", "resumed")]
+    assert [walk["bad"] for walk in walks] == [0] * 4 and walks[1]["partings"] > 4 and walks[0]["jumps"] > 100
+    assert len({walk["digest"] for walk in walks}) == 1
+    threads = answer_of(linked_host(2), "walks", 7, 4_000, 2)
+    assert threads[0]["digest"] == walks[0]["digest"] != threads[1]["digest"]
+
+
 @pytest.mark.slow
 @needs_race_detector
 @pytest.mark.parametrize("version", (2, 3))
@@ -895,6 +930,18 @@ def test_valgrind_finds_nothing(host, version):
     command = ["valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--trace-children=yes"]
     done = subprocess.run([*command, str(host(version)), "fuzz", "3", "3000"], text=True, capture_output=True, timeout=900)
     assert done.returncode == 0, done.stderr[-3000:]
+
+
+@pytest.mark.slow
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_compilers_have_nothing_to_say(tmp_path, version):
+    """About the sources in the archive, with -Wall."""
+    native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), tmp_path)
+    for unit in native.compiled_units(version):
+        command = ["cc", "-std=gnu11", "-Wall", "-Werror", "-fsyntax-only", unit]
+        done = subprocess.run(command, cwd=tmp_path, text=True, capture_output=True)
+        assert (done.returncode, done.stderr) == (0, ""), done.stderr[:2000]
 
 
 @pytest.mark.slow

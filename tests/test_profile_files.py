@@ -472,12 +472,12 @@ def test_the_command_line_says_it_in_one_line_each(measured, capsys):
 
 def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     with remarks_in_lines("build_fmu.py"):
-        _, entries = chosen_profiles(wheel_profile=str(measured / "worn.csv"), rail_profile=str(measured / "worn.prr"))
+        _, own = chosen_profiles(wheel_profile=str(measured / "worn.csv"), rail_profile=str(measured / "worn.prr"))
         starts, profiles = packed_profiles(2e-5, wheel_profile=str(measured / "worn.csv"))
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 3 and all(line.startswith("build_fmu.py: ") for line in said)
     (measured / "packed").mkdir()
-    (measured / "packed" / "worn.csv").write_bytes(entries["resources/worn.csv"])
+    (measured / "packed" / "worn.csv").write_text(prepared_text(own["worn.csv"]))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ProfileWarning)
         assert read_profile(measured / "packed" / "worn.csv", "wheel") == read_profile(measured / "worn.csv", "wheel")

@@ -20,7 +20,7 @@ def main():
     options = parser.parse_args()
     try:
         print(compile_library(options.folder, extra_flags=["-DWRCONTACT_CHECK_BOUNDS"] if options.check_bounds else []))
-    except CompilerProblem as problem:
+    except (CompilerProblem, OSError) as problem:
         sys.exit(str(problem))
 
 

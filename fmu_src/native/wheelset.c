@@ -6,6 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* These headers are here for their constants; the functions that they declare are not called. */
+#if defined(__GNUC__) || defined(__clang__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
 #include "kernel/generated/layout.h"
 #include "kernel/generated/prepare_tables.h"
 
@@ -25,6 +29,30 @@ int wheelset_refuse(wheelset *self, const char *format, ...)
     return 1;
 }
 
+/* The number in `text`, as printf has written it, with a point where the host's locale has something else. */
+static const char *pointed(char *text)
+{
+    const size_t whole = strspn(text, "+-0123456789");
+    const size_t mark = strcspn(text + whole, "0123456789aefinxAEFINX");
+    if (mark > 0 && text[whole] != 0)
+    {
+        text[whole] = '.';
+        memmove(text + whole + 1, text + whole + mark, strlen(text + whole + mark) + 1);
+    }
+    return text;
+}
+
+/* A number in as many digits. */
+static const char *rounded(double value, int digits, char *text, size_t size)
+{
+    snprintf(text, size, "%.*g", digits, value);
+    return pointed(text);
+}
+
+/* The same in a place of its own, for one sentence. */
+#define FOUR_DIGITS(value) rounded((value), 4, (char[32]){0}, 32)
+#define SIX_DIGITS(value) rounded((value), 6, (char[32]){0}, 32)
+
 /* A number in the fewest digits that give it back, as Python writes it. */
 static const char *shortest(double value, char *text, size_t size)
 {
@@ -41,7 +69,7 @@ static const char *shortest(double value, char *text, size_t size)
     const int exponent = power ? atoi(power + 1) : 0;
     if (-4 <= exponent && exponent < 16)
         snprintf(text, size, "%.*f", digits - exponent > 1 ? digits - exponent : 1, value);
-    return text;
+    return pointed(text);
 }
 
 /* `text` in quotes, as Python writes it, with a mark in place of control characters. */
@@ -69,17 +97,21 @@ static void invalid_input(const double *inputs, char *text, size_t size)
             return;
         }
     if (inputs[layout__IN_NORMAL_FORCE] < 0.0)
-        snprintf(text, size, "normal_force is %g N; permitted is normal_force >= 0 N", inputs[layout__IN_NORMAL_FORCE]);
+        snprintf(text, size, "normal_force is %s N; permitted is normal_force >= 0 N",
+                 SIX_DIGITS(inputs[layout__IN_NORMAL_FORCE]));
     else
-        snprintf(text, size, "load_transfer is %g; permitted is -1 <= load_transfer <= 1", inputs[layout__IN_LOAD_TRANSFER]);
+        snprintf(text, size, "load_transfer is %s; permitted is -1 <= load_transfer <= 1",
+                 SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]));
 }
 
 /* One sentence on a status that is not 0, as wrcontact/status.py words it. */
 static void explain(int status, const double *inputs, bool compliant, char *text, size_t size)
 {
-    const double shift = inputs[layout__IN_LATERAL_SHIFT], yaw = inputs[layout__IN_YAW];
-    const double force = inputs[layout__IN_NORMAL_FORCE], transfer = inputs[layout__IN_LOAD_TRANSFER];
-    const double height = inputs[layout__IN_VERTICAL_SHIFT], roll = inputs[layout__IN_ROLL];
+    const char *shift = SIX_DIGITS(inputs[layout__IN_LATERAL_SHIFT]), *yaw = SIX_DIGITS(inputs[layout__IN_YAW]);
+    const char *force = SIX_DIGITS(inputs[layout__IN_NORMAL_FORCE]);
+    const char *transfer = SIX_DIGITS(inputs[layout__IN_LOAD_TRANSFER]);
+    const char *height = SIX_DIGITS(inputs[layout__IN_VERTICAL_SHIFT]), *roll = SIX_DIGITS(inputs[layout__IN_ROLL]);
+    const bool far = fabs(inputs[layout__IN_LATERAL_SHIFT]) > MODEL_LATERAL_LIMIT;
     char clause[200];
     if (status == layout__INVALID_INPUT)
     {
@@ -87,29 +119,31 @@ static void explain(int status, const double *inputs, bool compliant, char *text
         snprintf(text, size, "%s; %s", clause, KEPT);
     }
     else if (status == layout__UNLOADED && compliant)
-        snprintf(text, size, "vertical_shift_input is %g m at roll_input %g rad, so a wheel is lifted and carries no load; its "
+        snprintf(text, size, "vertical_shift_input is %s m at roll_input %s rad, so a wheel is lifted and carries no load; its "
                  "patch is empty (a load needs a height below the rail's)", height, roll);
-    else if (status == layout__UNLOADED && force == 0.0)
-        snprintf(text, size, "normal_force is %g N, so a wheel carries no load; its patch is empty (a load needs normal_force > "
+    else if (status == layout__UNLOADED && inputs[layout__IN_NORMAL_FORCE] == 0.0)
+        snprintf(text, size, "normal_force is %s N, so a wheel carries no load; its patch is empty (a load needs normal_force > "
                  "0 N and |load_transfer| < 1)", force);
     else if (status == layout__UNLOADED)
-        snprintf(text, size, "load_transfer is %g, so a wheel carries no load; its patch is empty (a load needs normal_force > "
+        snprintf(text, size, "load_transfer is %s, so a wheel carries no load; its patch is empty (a load needs normal_force > "
                  "0 N and |load_transfer| < 1)", transfer);
     else if (status != layout__OFF_PROFILE)
-        snprintf(text, size, "no solution at lateral_shift %g m, yaw %g rad, normal_force %g N, load_transfer %g within the "
+        snprintf(text, size, "no solution at lateral_shift %s m, yaw %s rad, normal_force %s N, load_transfer %s within the "
                  "iteration limit; %s", shift, yaw, force, transfer, KEPT);
-    else if (fabs(shift) <= MODEL_LATERAL_LIMIT && fabs(yaw) > MODEL_YAW_LIMIT)
-        snprintf(text, size, "yaw is %g rad, beyond the profiles; permitted is |yaw| <= %g rad; %s", yaw, MODEL_YAW_LIMIT, KEPT);
-    else if (fabs(shift) > MODEL_LATERAL_LIMIT)
-        snprintf(text, size, "lateral_shift is %g m, beyond the profiles; permitted is |lateral_shift| <= %g m; %s", shift,
-                 MODEL_LATERAL_LIMIT, KEPT);
-    else if (compliant && fabs(roll) > MODEL_ROLL_LIMIT)
-        snprintf(text, size, "roll_input is %g rad; permitted is |roll_input| <= %g rad; %s", roll, MODEL_ROLL_LIMIT, KEPT);
+    else if (!far && fabs(inputs[layout__IN_YAW]) > MODEL_YAW_LIMIT)
+        snprintf(text, size, "yaw is %s rad, beyond the profiles; permitted is |yaw| <= %s rad; %s", yaw,
+                 SIX_DIGITS(MODEL_YAW_LIMIT), KEPT);
+    else if (far)
+        snprintf(text, size, "lateral_shift is %s m, beyond the profiles; permitted is |lateral_shift| <= %s m; %s", shift,
+                 SIX_DIGITS(MODEL_LATERAL_LIMIT), KEPT);
+    else if (compliant && fabs(inputs[layout__IN_ROLL]) > MODEL_ROLL_LIMIT)
+        snprintf(text, size, "roll_input is %s rad; permitted is |roll_input| <= %s rad; %s", roll,
+                 SIX_DIGITS(MODEL_ROLL_LIMIT), KEPT);
     else if (compliant)
-        snprintf(text, size, "vertical_shift_input is %g m and roll_input %g rad at lateral_shift %g m: a wheel is off its rail "
-                 "or deeper in it than %g m; %s", height, roll, shift, MODEL_DEEPEST, KEPT);
+        snprintf(text, size, "vertical_shift_input is %s m and roll_input %s rad at lateral_shift %s m: a wheel is off its rail "
+                 "or deeper in it than %s m; %s", height, roll, shift, SIX_DIGITS(MODEL_DEEPEST), KEPT);
     else
-        snprintf(text, size, "lateral_shift is %g m at yaw %g rad: the smallest gap lies at the end of a profile, where there is "
+        snprintf(text, size, "lateral_shift is %s m at yaw %s rad: the smallest gap lies at the end of a profile, where there is "
                  "no contact; permitted are shifts that keep the contact on both profiles; %s", shift, yaw, KEPT);
 }
 
@@ -157,8 +191,9 @@ static int fill_setup(wheelset *self, double *setup)
         if (variable->causality != MODEL_PARAMETER || variable->type != MODEL_REAL)
             continue;
         if (!(variable->low <= number && number <= variable->high))
-            return wheelset_refuse(self, "%s is %s; permitted is %g ... %g %s", variable->name,
-                                   shortest(number, value, sizeof value), variable->low, variable->high, variable->unit);
+            return wheelset_refuse(self, "%s is %s; permitted is %s ... %s %s", variable->name,
+                                   shortest(number, value, sizeof value), SIX_DIGITS(variable->low),
+                                   SIX_DIGITS(variable->high), variable->unit);
         if (variable->setup >= 0)
             setup[variable->setup] = number;
     }
@@ -177,8 +212,8 @@ static int fill_resolution(wheelset *self, double *setup)
         if (strcmp(model, ladder->model) != 0)
             continue;
         if (tolerance < ladder->finest)
-            return wheelset_refuse(self, "tolerance is %g; permitted with the normal_model '%s' is %g ... 0.1 1", tolerance, model,
-                                   ladder->finest);
+            return wheelset_refuse(self, "tolerance is %s; permitted with the normal_model '%s' is %s ... 0.1 1",
+                                   SIX_DIGITS(tolerance), model, SIX_DIGITS(ladder->finest));
         int k = 0;
         while (k + 1 < ladder->count && ladder->steps[k].tolerance > tolerance)
             k += 1;
@@ -221,12 +256,12 @@ static int refuse_preparation(wheelset *self, int outcome, const double *report)
 {
     const char *wheel = self->core.text[MODEL_WHEEL_SLOT], *rail = self->core.text[MODEL_RAIL_SLOT];
     if (outcome == prepare_tables__GAUGE_TOO_DEEP)
-        return wheelset_refuse(self, "gauge_depth reaches %.6g m, but the inner side of the rail profile %s ends at %.6g m; "
-                               "permitted are smaller depths", report[prepare_tables__REPORT_DEPTH], rail,
-                               report[prepare_tables__REPORT_DEEPEST]);
+        return wheelset_refuse(self, "gauge_depth reaches %s m, but the inner side of the rail profile %s ends at %s m; "
+                               "permitted are smaller depths", SIX_DIGITS(report[prepare_tables__REPORT_DEPTH]), rail,
+                               SIX_DIGITS(report[prepare_tables__REPORT_DEEPEST]));
     if (outcome == prepare_tables__WHEEL_TOO_WIDE)
-        return wheelset_refuse(self, "the wheel profile is %.4g m wide; permitted are at most %.4g m",
-                               report[prepare_tables__REPORT_WIDTH], MODEL_WIDEST);
+        return wheelset_refuse(self, "the wheel profile is %s m wide; permitted are at most %s m",
+                               FOUR_DIGITS(report[prepare_tables__REPORT_WIDTH]), FOUR_DIGITS(MODEL_WIDEST));
     if (outcome == prepare_tables__WITHOUT_HEAD)
         return wheelset_refuse(self, "the profiles %s and %s are too steep at y = 0 m, the running circle and the rail's highest "
                                "point; permitted are profiles that can be read there", wheel, rail);

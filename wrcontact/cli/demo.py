@@ -1,7 +1,10 @@
 """``wrcontact demo``: build the FMU, step it through the stored run, compare, tabulate, draw."""
 
 import csv
+import signal
+import threading
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import files
 from math import radians
@@ -15,7 +18,7 @@ from rich.table import Table
 from ..conventions import MILLIMETRE, SIDES
 from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, REFERENCE, VARIABLES, select
 from ..kernel import layout
-from .door import sentences
+from .door import Refused, sentences
 from .report import console, write_table
 
 RUN = "hunting.csv"
@@ -70,11 +73,10 @@ def run_demo(folder, native=False):
     stored = stored_run()
     with sentences():
         fmu = built(folder, native)
-    answers, seconds = apart(step_through, fmu, stored)
-    checks = compare(answers, stored)
-    write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
-    draw(Path(folder, PICTURE_NAME), answers, stored)
-    return tell(folder, fmu, checks, seconds)
+        answers, seconds = apart(step_through, fmu, stored)
+        write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
+        draw(Path(folder, PICTURE_NAME), answers, stored)
+    return tell(folder, fmu, compare(answers, stored), seconds)
 
 
 def built(folder, native):
@@ -110,10 +112,29 @@ def apart(function, *arguments):
     228); a helper process may end as it likes after it has answered.
     """
     from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
     from multiprocessing import get_context
 
     with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as helper:
-        return helper.submit(function, *arguments).result()
+        with undisturbed():
+            answer = helper.submit(function, *arguments)
+        try:
+            return answer.result()
+        except BrokenProcessPool:
+            raise Refused("the process that runs the FMU ended before it had answered", code=1) from None
+
+
+@contextmanager
+def undisturbed():
+    """Processes that are started inside do not hear Ctrl-C: it ends this one, and this one ends them."""
+    if threading.current_thread() is not threading.main_thread():       # only that hears signals
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def step_through(fmu, stored):

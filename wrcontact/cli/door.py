@@ -6,6 +6,8 @@ from contextlib import contextmanager
 import typer
 from typer.core import TyperGroup
 
+from ..whole_file import sentence_of
+
 #: What typer raises for a wrong option, under whatever name its version keeps it.
 UsageError = typer.BadParameter.__base__
 
@@ -33,6 +35,13 @@ class Door(TyperGroup):
             sys.exit(code)
         return code
 
+    def invoke(self, context):
+        """The chosen command; Ctrl-C is a refusal too."""
+        try:
+            return super().invoke(context)
+        except KeyboardInterrupt:
+            raise Refused("interrupted; a file is whole, or as it was before", code=130) from None
+
 
 def _say(sentence, code):
     """Print the sentence in one line; the exit code that goes with it."""
@@ -48,4 +57,4 @@ def sentences():
     except ValueError as wrong:
         raise Refused(str(wrong)) from None
     except OSError as wrong:
-        raise Refused(f"{wrong.filename or 'a file'}: {wrong.strerror or wrong}") from None
+        raise Refused(sentence_of(wrong)) from None

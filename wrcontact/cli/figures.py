@@ -6,6 +6,7 @@ from rich import box
 from rich.table import Table
 
 from ..study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
+from ..whole_file import write_whole
 from .report import console
 
 INDEX = "figures.md"
@@ -26,7 +27,7 @@ def run_figures(output, words):
         figure.write(folder / f"{figure.stem}.csv")
         save(source_figure(figure), folder / f"{figure.stem}.png")
         figures.append(figure)
-    (folder / INDEX).write_text(index(figures), encoding="utf-8")
+    write_whole(folder / INDEX, index(figures).encode())
     out.print(summary(figures))
     out.print(f"{len(figures)} figures, their tables and {INDEX} written to {folder}", soft_wrap=True)
 

@@ -8,9 +8,7 @@ never the one that the host has installed.
 import argparse
 import hashlib
 import io
-import os
 import sys
-import tempfile
 import zipfile
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
@@ -20,8 +18,10 @@ import pythonfmu
 from .. import ContactSystem, __version__
 from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS
+from ..profiles.catalogue import BUILDERS
 from ..profiles.files import prepared_text
 from ..profiles.remarks import remarks_in_lines
+from ..whole_file import sentence_of, write_whole
 from . import SOURCES
 from .compilers import has_zig
 from .description import MODEL, model_description
@@ -60,18 +60,20 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
         when a profile cannot be used; the sentence says why.
     """
     starts, profiles = chosen_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
-    contents = {**runtime(), **documentation(starts), **profiles, **package(starts)}
+    files = {f"resources/{name}": prepared_text(profile).encode() for name, profile in profiles.items()}
+    contents = {**runtime(), **documentation(starts), **files, **package(starts)}
     data = archive(sealed(contents, starts))
     problems = problems_of(data)
     if problems:
         raise ValueError("the FMU would not be valid: " + " ".join(problems))
     target = Path(output, f"{MODEL}.fmu")
+    target.parent.mkdir(parents=True, exist_ok=True)
     write_whole(target, data)
     return target
 
 
 def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the entries of the profile files among them.
+    """Start values of the profile parameters, and the profiles of the files among them, each read once, by file name.
 
     Files go in prepared, under their own names: reading points takes scipy, which an FMU must do without.
     """
@@ -79,11 +81,10 @@ def chosen_profiles(smoothing=None, **chosen):
     given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
     system = ContactSystem(**given, smoothing=smoothing)
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
-    files = {parameter: Path(name).name for parameter, name in starts.items() if Path(name).is_file()}
+    files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     if len(set(files.values())) < len(files):
         raise ValueError(f"wheel and rail profile have one file name, {files['wheel_profile']}; rename one")
-    entries = {f"resources/{file}": prepared_text(profiles[parameter]).encode() for parameter, file in files.items()}
-    return {**starts, **files}, entries
+    return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def runtime():
@@ -158,20 +159,6 @@ def archive(entries):
     return stream.getvalue()
 
 
-def write_whole(target, data):
-    """Write a file so that it is either whole or the one from before."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    handle, part = tempfile.mkstemp(prefix=target.name, suffix=".part", dir=target.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        os.chmod(part, 0o644)
-        os.replace(part, target)
-    except BaseException:
-        os.unlink(part)
-        raise
-
-
 def problems_of(data):
     """What fmpy finds wrong with the archive ``data``; an empty list is a valid FMU."""
     from fmpy.validation import validate_fmu
@@ -205,8 +192,11 @@ def main(arguments=None):
         with remarks_in_lines("build_fmu.py"):
             print(*_built(native, platforms, chosen), sep="\n")
     except (ValueError, OSError) as problem:
-        print(f"build_fmu.py: {problem}", file=sys.stderr)
+        print(f"build_fmu.py: {sentence_of(problem) if isinstance(problem, OSError) else problem}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("build_fmu.py: interrupted; an FMU is whole, or as it was before", file=sys.stderr)
+        return 130
     return 0
 
 

@@ -4,6 +4,7 @@ zig compiles a part of the C library for every platform at first, which takes a 
 keeps that in its own cache (``ZIG_GLOBAL_CACHE_DIR`` moves it).
 """
 
+import atexit
 import hashlib
 import importlib.util
 import os
@@ -11,11 +12,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
 from pathlib import Path
 
 from ..kernel.files import HERE, fingerprint
 from ..kernel.platforms import PLATFORMS, host_platform, library_name
+from ..whole_file import write_whole
 
 #: No fused a*b + c: the results are those of the kernel's Python source, to the last bit.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
@@ -41,7 +45,7 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
 
     def run(*arguments):
         done = subprocess.run([*command, *arguments], cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **zig_cache()})
         if done.returncode:
             raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{done.stdout}")
 
@@ -52,9 +56,9 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
         def compiled(source):
             kept = place / f"{digest(command, folder, source)}.o"
             if not kept.exists():
-                part = kept.with_suffix(f".{os.getpid()}.part.o")
-                run("-c", source, "-o", str(part))
-                part.replace(kept)
+                made = Path(scratch, f"{threading.get_ident()}.o")
+                run("-c", source, "-o", str(made))
+                write_whole(kept, made.read_bytes())
             return str(kept)
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -62,6 +66,23 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
         output = Path(scratch, library)
         run("-shared", *chosen.link_flags(library), *objects, "-o", str(output), "-lm")
         return output.read_bytes()
+
+
+@lru_cache(maxsize=None)
+def zig_cache():
+    """Environment in which zig has a cache: its usual one, or one until this process ends where it could not write to that."""
+    if sys.platform == "win32" or "ZIG_GLOBAL_CACHE_DIR" in os.environ:
+        return {}
+    try:
+        usual = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "zig")
+        usual.mkdir(parents=True, exist_ok=True)
+        if os.access(usual, os.W_OK):
+            return {}
+    except (OSError, RuntimeError):     # read-only, or there is no home
+        pass
+    folder = tempfile.mkdtemp(prefix="wrcontact-zig-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return {"ZIG_GLOBAL_CACHE_DIR": folder, "ZIG_LOCAL_CACHE_DIR": folder}
 
 
 def digest(command, folder, source):

@@ -6,12 +6,13 @@ from pathlib import Path
 
 import fmpy
 
-from .. import ContactSystem, __version__
+from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
+from ..whole_file import write_whole
 from . import SOURCES, description, description3, native_model
-from .build import archive, chosen_profiles, fingerprint, licence, problems_of, write_whole
+from .build import archive, chosen_profiles, fingerprint, licence, problems_of
 from .compilers import compile_platform
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
@@ -45,21 +46,17 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
         made = {version: native_fmu(version, starts, profiles, platforms, folder, cache) for version in HEADERS}
-    targets = []
-    for version, data in made.items():
-        targets.append(Path(output, f"{MODEL}_native_fmi{version}.fmu"))
-        write_whole(targets[-1], data)
-    return targets
+    Path(output).mkdir(parents=True, exist_ok=True)
+    targets = {Path(output, f"{MODEL}_native_fmi{version}.fmu"): data for version, data in made.items()}
+    for target, data in targets.items():
+        write_whole(target, data)
+    return list(targets)
 
 
 def packed_profiles(smoothing=None, **chosen):
     """Start values of the profile parameters, and all profiles that can be chosen, by name."""
-    starts, _ = chosen_profiles(smoothing, **chosen)
-    profiles = {name: standard_profile(name) for name in BUILDERS}
-    given = {parameter.removesuffix("_profile"): name for parameter, name in chosen.items() if name is not None}
-    system = ContactSystem(**given, smoothing=smoothing)
-    own = {"wheel_profile": system.wheel, "rail_profile": system.rail}
-    return starts, {**profiles, **{name: own[parameter] for parameter, name in starts.items()}}
+    starts, own = chosen_profiles(smoothing, **chosen)
+    return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
 
 
 def native_fmu(version, starts, profiles, platforms, folder, cache):

@@ -6,11 +6,13 @@ pyplot: no window, no display, no state that a caller would have to clean up.
 
 from functools import wraps
 from math import radians
+from pathlib import Path
 
 import matplotlib
 from matplotlib.figure import Figure
 
 from ..conventions import MILLIMETRE as MM  # noqa: F401  beside the other units
+from ..whole_file import whole_file
 
 DEGREE = radians(1)
 KILONEWTON = 1e3  #: [N]
@@ -82,5 +84,6 @@ def new_figure(width, height):
 @styled
 def save(figure, path):
     """Write ``figure`` to ``path``; the ending says the format (png, svg, pdf)."""
-    figure.savefig(path, dpi=RESOLUTION)
+    with whole_file(path) as file:
+        figure.savefig(file, format=Path(path).suffix[1:].lower(), dpi=RESOLUTION)
     return path

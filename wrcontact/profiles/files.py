@@ -93,9 +93,13 @@ def _checked_smoothing(smoothing):
 def _text(path):
     """The text of a file in UTF-8, UTF-16 or Latin-1, whatever its line ends."""
     with open(path, "rb") as file:
+        before = os.fstat(file.fileno())
         content = file.read(LARGEST_FILE + 1)
+        after = os.fstat(file.fileno())
     if len(content) > LARGEST_FILE:
         raise Refusal(f"has more than {LARGEST_FILE / 1e6:g} MB; permitted are files of at most that")
+    if len(content) != after.st_size or (before.st_size, before.st_mtime_ns) != (after.st_size, after.st_mtime_ns):
+        raise Refusal("changed while it was read; permitted are files that nobody writes")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", errors="replace")
     try:

@@ -24,6 +24,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..system import ContactSystem
+from ..whole_file import whole_file
 from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]
@@ -57,7 +58,7 @@ class SourceFigure:
 
     def write(self, path):
         """Write the columns to a CSV file, numbers with seven digits."""
-        with open(path, "w", newline="", encoding="utf-8") as file:
+        with whole_file(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.columns)
             writer.writerows([_cell(value) for value in row] for row in zip(*self.columns.values(), strict=True))
