@@ -35,8 +35,8 @@ sys.path.insert(0, str(ROOT / "tools"))
 Error = namedtuple("Error", "name module old new meaning first")
 
 ERRORS = [
-    Error("roll_sign", "roll", "difference = gap_right - gap_left +", "difference = gap_right + gap_left +",
-          "a sign in the equation of the roll", "test_rigid"),
+    Error("roll_sign", "roll", "work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]",
+          "work[RIGHT + SIDE_BEST] + work[LEFT + SIDE_BEST]", "a sign in the equation of the roll", "test_rigid"),
     Error("missed_minimum", "search", "    march(tables, work, side, place, at, state, node, -1)",
           "    march(tables, work, side, place, at, state, node, 1)",
           "the gap is searched to one side only: a minimum on the other is missed", "test_rigid"),
