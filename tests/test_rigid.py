@@ -305,13 +305,13 @@ def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, argum
 def test_a_contact_on_the_end_of_a_profile_is_off_it():
     """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail is as much further out on
     the wheel, up to that end."""
-    gauge, end, step = 1.54, 60e-3, 1e-6                        # [m]
+    gauge, end = 1.54, 60e-3                                    # [m]
     room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
-    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - step)).evaluate()
+    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-3)).evaluate()
     assert inside.status == 0
     for side in (inside.left, inside.right):
-        assert side.contact.y_wheel == pytest.approx(end - step, abs=1e-9)
-    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + step)).evaluate()
+        assert side.contact.y_wheel == pytest.approx(end - 1e-3, abs=1e-9)
+    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 5e-3)).evaluate()
     assert beyond.status == wrcontact.Status.OFF_PROFILE
 
 
