@@ -303,8 +303,8 @@ def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, argum
 
 
 def test_a_contact_on_the_end_of_a_profile_is_off_it():
-    """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail touches it as much further
-    out, up to that end."""
+    """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail touches it as much
+    further out, up to that end."""
     gauge, end = 1.54, 60e-3                                    # [m]
     room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
     inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-3)).evaluate()
