@@ -252,17 +252,23 @@ def row(outcome):
     return f"| {error.name} | {error.module}.py | {error.meaning} | {test} | {outcome.seconds:.0f} s |"
 
 
+def copies(errors, folder):
+    """A copy of the repository without error, and one with each of ``errors``, not yet translated."""
+    plain, *trees = [Path(folder, name) for name in ["plain", *(error.name for error in errors)]]
+    shutil.copytree(ROOT, plain, ignore=NOT_COPIED)
+    (plain / "conftest.py").unlink()
+    for error, tree in zip(errors, trees):
+        shutil.copytree(plain, tree)
+        path = source_of(error.module, tree)
+        path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
+    return plain, trees
+
+
 def plant(errors, workers, short):
     """Plant each error in a copy of its own and run the tests there; what came of it, and whether the tests that have failed
     pass without any error."""
     with tempfile.TemporaryDirectory() as folder:
-        plain, *trees = [Path(folder, name) for name in ["plain", *(error.name for error in errors)]]
-        shutil.copytree(ROOT, plain, ignore=NOT_COPIED)
-        (plain / "conftest.py").unlink()
-        for error, tree in zip(errors, trees):
-            shutil.copytree(plain, tree)
-            path = source_of(error.module, tree)
-            path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
+        plain, trees = copies(errors, folder)
         for tree, files in zip([plain, *trees], translate_all([plain, *trees])):
             for name, text in files.items():
                 (tree / "wrcontact" / "kernel" / "generated" / name).write_bytes(text.encode())

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.plant_errors import ERRORS, ROOT, planted, random_errors, source_of
+from tests.plant_errors import ERRORS, ROOT, copies, planted, random_errors, source_of, translate_all
+from tools.transpile_kernel import translate
 
 SCRIPT = Path(__file__).with_name("plant_errors.py")
 
@@ -28,6 +29,15 @@ def test_random_errors_can_be_planted():
     for error in random_errors(20, seed=3):
         text = source_of(error.module).read_text(encoding="utf-8")
         assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text)), error
+
+
+@pytest.mark.slow
+@pytest.mark.complete
+def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
+    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
+    plain, (tree,) = copies([error for error in ERRORS if error.name == "hertz_cell"], tmp_path)
+    _, files = translate_all([plain, tree])
+    assert files == translate(tree / "wrcontact" / "kernel")
 
 
 @pytest.mark.slow
