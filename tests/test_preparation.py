@@ -33,7 +33,7 @@ def measured_rail():
 
 
 def stepped_wheel():
-    """A cone with a zone of 0.6 mm that is a step of 0.1 um higher: it is too short for the usual repair at both its ends."""
+    """A cone with a zone of 0.6 mm that is a step of 0.1 um higher: too short for the usual repair at both its ends."""
     zones = ((-60.0, -10.0, 0.0), (-10.0, -9.4, 1e-4), (-9.4, 55.0, 0.0))
     return Profile("stepped", "wheel", tuple(Polynomial(low, high, (step, -0.05), 0.0) for low, high, step in zones))
 
