@@ -32,11 +32,18 @@ def measured_rail():
     return profile_from_points(y, 1e3 * standard_profile("UIC60").height(1e-3 * y), name="measured", kind="rail")
 
 
+def stepped_wheel():
+    """A cone with a zone of 0.6 mm that is a step of 0.1 um higher: too short for the usual repair at both its ends."""
+    zones = ((-60.0, -10.0, 0.0), (-10.0, -9.4, 1e-4), (-9.4, 55.0, 0.0))
+    return Profile("stepped", "wheel", tuple(Polynomial(low, high, (step, -0.05), 0.0) for low, high, step in zones))
+
+
 CASES = {
     "default": {},
     "other rail and track": LARGE_STEP,
     "upright": {"rail": "60E1", "rail_inclination": 0.0, "running_circle_distance": 1.51},
     "measured": {"wheel": worn_wheel(), "rail": measured_rail()},
+    "stepped": {"wheel": stepped_wheel()},
     "methods": {"normal_model": "analyn_strip", "contact_mode": "elastic", "load": "vertical", "separation": "vertical",
                 "longitudinal_curvature": "basic", "tolerance": 0.02, "youngs_modulus": 2e11, "poisson_ratio": 0.3},
     "rough": {"lateral_curvature": "rough", "rail": measured_rail()},

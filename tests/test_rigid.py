@@ -332,6 +332,19 @@ def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, argum
     assert system.evaluate(lateral_shift=1e-3).values == pytest.approx(before.values, rel=1e-9, abs=1e-12)
 
 
+def test_a_contact_on_the_end_of_a_profile_is_off_it():
+    """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail touches it as much
+    further out, up to that end."""
+    gauge, end = 1.54, 60e-3                                    # [m]
+    room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
+    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-3)).evaluate()
+    assert inside.status == 0
+    for side in (inside.left, inside.right):
+        assert side.contact.y_wheel == pytest.approx(end - 1e-3, abs=1e-9)
+    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 5e-3)).evaluate()
+    assert beyond.status == wrcontact.Status.OFF_PROFILE
+
+
 def test_every_pair_over_the_whole_range():
     for rail in ("UIC60", "60E1", "54E1"):
         for inclination in (0.0, 1 / 40, 1 / 20):

@@ -86,17 +86,27 @@ def main(arguments=None):
 
 def translate(kernel):
     """Text of every generated file by name, from the modules in the folder ``kernel``."""
+    modules = read_modules(kernel)
+    return assemble(kernel, modules, run_pyccel(modules))
+
+
+def read_modules(kernel):
+    """What Pyccel translates: the modules in the folder ``kernel``, and their tangents."""
     sources = [Module(path) for path in FILES["kernel_modules"](kernel)]
     with tempfile.TemporaryDirectory() as folder:
         for name, text in tangent_modules(sources).items():
             Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
         tangents = [Module(path) for path in sorted(Path(folder).glob("*.py"))]
-    kernel_modules = [module for module in sources if module.name != RULE_MODULE]
-    modules = [*kernel_modules, *tangents]
+    modules = [*(module for module in sources if module.name != RULE_MODULE), *tangents]
     for module in modules:
         module.refuse_silent_traps()
-    raw = run_pyccel(modules)
-    constants = constant_values(kernel, kernel_modules) | {module.name: {} for module in tangents}
+    return modules
+
+
+def assemble(kernel, modules, raw):
+    """Text of every generated file by name, from what Pyccel has made of the ``modules``: ``raw``, by module name."""
+    kernel_modules = [module for module in modules if not module.tangent]
+    constants = constant_values(kernel, kernel_modules) | {module.name: {} for module in modules if module.tangent}
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
     files = {}
     for module in modules:
@@ -224,6 +234,8 @@ def constant_values(kernel, modules):
     """Value of every constant, as Python computes it: {module: {constant: value}}."""
     package = types.ModuleType("kernel_being_translated")       # the modules import each other relatively
     package.__path__ = [str(kernel)]
+    for name in [name for name in sys.modules if name.startswith(package.__name__)]:
+        del sys.modules[name]                                   # those of another folder
     sys.modules[package.__name__] = package
     sys.dont_write_bytecode = True
     loaded = {module.name: importlib.import_module(f"{package.__name__}.{module.name}") for module in modules}
