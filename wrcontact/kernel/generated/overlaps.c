@@ -21,6 +21,7 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     double m;
     double bend;
     double square;
+    double rise;
     row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
     y = (*cspan_at(&tables, row + search__ROW_Y));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
@@ -30,8 +31,13 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     square = 1.0 / (1.0 + m * m);
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*abscissa);
     (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) = y;
-    /* of (height - gap) cos, but for a factor cos */
-    (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = outline_slope - m - (height - (*gap)) * m * bend * square;
+    /* of (height - gap) cos, but for a factor cos; apart from each other, where the rail's normals say little, of height - gap */
+    rise = outline_slope - m;
+    if (height > (*gap))
+    {
+        rise -= (height - (*gap)) * m * bend * square;
+    }
+    (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = rise;
     (*result_1) = m - outline_slope;
     return 0;
 }
@@ -409,6 +415,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
             }
         }
     }
+    overlaps__list_smallest(tables, work, side, at, height);
     if ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) > INT64_C(0))
     {
         overlaps__find_humps(tables, work, at, height);
@@ -416,6 +423,90 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     }
     result = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     return result;
+}
+
+/* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
+ * scan nodes on nearly conformal profiles it can turn three times.
+ */
+static OUT_OF_LINE int64_t overlaps__list_smallest(array_double_1d tables, array_double_1d work, int64_t side, int64_t at, double height)
+{
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double x;
+    double y;
+    double overlap;
+    double rise;
+    double bend;
+    double curvature;
+    int64_t found;
+    double deepest;
+    double step;
+    double far;
+    double low;
+    double high;
+    double depth;
+    int64_t turned;
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), z, slope);
+    x = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), height);
+    deepest = 0.0;
+    if ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) > INT64_C(0))
+    {
+        deepest = (*cspan_at(&work, overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * overlaps__deepest_entry(work) + overlaps__DEEP_DEPTH));
+    }
+    if ((found == INT64_C(1)) && (overlap > deepest))
+    {
+        step = overlaps__FIRST_STEP;
+        if (rise < 0.0)
+        {
+            step = -overlaps__FIRST_STEP;
+        }
+        far = x;
+        while((rise * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && (found == INT64_C(1)))
+        {
+            far += step;
+            pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, far, y, height);
+            step *= 2.0;
+        }
+        low = x;
+        high = far;
+        if (far < x)
+        {
+            low = far;
+            high = x;
+        }
+        overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), height, 1.0);
+        if ((turned == INT64_C(1)) && (depth > deepest))
+        {
+            overlaps__keep_deep(work, x, y, depth);
+            overlaps__sort_deep(work);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Bring the last deepest point listed to its place along the rail. */
+static OUT_OF_LINE int64_t overlaps__sort_deep(array_double_1d work)
+{
+    int64_t block;
+    int64_t i;
+    double kept;
+    block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) - INT64_C(1));
+    while((block > overlaps__DEEP_FIRST) && ((*cspan_at(&work, block + overlaps__DEEP_RAIL)) < (*cspan_at(&work, block - overlaps__DEEP_SIZE + overlaps__DEEP_RAIL))))
+    {
+        for (i = block; i < block + overlaps__DEEP_SIZE; i += INT64_C(1))
+        {
+            kept = (*cspan_at(&work, i));
+            (*cspan_at(&work, i)) = (*cspan_at(&work, i - overlaps__DEEP_SIZE));
+            (*cspan_at(&work, i - overlaps__DEEP_SIZE)) = kept;
+        }
+        block -= overlaps__DEEP_SIZE;
+    }
+    return INT64_C(0);
 }
 
 /* 1 if the last deepest point listed is at ``x`` [m] or beyond, else 0. */

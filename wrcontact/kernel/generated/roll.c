@@ -97,6 +97,12 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
             (*result_1_0001) = INT64_C(0);
             return 0;
         }
+        if ((roll__on_profiles(tables, left, rail_left) == INT64_C(0)) || (roll__on_profiles(tables, right, rail_right) == INT64_C(0)))
+        {
+            (*result_0_0001) = roll;
+            (*result_1_0001) = INT64_C(0);
+            return 0;
+        }
         move_left = (-mismatch_left) / rate_left;
         move_right = (-mismatch_right) / rate_right;
         /* gaps and levers at the minima next to these places, to second and first order */
@@ -138,6 +144,20 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
     (*result_0_0001) = roll;
     (*result_1_0001) = INT64_C(0);
     return 0;
+}
+
+/* 1 if the wheel has a point at ``y`` and the rail one at ``abscissa`` [m], else 0. */
+static inline int64_t roll__on_profiles(array_double_1d tables, double y, double abscissa)
+{
+    int64_t wheel;
+    int64_t on_both;
+    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    on_both = INT64_C(0);
+    if ((y >= (*cspan_at(&tables, wheel + profile_table__START))) && (y <= (*cspan_at(&tables, wheel + profile_table__STOP))))
+    {
+        on_both = gap__above_rail(tables, abscissa);
+    }
+    return on_both;
 }
 
 /* Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]. */

@@ -17,6 +17,7 @@
 #include "gap.h"
 #include "layout.h"
 #include "locus.h"
+#include "profile_table.h"
 #include "search.h"
 
 static const double roll__ROLL_LIMIT = 0.12;
@@ -34,6 +35,7 @@ static inline int64_t roll__place_both(array_double_1d tables, array_double_1d w
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);
 static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work);
+static inline int64_t roll__on_profiles(array_double_1d tables, double y, double abscissa);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
 static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
