@@ -11,11 +11,12 @@ take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
-from .gap import gap_jet, gap_per_roll
-from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SIDE_BEST,
-                     SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS,
+from .gap import above_rail, gap_jet, gap_per_roll
+from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SET_WHEEL,
+                     SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS,
                      WORK_PLACE, WORK_SIDE)
 from .locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
+from .profile_table import START, STOP
 from .search import SHARP, search_side
 
 #: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
@@ -87,6 +88,8 @@ def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
                                                                                              right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
+        if on_profiles(tables, left, rail_left) == 0 or on_profiles(tables, right, rail_right) == 0:
+            return roll, 0
         move_left = -mismatch_left / rate_left
         move_right = -mismatch_right / rate_right
         # gaps and levers at the minima next to these places, to second and first order
@@ -109,6 +112,15 @@ def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
         if not (roll > low and roll < high):
             return roll, 0
     return roll, 0
+
+
+def on_profiles(tables: 'float[:]', y: float, abscissa: float):
+    """1 if the wheel has a point at ``y`` and the rail one at ``abscissa`` [m], else 0."""
+    wheel = int(tables[SET_WHEEL])
+    on_both = 0
+    if y >= tables[wheel + START] and y <= tables[wheel + STOP]:
+        on_both = above_rail(tables, abscissa)
+    return on_both
 
 
 def keep_known(work: 'float[:]', side: int, y: float, gap: float, abscissa: float):
