@@ -1,7 +1,7 @@
 """Scenes and poses drawn at random, for tests that try very many of them.
 
 A scene is what stays fixed, a pair of profiles on a track with its methods; it is prepared once and serves a batch of poses.
-Half of the poses are drawn evenly over the whole range, the others beside the shifts at which the contact jumps from one place
+Half of the poses are drawn evenly over the range, the others beside the shifts at which the contact jumps from one place
 of the wheel to another, or reaches the end of a profile::
 
     for scene, poses in batches(seed=1, scenes=20, poses=500):
