@@ -221,6 +221,15 @@ def deepest_entry(work: 'float[:]'):
     return best
 
 
+def keep_deepest(work: 'float[:]'):
+    """Leave only the deepest of the list, which then has no bounds."""
+    deepest = DEEP_FIRST + DEEP_SIZE * deepest_entry(work)
+    for i in range(DEEP_SIZE):
+        work[DEEP_FIRST + i] = work[deepest + i]
+    work[DEEP_COUNT] = 1.0
+    return 0
+
+
 def shallowest_entry(work: 'float[:]'):
     """The least deep of the list."""
     least = 0

@@ -308,6 +308,20 @@ static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work)
     return best;
 }
 
+/* Leave only the deepest of the list, which then has no bounds. */
+static OUT_OF_LINE int64_t overlaps__keep_deepest(array_double_1d work)
+{
+    int64_t deepest;
+    int64_t i;
+    deepest = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * overlaps__deepest_entry(work);
+    for (i = INT64_C(0); i < overlaps__DEEP_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, overlaps__DEEP_FIRST + i)) = (*cspan_at(&work, deepest + i));
+    }
+    (*cspan_at(&work, overlaps__DEEP_COUNT)) = 1.0;
+    return INT64_C(0);
+}
+
 /* The least deep of the list. */
 static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work)
 {

@@ -52,6 +52,7 @@ static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t e
 static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height);
 static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work);
+static OUT_OF_LINE int64_t overlaps__keep_deepest(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__merge_deep(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__is_listed(array_double_1d work, double x);
