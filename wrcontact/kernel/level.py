@@ -21,8 +21,8 @@ from .profile_table import height_slope
 from .roll import LEFT, LEFT_PLACE, RIGHT, RIGHT_PLACE, ROLL_LIMIT, close_in, newton_move, search_both, some_roll, turn_both
 from .search import ROW_LEVER, ROW_STEEPEST_BENDS, ROW_Y, SCAN_NODES, SCAN_ROW, node_below, search_side
 
-#: Zeros of D closer than this are one [rad]; the gaps there differ by no more than 1e-10 m.
-APART: Final[float] = 1e-10
+#: Zeros of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
+APART: Final[float] = 1e-13
 TRIALS: Final[int] = 300
 #: How a lever changes with roll and yaw, as shares of what slopes change at first order.
 TURNED_SHARE: Final[float] = 1.1

@@ -155,37 +155,30 @@ def close_in(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: floa
         # a wheel beside its rail has a large gap
         difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
         if found == 0 and difference == 0.0:
-            if roll == 0.0:
-                return roll, OFF_PROFILE
-            # the guess was off both rails: start again from level
-            roll = 0.0
-            low = first
-            high = last
-            width = high - low
+            return roll, OFF_PROFILE
+        move = 1.0
+        if found == 1:
+            difference, move = newton_move(tables, work)
+            if fabs(move) < ROLL_SHARP:
+                return roll, VALID
+        if difference > 0.0:
+            low = roll
         else:
-            move = 1.0
-            if found == 1:
-                difference, move = newton_move(tables, work)
-                if fabs(move) < ROLL_SHARP:
-                    return roll, VALID
-            if difference > 0.0:
-                low = roll
-            else:
-                high = roll
-            if high - low < ROLL_SHARP:
-                break
-            # between flange and tread Newton can creep along one side: halve where it did not
-            slow = low > first and high < last and high - low > 0.5 * width
-            width = high - low
-            if slow or not (roll + move > low and roll + move < high):
-                roll = 0.5 * (low + high)
-            elif fabs(move) > LONGEST_TURN:
-                roll += move
-            else:
-                balanced, known = balance(tables, work, state, roll + move, low, high)
-                roll += move
-                if known == 1:
-                    roll = balanced
+            high = roll
+        if high - low < ROLL_SHARP:
+            break
+        # between flange and tread Newton can creep along one side: halve where it did not
+        slow = low > first and high < last and high - low > 0.5 * width
+        width = high - low
+        if slow or not (roll + move > low and roll + move < high):
+            roll = 0.5 * (low + high)
+        elif fabs(move) > LONGEST_TURN:
+            roll += move
+        else:
+            balanced, known = balance(tables, work, state, roll + move, low, high)
+            roll += move
+            if known == 1:
+                roll = balanced
     status = NOT_CONVERGED
     if high - low < ROLL_SHARP:
         status = VALID
@@ -200,13 +193,17 @@ def some_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: fl
 
     With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
     """
-    roll = guess
-    if not (roll > -ROLL_LIMIT and roll < ROLL_LIMIT):
-        roll = 0.0
+    start = guess
+    if not (start > -ROLL_LIMIT and start < ROLL_LIMIT):
+        start = 0.0
     known = 0
-    place_both(tables, work, roll)
+    place_both(tables, work, start)
     if warm == 1:
-        balanced, known = balance(tables, work, state, roll, -ROLL_LIMIT, ROLL_LIMIT)
+        balanced, known = balance(tables, work, state, start, -ROLL_LIMIT, ROLL_LIMIT)
         if known == 1:
-            roll = balanced
-    return close_in(tables, work, state, roll, -ROLL_LIMIT, ROLL_LIMIT, known)
+            start = balanced
+    roll, status = close_in(tables, work, state, start, -ROLL_LIMIT, ROLL_LIMIT, known)
+    if status != VALID and start != 0.0:
+        # far from level a wheel may be beside its rail, and D without a sign
+        roll, status = close_in(tables, work, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
+    return roll, status

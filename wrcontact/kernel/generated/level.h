@@ -22,7 +22,7 @@
 #include "roll.h"
 #include "search.h"
 
-static const double level__APART = 1e-10;
+static const double level__APART = 1e-13;
 static const int64_t level__TRIALS = INT64_C(300);
 static const double level__TURNED_SHARE = 1.1;
 static const double level__YAWED_SHARE = 1.2;

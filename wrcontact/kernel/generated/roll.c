@@ -210,62 +210,51 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
         difference = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
         if ((found == INT64_C(0)) && (difference == 0.0))
         {
-            if (roll == 0.0)
+            (*result_0_0001) = roll;
+            (*result_1_0001) = layout__OFF_PROFILE;
+            return 0;
+        }
+        move = 1.0;
+        if (found == INT64_C(1))
+        {
+            roll__newton_move(&difference, &move, tables, work);
+            if (fabs(move) < roll__ROLL_SHARP)
             {
                 (*result_0_0001) = roll;
-                (*result_1_0001) = layout__OFF_PROFILE;
+                (*result_1_0001) = layout__VALID;
                 return 0;
             }
-            /* the guess was off both rails: start again from level */
-            roll = 0.0;
-            low = first;
-            high = last;
-            width = high - low;
+        }
+        if (difference > 0.0)
+        {
+            low = roll;
         }
         else
         {
-            move = 1.0;
-            if (found == INT64_C(1))
+            high = roll;
+        }
+        if (high - low < roll__ROLL_SHARP)
+        {
+            break;
+        }
+        /* between flange and tread Newton can creep along one side: halve where it did not */
+        slow = (low > first) && (high < last) && (high - low > 0.5 * width);
+        width = high - low;
+        if (slow || (!((roll + move > low) && (roll + move < high))))
+        {
+            roll = 0.5 * (low + high);
+        }
+        else if (fabs(move) > roll__LONGEST_TURN)
+        {
+            roll += move;
+        }
+        else
+        {
+            roll__balance(&balanced, &known, tables, work, state, roll + move, low, high);
+            roll += move;
+            if (known == INT64_C(1))
             {
-                roll__newton_move(&difference, &move, tables, work);
-                if (fabs(move) < roll__ROLL_SHARP)
-                {
-                    (*result_0_0001) = roll;
-                    (*result_1_0001) = layout__VALID;
-                    return 0;
-                }
-            }
-            if (difference > 0.0)
-            {
-                low = roll;
-            }
-            else
-            {
-                high = roll;
-            }
-            if (high - low < roll__ROLL_SHARP)
-            {
-                break;
-            }
-            /* between flange and tread Newton can creep along one side: halve where it did not */
-            slow = (low > first) && (high < last) && (high - low > 0.5 * width);
-            width = high - low;
-            if (slow || (!((roll + move > low) && (roll + move < high))))
-            {
-                roll = 0.5 * (low + high);
-            }
-            else if (fabs(move) > roll__LONGEST_TURN)
-            {
-                roll += move;
-            }
-            else
-            {
-                roll__balance(&balanced, &known, tables, work, state, roll + move, low, high);
-                roll += move;
-                if (known == INT64_C(1))
-                {
-                    roll = balanced;
-                }
+                roll = balanced;
             }
         }
     }
@@ -288,26 +277,31 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
  *
  * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
  */
-static inline int64_t roll__some_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+static inline int64_t roll__some_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
 {
-    double roll;
+    double start;
     int64_t known;
     double balanced;
-    roll = guess;
-    if (!((roll > -roll__ROLL_LIMIT) && (roll < roll__ROLL_LIMIT)))
+    start = guess;
+    if (!((start > -roll__ROLL_LIMIT) && (start < roll__ROLL_LIMIT)))
     {
-        roll = 0.0;
+        start = 0.0;
     }
     known = INT64_C(0);
-    roll__place_both(tables, work, roll);
+    roll__place_both(tables, work, start);
     if (warm == INT64_C(1))
     {
-        roll__balance(&balanced, &known, tables, work, state, roll, -roll__ROLL_LIMIT, roll__ROLL_LIMIT);
+        roll__balance(&balanced, &known, tables, work, state, start, -roll__ROLL_LIMIT, roll__ROLL_LIMIT);
         if (known == INT64_C(1))
         {
-            roll = balanced;
+            start = balanced;
         }
     }
-    roll__close_in(result_0, result_1, tables, work, state, roll, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, known);
+    roll__close_in(roll, status, tables, work, state, start, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, known);
+    if (((*status) != layout__VALID) && (start != 0.0))
+    {
+        /* far from level a wheel may be beside its rail, and D without a sign */
+        roll__close_in(roll, status, tables, work, state, 0.0, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, INT64_C(0));
+    }
     return 0;
 }

@@ -40,6 +40,6 @@ static inline int64_t roll__on_profiles(array_double_1d tables, double y, double
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
 static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double first, double last, int64_t known);
-static inline int64_t roll__some_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
+static inline int64_t roll__some_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
 
 #endif
