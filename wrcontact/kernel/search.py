@@ -499,10 +499,14 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
             keep_best(work, side, high, gap_high)
         if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
-            if mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded:
+            turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
+            # the gap only rises, or only falls
+            steady = (mismatch_low >= 0.0 and mismatch_low + least * width >= 0.0
+                      or mismatch_high <= 0.0 and mismatch_high - least * width <= 0.0) and not folded
+            if turns and (least > 0.0 or width <= NARROW):
                 y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
                 keep_best(work, side, y, gap)
-            elif width > NARROW and (folded or not least > 0.0):
+            elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
                 state[STATE_GAP_COUNT] += 1.0

@@ -692,6 +692,8 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
     double width;
     double lowest;
     bool folded;
+    bool turns;
+    bool steady;
     double y;
     double gap;
     double middle;
@@ -723,12 +725,15 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
         if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
-            if ((mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded))
+            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
+            /* the gap only rises, or only falls */
+            steady = (((mismatch_low >= 0.0) && (mismatch_low + least * width >= 0.0)) || ((mismatch_high <= 0.0) && (mismatch_high - least * width <= 0.0))) && (!folded);
+            if (turns && ((least > 0.0) || (width <= search__NARROW)))
             {
                 search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
                 search__keep_best(work, side, y, gap);
             }
-            else if ((width > search__NARROW) && (folded || (!(least > 0.0))))
+            else if ((width > search__NARROW) && (!steady) && (folded || (!(least > 0.0))))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
