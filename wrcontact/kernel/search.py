@@ -388,7 +388,7 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
               reach: float, abscissa: float):
     """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
-    or than the one before the rail's end, below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+    or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
 
     SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
     by rising abscissa.
@@ -419,6 +419,7 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
     before = -LARGE_GAP
     abscissa_before = 0.0
     fallen = 0
+    doubtful = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
         state[STATE_GAP_COUNT] += 1.0
@@ -435,11 +436,15 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
         else:
             if fallen == 1 and gap > before:
                 list_candidate(work, side, node - direction, direction, abscissa_before)
-            fallen = 0
-            if gap <= before and gap < reach:
-                fallen = 1
             level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level,
                                 1)
+            # a minimum below the reach may lie between two nodes above it, behind this one or before it
+            fallen = 0
+            if gap <= before and (gap < reach or level < 0 or doubtful == 1):
+                fallen = 1
+            doubtful = 0
+            if level < 0:
+                doubtful = 1
             before = gap
             abscissa_before = abscissa
             if level > 0:

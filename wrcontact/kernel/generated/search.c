@@ -539,7 +539,7 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
 }
 
 /* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
- * or than the one before the rail's end, below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+ * or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
  *
  * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
  * by rising abscissa.
@@ -578,6 +578,7 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
     double before;
     double abscissa_before;
     int64_t fallen;
+    int64_t doubtful;
     double gap;
     double mismatch;
     double abscissa;
@@ -588,6 +589,7 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
     before = -search__LARGE_GAP;
     abscissa_before = 0.0;
     fallen = INT64_C(0);
+    doubtful = INT64_C(0);
     while((node >= INT64_C(0)) && (node < count))
     {
         search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
@@ -614,12 +616,18 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
             {
                 search__list_candidate(work, side, node - direction, direction, abscissa_before);
             }
+            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
+            /* a minimum below the reach may lie between two nodes above it, behind this one or before it */
             fallen = INT64_C(0);
-            if ((gap <= before) && (gap < reach))
+            if ((gap <= before) && ((gap < reach) || (level < INT64_C(0)) || (doubtful == INT64_C(1))))
             {
                 fallen = INT64_C(1);
             }
-            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
+            doubtful = INT64_C(0);
+            if (level < INT64_C(0))
+            {
+                doubtful = INT64_C(1);
+            }
             before = gap;
             abscissa_before = abscissa;
             if (level > INT64_C(0))
