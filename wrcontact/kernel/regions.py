@@ -64,8 +64,8 @@ REGION_MOVE: Final[int] = 19         # change of its level that closes the resid
 MERGE: Final[float] = 0.3
 #: Minima closer than this to another are the same [m].
 APART: Final[float] = 2e-4
-#: A minimum of the normal gap lies within this of the vertical gap's [m].
-WANDER: Final[float] = 2e-3
+#: A minimum of the normal gap lies within this of the vertical gap's [m]; 2 mm where a tread is seen from a flange.
+WANDER: Final[float] = 5e-3
 FAR: Final[float] = 1.0
 TRACE: Final[float] = 1e-12          # tolerance of the abscissae while minima and humps are sought [m]
 PLACE_SHARP: Final[float] = 1e-11    # last Newton step to a minimum or a hump [m]; a hump cuts a load
@@ -96,13 +96,13 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
         move = -rate * WANDER
         if bend > 0.0:
             move = -rate / bend
+            if fabs(move) < PLACE_SHARP:
+                found = gap
         if station + move > start + WANDER:
             move = start + WANDER - station
         if station + move < start - WANDER:
             move = start - WANDER - station
         if fabs(move) < PLACE_SHARP:
-            if bend > 0.0:
-                found = gap
             break
         station += move
     work[block + REGION_STATION] = station

@@ -41,6 +41,10 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         if (bend > 0.0)
         {
             move = (-rate) / bend;
+            if (fabs(move) < regions__PLACE_SHARP)
+            {
+                found = gap;
+            }
         }
         if (station + move > start + regions__WANDER)
         {
@@ -52,10 +56,6 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         }
         if (fabs(move) < regions__PLACE_SHARP)
         {
-            if (bend > 0.0)
-            {
-                found = gap;
-            }
             break;
         }
         station += move;

@@ -214,6 +214,11 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
             v3 = v2 / bend;
             move_t = ((-rate_t) - v3 * bend_t) / bend;
             move = v3;
+            if (fabs(move) < regions__PLACE_SHARP)
+            {
+                (*found_t) = gap_t;
+                (*found) = gap;
+            }
         }
         if (station + move > start + regions__WANDER)
         {
@@ -227,11 +232,6 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
         }
         if (fabs(move) < regions__PLACE_SHARP)
         {
-            if (bend > 0.0)
-            {
-                (*found_t) = gap_t;
-                (*found) = gap;
-            }
             break;
         }
         station_t = station_t + move_t;
