@@ -13,13 +13,14 @@ ends of the way.  Where this does not settle it, the way is halved.
 from math import fabs
 from typing import Final
 
-from .layout import (NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SET_SCAN, SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL,
-                     SIDE_BEST_Y, STATE_GAP_COUNT, VALID, WORK_ROLLS)
-from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel,
-                    outline_point)
-from .profile_table import height_slope
-from .roll import LEFT, LEFT_PLACE, RIGHT, RIGHT_PLACE, ROLL_LIMIT, close_in, newton_move, search_both, some_roll, turn_both
-from .search import ROW_LEVER, ROW_STEEPEST_BENDS, ROW_Y, SCAN_NODES, SCAN_ROW, node_below, search_side
+from .layout import (NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST,
+                     SIDE_BEST_RAIL, SIDE_BEST_Y, STATE_GAP_COUNT, VALID, WORK_ROLLS)
+from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SHIFT, PLACE_SIN_ROLL, PLACE_SIN_YAW,
+                    around_wheel, outline_point)
+from .profile_table import START, height_slope
+from .roll import LEFT, LEFT_PLACE, RIGHT, RIGHT_PLACE, ROLL_LIMIT, close_in, follow_side, newton_move, search_both, some_roll, turn_both
+from .search import (REACH_SHARE, ROW_LEVER, ROW_STEEPEST_BENDS, ROW_Y, SCAN_COUNT, SCAN_NODES, SCAN_ROW, SCAN_STEEPEST,
+                     node_below, search_side)
 
 #: Zeros of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
 APART: Final[float] = 1e-13
@@ -58,30 +59,53 @@ def lever_beyond(tables: 'float[:]', y: float, roll: float, sine: float):
     return lever + turned(steep, radius, arm) * fabs(roll) + yawed
 
 
+def beside_rail(tables: 'float[:]', work: 'float[:]', at: int, known: float, roll: float, sine: float):
+    """1 if all places of a wheel whose levers are not below -``known`` [m] are beside the rail when level, else 0."""
+    scan = int(tables[SET_SCAN])
+    nodes = scan + SCAN_NODES
+    low = -1
+    high = int(tables[scan + SCAN_COUNT]) - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if known + lever_beyond(tables, tables[nodes + SCAN_ROW * middle + ROW_Y], roll, sine) < 0.0:
+            high = middle
+        else:
+            low = middle
+    beside = 1
+    if low >= 0:
+        reach = REACH_SHARE * sine * sine * tables[SET_RADIUS] * tables[scan + SCAN_STEEPEST]
+        furthest = work[at + PLACE_SHIFT] + tables[SET_ARM] + tables[nodes + SCAN_ROW * high + ROW_Y] + reach
+        if furthest > tables[SET_RAIL_Y] + tables[int(tables[SET_RAIL]) + START]:
+            beside = 0
+    return beside
+
+
 def certainly_first(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float):
     """1 if D falls all the way from level to its zero at ``roll``, as far as the steepest places tell, else 0.
 
-    The wheel that stands higher is known there; of the other one the whole profile is taken, or what lies beyond its contact when
-    level, for which that one is searched.
+    The wheel that stands higher is known there; of the other one what is not beside the rail when level is taken, or what lies
+    beyond its contact when level, for which that one is searched.
     """
     sine = work[RIGHT_PLACE + PLACE_SIN_YAW]
     higher = LEFT
     lower = RIGHT
     lower_place = RIGHT_PLACE
+    index = 1
     if roll < 0.0:
         higher = RIGHT
         lower = LEFT
         lower_place = LEFT_PLACE
+        index = 0
     known = lever_beyond(tables, work[higher + SIDE_BEST_Y], roll, sine)
-    first = tables[int(tables[SET_SCAN]) + SCAN_NODES + ROW_Y]
-    if known + lever_beyond(tables, first, roll, sine) < 0.0:
+    if beside_rail(tables, work, lower_place, known, roll, sine) == 1:
         return 1
     gap = work[lower + SIDE_BEST]
     y = work[lower + SIDE_BEST_Y]
     abscissa = work[lower + SIDE_BEST_RAIL]
     certain = 0
     turn_both(work, 0.0)
-    if search_side(tables, work, lower, work, lower_place, state, 0) == 1:
+    followed = follow_side(tables, work, state, index)
+    if search_side(tables, work, lower, work, lower_place, state, followed) == 1:
         if known + lever_beyond(tables, work[lower + SIDE_BEST_Y], roll, sine) < 0.0:
             certain = 1
     turn_both(work, roll)

@@ -46,6 +46,8 @@ DEEP_ITERATIONS: Final[int] = 60
 LEVEL_RISE: Final[float] = 1e-4
 #: Deepest points closer than this on the rail are one [m].
 SAME: Final[float] = 1e-6
+#: Between two samples the overlap is looked at in so many parts.
+PARTS: Final[int] = 4
 #: The deepest point beside the smallest gap is looked for in steps that double from the first one on, up to the other [m].
 FIRST_STEP: Final[float] = 1e-7
 FAR_STEP: Final[float] = 1e-3
@@ -283,14 +285,37 @@ def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side:
             y = 0.5 * (work[SAMPLE_WHEEL + entry] + work[SAMPLE_WHEEL + entry + 1])
             low = bracket_end(tables, work, at, work[SAMPLE_RAIL + entry], -step, y, height)
             high = bracket_end(tables, work, at, work[SAMPLE_RAIL + entry + 1], step, y, height)
-            x, y, depth, turned = turning_point(tables, work, at, low, high, y, height, 1.0)
-            if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
-                keep_deep(work, x, y, depth)
+            list_between(tables, work, at, low, high, y, height)
     list_smallest(tables, work, side, at, height)
     if int(work[DEEP_COUNT]) > 0:
         find_humps(tables, work, at, height)
         merge_deep(work)
     return int(work[DEEP_COUNT])
+
+
+def list_between(tables: 'float[:]', work: 'float[:]', at: int, low: float, high: float, y: float, height: float):
+    """List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
+    profiles the joints of their arcs leave several, of which a bracket by itself would end at either."""
+    step = (high - low) / float(PARTS)
+    start = low
+    rising = 1
+    guess = y
+    for i in range(1, PARTS + 1):
+        stop = low + step * float(i)
+        falls = 1
+        if i < PARTS:
+            near, overlap, rise, bend, curvature, found = normal_line(tables, work, at, stop, guess, height)
+            if found == 1:
+                guess = near
+            if found == 1 and rise > 0.0:
+                falls = 0
+        if rising == 1 and falls == 1:
+            x, y, depth, turned = turning_point(tables, work, at, start, stop, guess, height, 1.0)
+            if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
+                keep_deep(work, x, y, depth)
+        rising = 1 - falls
+        start = stop
+    return 0
 
 
 def list_smallest(tables: 'float[:]', work: 'float[:]', side: int, at: int, height: float):

@@ -11,12 +11,12 @@ take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
-from .gap import above_rail, gap_jet, gap_per_roll
-from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SET_WHEEL, SIDE_BEST,
-                     SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT, VALID, WORK_INPUTS,
-                     WORK_PLACE, WORK_SIDE)
-from .locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
-from .profile_table import START, STOP
+from .gap import above_rail, gap_jet, gap_per_roll, vertical_gap
+from .layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SET_RAIL_Y,
+                     SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT,
+                     VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE)
+from .locus import mirror_place, mirror_roll, outline_point, place_wheelset, turn_wheelset
+from .profile_table import START, STOP, height_slope
 from .search import SHARP, search_side
 
 #: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
@@ -31,6 +31,9 @@ NEWTON_STEPS: Final[int] = 25
 LONGEST_TURN: Final[float] = 5e-3
 #: A known minimum that moves by more than this in a Newton step is looked for anew [m].
 LONGEST_MOVE: Final[float] = 5e-3
+#: A smallest gap is followed to another roll in so many steps, and no farther than this [m].
+FOLLOW_STEPS: Final[int] = 8
+FOLLOW_REACH: Final[float] = 2e-3
 
 # the two sides' blocks and placed wheels in the workspace
 LEFT: Final[int] = WORK_SIDE
@@ -59,6 +62,33 @@ def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', known: 
     left = search_side(tables, work, LEFT, work, LEFT_PLACE, state, known)
     right = search_side(tables, work, RIGHT, work, RIGHT_PLACE, state, known)
     return left * right
+
+
+def follow_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
+    """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
+    side = WORK_SIDE + SIDE_BLOCK * index
+    at = WORK_PLACE + PLACE_BLOCK * index
+    wheel = int(tables[SET_WHEEL])
+    y = work[side + SIDE_BEST_Y]
+    for i in range(FOLLOW_STEPS):
+        gap, mismatch, rate = vertical_gap(tables, work, at, y)
+        state[STATE_GAP_COUNT] += 1.0
+        if not rate > 0.0:
+            return 0
+        move = -mismatch / rate
+        if fabs(move) < SHARP:
+            z, slope = height_slope(tables, wheel, y)
+            y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
+            if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 0:
+                return 0
+            work[side + SIDE_BEST] = gap
+            work[side + SIDE_BEST_Y] = y
+            work[side + SIDE_BEST_RAIL] = y_track - tables[SET_RAIL_Y]
+            return 1
+        y += move
+        if fabs(y - work[side + SIDE_BEST_Y]) > FOLLOW_REACH or not (y > tables[wheel + START] and y < tables[wheel + STOP]):
+            return 0
+    return 0
 
 
 def newton_move(tables: 'float[:]', work: 'float[:]'):

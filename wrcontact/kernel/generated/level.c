@@ -40,10 +40,50 @@ static inline double level__lever_beyond(array_double_1d tables, double y, doubl
     return lever + level__turned(steep, radius, arm) * fabs(roll) + yawed;
 }
 
+/* 1 if all places of a wheel whose levers are not below -``known`` [m] are beside the rail when level, else 0. */
+static inline int64_t level__beside_rail(array_double_1d tables, array_double_1d work, int64_t at, double known, double roll, double sine)
+{
+    int64_t scan;
+    int64_t nodes;
+    int64_t low;
+    int64_t high;
+    int64_t middle;
+    double reach;
+    double furthest;
+    int64_t beside;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    nodes = scan + search__SCAN_NODES;
+    low = -INT64_C(1);
+    high = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT))) - INT64_C(1);
+    while(high - low > INT64_C(1))
+    {
+        middle = py_floor_div_int64_t((low + high), INT64_C(2));
+        if (known + level__lever_beyond(tables, (*cspan_at(&tables, nodes + search__SCAN_ROW * middle + search__ROW_Y)), roll, sine) < 0.0)
+        {
+            high = middle;
+        }
+        else
+        {
+            low = middle;
+        }
+    }
+    beside = INT64_C(1);
+    if (low >= INT64_C(0))
+    {
+        reach = search__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__SET_RADIUS)) * (*cspan_at(&tables, scan + search__SCAN_STEEPEST));
+        furthest = (*cspan_at(&work, at + locus__PLACE_SHIFT)) + (*cspan_at(&tables, layout__SET_ARM)) + (*cspan_at(&tables, nodes + search__SCAN_ROW * high + search__ROW_Y)) + reach;
+        if (furthest > (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))) + profile_table__START)))
+        {
+            beside = INT64_C(0);
+        }
+    }
+    return beside;
+}
+
 /* 1 if D falls all the way from level to its zero at ``roll``, as far as the steepest places tell, else 0.
  *
- * The wheel that stands higher is known there; of the other one the whole profile is taken, or what lies beyond its contact when
- * level, for which that one is searched.
+ * The wheel that stands higher is known there; of the other one what is not beside the rail when level is taken, or what lies
+ * beyond its contact when level, for which that one is searched.
  */
 static inline int64_t level__certainly_first(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
 {
@@ -51,25 +91,27 @@ static inline int64_t level__certainly_first(array_double_1d tables, array_doubl
     int64_t higher;
     int64_t lower;
     int64_t lower_place;
+    int64_t index;
     double known;
-    double first;
     double gap;
     double y;
     double abscissa;
+    int64_t followed;
     int64_t certain;
     sine = (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW));
     higher = roll__LEFT;
     lower = roll__RIGHT;
     lower_place = roll__RIGHT_PLACE;
+    index = INT64_C(1);
     if (roll < 0.0)
     {
         higher = roll__RIGHT;
         lower = roll__LEFT;
         lower_place = roll__LEFT_PLACE;
+        index = INT64_C(0);
     }
     known = level__lever_beyond(tables, (*cspan_at(&work, higher + layout__SIDE_BEST_Y)), roll, sine);
-    first = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__ROW_Y));
-    if (known + level__lever_beyond(tables, first, roll, sine) < 0.0)
+    if (level__beside_rail(tables, work, lower_place, known, roll, sine) == INT64_C(1))
     {
         return INT64_C(1);
     }
@@ -78,7 +120,8 @@ static inline int64_t level__certainly_first(array_double_1d tables, array_doubl
     abscissa = (*cspan_at(&work, lower + layout__SIDE_BEST_RAIL));
     certain = INT64_C(0);
     roll__turn_both(work, 0.0);
-    if (search__search_side(tables, work, lower, work, lower_place, state, INT64_C(0)) == INT64_C(1))
+    followed = roll__follow_side(tables, work, state, index);
+    if (search__search_side(tables, work, lower, work, lower_place, state, followed) == INT64_C(1))
     {
         if (known + level__lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_BEST_Y)), roll, sine) < 0.0)
         {

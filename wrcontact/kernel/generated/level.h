@@ -38,6 +38,7 @@ static const int64_t level__ENDS = INT64_C(45687);
 
 static inline double level__turned(double steep, double radius, double arm);
 static inline double level__lever_beyond(array_double_1d tables, double y, double roll, double sine);
+static inline int64_t level__beside_rail(array_double_1d tables, array_double_1d work, int64_t at, double known, double roll, double sine);
 static inline int64_t level__certainly_first(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
 static inline int64_t level__falls_at_level(array_double_1d tables, array_double_1d work, double roll);
 static inline double level__lever_at(array_double_1d tables, array_double_1d work, int64_t at, double y);

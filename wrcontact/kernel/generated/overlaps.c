@@ -406,9 +406,6 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     double y;
     double low;
     double high;
-    double x;
-    double depth;
-    int64_t turned;
     int64_t result;
     node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
     (*cspan_at(&work, overlaps__DEEP_COUNT)) = 0.0;
@@ -422,11 +419,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
             y = 0.5 * ((*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) + (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry + INT64_C(1))));
             low = overlaps__bracket_end(tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)), -step, y, height);
             high = overlaps__bracket_end(tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))), step, y, height);
-            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, y, height, 1.0);
-            if ((turned == INT64_C(1)) && (depth > 0.0) && (overlaps__is_listed(work, x) == INT64_C(0)))
-            {
-                overlaps__keep_deep(work, x, y, depth);
-            }
+            overlaps__list_between(tables, work, at, low, high, y, height);
         }
     }
     overlaps__list_smallest(tables, work, side, at, height);
@@ -437,6 +430,61 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     }
     result = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     return result;
+}
+
+/* List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
+ * profiles the joints of their arcs leave several, of which a bracket by itself would end at either.
+ */
+static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height)
+{
+    double step;
+    double start;
+    int64_t rising;
+    double guess;
+    int64_t i;
+    double stop;
+    int64_t falls;
+    double near;
+    double overlap;
+    double rise;
+    double bend;
+    double curvature;
+    int64_t found;
+    double x;
+    double depth;
+    int64_t turned;
+    step = (high - low) / (double)(overlaps__PARTS);
+    start = low;
+    rising = INT64_C(1);
+    guess = y;
+    for (i = INT64_C(1); i < overlaps__PARTS + INT64_C(1); i += INT64_C(1))
+    {
+        stop = low + step * (double)(i);
+        falls = INT64_C(1);
+        if (i < overlaps__PARTS)
+        {
+            pressed__normal_line(&near, &overlap, &rise, &bend, &curvature, &found, tables, work, at, stop, guess, height);
+            if (found == INT64_C(1))
+            {
+                guess = near;
+            }
+            if ((found == INT64_C(1)) && (rise > 0.0))
+            {
+                falls = INT64_C(0);
+            }
+        }
+        if ((rising == INT64_C(1)) && (falls == INT64_C(1)))
+        {
+            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, start, stop, guess, height, 1.0);
+            if ((turned == INT64_C(1)) && (depth > 0.0) && (overlaps__is_listed(work, x) == INT64_C(0)))
+            {
+                overlaps__keep_deep(work, x, y, depth);
+            }
+        }
+        rising = INT64_C(1) - falls;
+        start = stop;
+    }
+    return INT64_C(0);
 }
 
 /* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
