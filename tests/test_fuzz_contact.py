@@ -32,6 +32,8 @@ HEAVY = 1e3             # [N]
 HEAVIEST = 3e5          # [N]
 #: A contact that moves farther under a small change has jumped, or stands on profiles that are conformal to the last nanometre.
 JUMPED = 1e-7           # [m]
+#: The vertical load is met region by region, and added up again from the patches and their normals, to this, relative.
+VERTICAL = 1e-6
 
 
 def amounts(quick, share, complete):
@@ -116,13 +118,10 @@ def check_sound(scene, poses):
         both = good & (np.abs(poses.load_transfer) < 1) & (wanted > 0)
         off = np.where(both, np.abs(table.force.z + wanted) / np.where(both, wanted, 1.0), 0.0)
         assert_none(off > VERTICAL, scene, poses, "the vertical load is missed by", off)
-    return int(np.count_nonzero(lost & (not scene.is_cut))), int(np.count_nonzero(lost)), scene, poses, lost
+    return int(np.count_nonzero(lost & (not scene.is_cut))), int(np.count_nonzero(lost)), lost
 
 
-VERTICAL = 1e-6
-
-
-@amounts((12, 100), (100, 100), (400, 1000))
+@amounts((8, 100), (100, 100), (400, 1000))
 def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
     """All modes, models and methods, profiles that are cut off among them.  Status 3 on whole profiles: none in 10 000 poses, and
     1 of 100 000, elastic with "vertical" distances under 700 kN."""
@@ -131,7 +130,7 @@ def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
         found = check_sound(scene, drawn)
         whole, every = whole + found[0], every + found[1]
         if scenes * poses <= 10_000:
-            assert_none(found[4] & (not scene.is_cut), scene, drawn, "not converged")
+            assert_none(found[2] & (not scene.is_cut), scene, drawn, "not converged")
     assert whole <= 2e-5 * scenes * poses + 1 and every <= 2e-3 * scenes * poses
 
 
@@ -157,7 +156,7 @@ def check_mirror(scene, poses):
     return off[good]
 
 
-@amounts((6, 100), (60, 60), (400, 500))
+@amounts((3, 100), (60, 60), (400, 500))
 def test_left_is_the_mirror_image_of_right(seed, scenes, poses):
     off = np.concatenate([check_mirror(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses)])
     assert np.percentile(off, 90) < 1e-10
@@ -178,7 +177,7 @@ def check_history(scene, poses):
     assert_none(off > 1e-5, scene, poses, "patches after other poses off by", off)      # as for the mirror
 
 
-@amounts((6, 100), (60, 60), (400, 500))
+@amounts((3, 100), (60, 60), (400, 500))
 def test_what_came_before_changes_nothing(seed, scenes, poses):
     for scene, drawn in unique(seed, scenes, poses):
         check_history(scene, heavy(drawn))
@@ -192,7 +191,7 @@ LENGTHS = {"gauge": 1.435, "gauge_depth": 0.014, "running_circle_distance": 1.5,
            "curvature_step": 0.2e-3, "curvature_reach": 3e-3}      # [m]
 
 
-@amounts((6, 100), (60, 60), (400, 500))
+@amounts((3, 100), (60, 60), (400, 500))
 def test_loads_times_stiffness_are_the_same_patches(seed, scenes, poses):
     """No force is hidden in the kernel: modulus and loads k-fold give the same lengths, and pressures k-fold."""
     factors = [STIFFER if name in ("normal_force", "max_pressure") else 1.0 for name in NAMES]
@@ -237,9 +236,173 @@ def check_size(scene, poses):
     return kept, np.where(kept, off, 0.0)
 
 
-@amounts((6, 100), (60, 60), (400, 500))
-def test_loads_times_area_are_the_same_pressures(seed, scenes, poses):
-    """Lengths k-fold and loads k^2-fold give the same angles and pressures."""
-    every = [check_size(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses, contact_mode="rigid")]
+@amounts((3, 100), (60, 60), (400, 500))
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
+    """Lengths k-fold and loads k^2-fold give the same angles and pressures.
+
+    The search's raster of 0.5 mm does not grow with the profiles, so that a second region beside a jump can be found in one size
+    and not in the other: measured, 1 % of the poses, half of which lie beside a jump, differ by more than 1 %.
+    """
+    every = [check_size(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)]
     kept, off = (np.concatenate(part) for part in zip(*every))
-    print(kept.mean(), [np.percentile(off[kept], q) for q in (50, 90, 95, 99, 99.9, 100)])
+    assert kept.mean() > 0.9
+    assert np.median(off[kept]) < 1e-5          # nodes are laid over widths that are known to 2.5e-6 (regions.WIDTH_SHARP)
+    assert np.percentile(off[kept], 95) < 2e-3
+    assert np.mean(off[kept] > 0.02) < 0.02 + 3 / len(off)
+    assert np.mean(off[kept] > 0.5) < 2e-3 + 3 / len(off)
+
+
+# --- loads and penetrations -----------------------------------------------------------------------------------------------------
+
+LOADS = np.geomspace(1e-3, 1e6, 40)             # [N]
+
+
+@amounts((2, 6), (40, 12), (300, 60))
+def test_penetration_rises_with_the_load(seed, scenes, poses):
+    """Rigid contact, from 1 mN to 1 MN.  Hertz always, with the power 2/3.  ANALYN and its strips step back where a second region
+    opens or joins, as documented, by no more than their estimates of the two widths differ; measured in 0.1 % of the steps."""
+    back = steps = 0
+    for scene, drawn in unique(seed, scenes, poses, contact_mode="rigid"):
+        ladder = Poses(np.repeat(drawn.inputs, len(LOADS), axis=0)).changed(
+            normal_force=np.tile(LOADS, len(drawn)), load_transfer=0.0)
+        table = scene.system().evaluate_many(**ladder.arguments)
+        assert_none(table.status > Status.UNLOADED, scene, ladder, "status", table.status)
+        for side, _ in SIDES:
+            depth = getattr(table, side).penetration.reshape(-1, len(LOADS))
+            power = np.diff(np.log(depth), axis=1) / np.diff(np.log(LOADS))
+            if scene.arguments["normal_model"] == "hertz":
+                assert np.all(np.abs(power - 2 / 3) < 1e-6), scene.line(ladder, int(np.argmax(np.abs(power - 2 / 3).max(axis=1))))
+            back += np.count_nonzero(power < 0)
+            steps += power.size
+            rows = np.pad(power < -1.5, ((0, 0), (0, 1))).ravel()
+            assert_none(rows, scene, ladder, f"{side} penetration falls with the load")
+    assert back <= 3e-3 * steps + 3
+
+
+# --- poses beside each other ----------------------------------------------------------------------------------------------------
+
+STEPS = (4e-9, 1e-9)                            # [m]
+
+
+def bends(scene, poses, step):
+    """Largest second difference over three lateral shifts ``step`` apart, as a share of the value (n,), of 1 rad for the roll; and
+    which of the poses carry and stay on one side of every jump."""
+    system = scene.system()
+    three = [system.evaluate_many(**poses.changed(lateral_shift=poses.lateral_shift + away).arguments) for away in (-step, 0.0, step)]
+    good = np.all([table.status == Status.VALID for table in three], axis=0)
+    before, here, after = (numbers(table) for table in three)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        bend = np.max(np.abs(before - 2 * here + after) / np.abs(here), axis=(0, 1))
+    roll = np.abs(three[0].roll - 2 * three[1].roll + three[2].roll)
+    near = np.maximum(moved(three[0], three[1]), moved(three[1], three[2])) < JUMPED
+    return np.where(good, np.maximum(bend, roll), 0.0), good & near
+
+
+def check_smooth(seed, scenes, poses, mode):
+    """Hops of all poses (n,): second differences that do not fall with the step, as those of a smooth function, a kink or a root
+    would, at poses away from jumps of the rigid contact."""
+    hops = []
+    for scene, drawn in unique(seed, scenes, poses, contact_mode=mode):
+        drawn = heavy(drawn)
+        coarse, fine = (bends(scene, drawn, step) for step in STEPS)
+        one_piece = coarse[1] & fine[1] if mode == "rigid" else coarse[1] | fine[1]
+        hop = np.where(one_piece & (fine[0] > 0.6 * coarse[0]), fine[0], 0.0)
+        hops.append(hop[one_piece])
+        worst = int(np.argmax(np.where(one_piece, hop, 0.0)))
+        if hop[worst] > 0.5:
+            pytest.fail(f"hop of {hop[worst]:.3g}: {scene.line(drawn, worst)}")
+    return np.concatenate(hops)
+
+
+@amounts((2, 60), (40, 40), (300, 400))
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_outputs_hop_nowhere_but_at_jumps(mode, seed, scenes, poses):
+    """A real hop of a model that opens a region is met by a step of 1e-9 m once in 10^4 poses; chatter, as of two answers that take
+    turns, would be met at every one."""
+    hops = check_smooth(seed, scenes, poses, mode)
+    assert np.mean(hops > 1e-5) <= 2e-3 + 2 / len(hops), np.sort(hops)[-5:]
+    assert np.mean(hops > 1e-7) <= 1e-2 + 2 / len(hops), np.sort(hops)[-5:]
+
+
+# --- hypothesis, over the same scenes ---------------------------------------------------------------------------------------------
+
+EXAMPLES = settings(deadline=None, derandomize=True, database=None,
+                    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+
+
+@pytest.mark.parametrize("examples", [8, pytest.param(400, marks=pytest.mark.slow)])
+def test_hypothesis_finds_nothing(examples):
+    """Hypothesis picks the scene by its number and changes shift, yaw and load of a few poses of it, to round numbers above all."""
+
+    @settings(EXAMPLES, max_examples=examples)
+    @given(number=st.integers(0, 10_000), shift=st.floats(-12e-3, 12e-3), yaw=st.floats(-LARGEST_YAW, LARGEST_YAW),
+           force=st.floats(1e-3, 1e6), transfer=st.floats(-1.0, 1.0))
+    def holds(number, shift, yaw, force, transfer):
+        (scene, drawn), = batches(4, 1, 2, first=number)
+        if scene.arguments["contact_mode"] != "compliant":
+            drawn = drawn.changed(lateral_shift=shift, yaw=yaw, normal_force=force, load_transfer=transfer)
+        found = check_sound(scene, drawn)
+        assert_none(found[2] & (not scene.is_cut), scene, drawn, "not converged")
+
+    holds()
+
+
+# --- what these tests have found ----------------------------------------------------------------------------------------------------
+
+#: Once refused with status 3, or answered with a penetration below zero, and why.
+ONCE_WRONG = {
+    "a cubic between nodes fell below the smallest gap behind 5 mm of conformal flange root": (
+        dict(rail="54E1", load="vertical", longitudinal_curvature="basic"),
+        (0.0062163828919897905, 6.066567236501792e-10, 4.564452217957401, -0.23866685678112942)),
+    "likewise with true arc lengths": (
+        dict(rail="54E1", gauge=1.4305113549748596, gauge_depth=0.010858378562526454, separation="equidistant"),
+        (-0.003254338123946434, -0.00017116613581495688, 15.653515755327103, 0.5867618771729588)),
+    "a cubic between strips did": (
+        dict(rail="54E1", rail_inclination=1 / 30, gauge_depth=0.01146564059544422, load="vertical", normal_model="analyn_strip",
+             lateral_curvature="smooth"),
+        (0.005679777440424658, 0.0, 0.002450529202564173, 0.0)),
+    "a pressed wheel's deepest point lay between two scan nodes": (
+        dict(rail_inclination=0.05, gauge_depth=0.015324165046210553, contact_mode="elastic", load="vertical",
+             normal_model="hertz", longitudinal_curvature="basic", nominal_radius=0.54),
+        (0.006499755218311807, 0.0, 0.002346353967339998, 0.5417281106406198)),
+    "the overlap beside a yawed flange was measured along normals of a rail far from it": (
+        dict(rail="54E1", rail_inclination=0.05, gauge=1.4475665265719946, nominal_radius=0.6030339862110008,
+             contact_mode="elastic", normal_model="hertz", lateral_curvature="rough"),
+        (-0.009079556219458874, -0.1038165521871656, 0.04649006733406925, 0.9041416830032534)),
+    "two pressed regions on a conformal shelf pushed each other away": (
+        dict(rail="60E1", rail_inclination=0.05, gauge=1.4406786721171585, nominal_radius=0.43672238439725314,
+             contact_mode="elastic", normal_model="analyn_strip", separation="equidistant"),
+        (0.009189783618039796, 7.976463693736359e-05, 0.01031417556451461, 0.0)),
+}
+
+
+@pytest.mark.parametrize("why", ONCE_WRONG, ids=lambda why: why.replace(" ", "_"))
+def test_poses_that_were_wrong_once(why):
+    parameters, pose = ONCE_WRONG[why]
+    state = wrcontact.ContactSystem(**parameters).evaluate(*pose)
+    assert state.status == Status.VALID
+    assert min(state.left.penetration, state.right.penetration) > 0
+
+
+def test_an_overlap_that_is_largest_at_a_profile_s_end_is_off_the_profile():
+    """Once status 3."""
+    wheel = Cut("S1002", start=-12.622386733876674).profile()
+    elastic = wrcontact.ContactSystem(wheel, rail_inclination=0.028368054877115124, gauge=1.4342425134139376, contact_mode="elastic",
+                                      load="vertical")
+    for shift, force in ((-0.0025763587153089834, 508272.8674985917), (0.002576329408950417, 5.513487330775905)):
+        assert elastic.evaluate(shift, 0.0, force).status in (Status.VALID, Status.OFF_PROFILE)
+
+
+def test_a_sharp_second_contact_between_two_scan_nodes_is_found():
+    """A flange 1.6e-6 m above its rail under 6e-6 m of penetration: found in this size, and not in one 17 % larger."""
+    wheel, rail = larger("S1002"), larger("60E1")
+    lengths = {name: LARGER * value for name, value in LENGTHS.items()}
+    lengths["nominal_radius"] = LARGER * 0.3967601922387142
+    pose = -0.006520705976562699, -5.110903245303732e-06, 10e3
+    one = wrcontact.ContactSystem(rail="60E1", rail_inclination=0.089475854701787, nominal_radius=0.3967601922387142).evaluate(
+        *pose, load_transfer=0.9).left
+    other = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.089475854701787, **lengths).evaluate(
+        LARGER * pose[0], pose[1], LARGER**2 * pose[2], load_transfer=0.9).left
+    assert (one.patch_count, other.patch_count) == (2, 2)
+    assert other.patches[1].normal_force == pytest.approx(LARGER**2 * one.patches[1].normal_force, rel=1e-3)

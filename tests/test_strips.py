@@ -439,15 +439,15 @@ def test_mirror(model, allowed):
 
 
 def test_a_half_width_survives_a_first_guess_beyond_the_outline():
-    """The flange of a wheel yawed by 5.7 degrees: its outline folds back within the first guess of the half-width."""
-    pose = -0.0012012888609971711, 0.09952843742040426, 66549.96968005493
+    """The flange of a wheel yawed by 5.2 degrees: its outline folds back within the first guess of the half-width."""
+    pose = -4.67e-3, 0.09, 66549.97
     for model in ("analyn", "analyn_strip"):
         side = system_of(model, rail="54E1", rail_inclination=1 / 20).stepper("left")
         side.inputs[POSE] = pose
         assert side.step() == Status.VALID
         left = side.outputs[layout.OUT_LEFT:]
-        assert left[layout.SIDE_AREA] == pytest.approx(1.934e-5, rel=0.05)              # half-space
-        assert left[layout.SIDE_MAX_PRESSURE] == pytest.approx(5.149e9, rel=0.05)
+        assert left[layout.SIDE_AREA] == pytest.approx(2.000e-5, rel=0.05)              # half-space
+        assert left[layout.SIDE_MAX_PRESSURE] == pytest.approx(4.982e9, rel=0.05)
 
 
 @pytest.mark.xfail(strict=True, reason="nodes end where ANALYN's patch would; a flat shelf beyond it takes up load too")
