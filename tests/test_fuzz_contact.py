@@ -137,6 +137,12 @@ def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
 # --- mirror, history ------------------------------------------------------------------------------------------------------------
 
 
+def patch_error(scene):
+    """What 1e-12 m of a contact's place may change of its patch, relative: a kilonewton's is 5e-6 m deep, next to a joint that bends
+    10 times as much; the half-length of the last strip is the root of what is left of its load."""
+    return 1e-3 if scene.arguments["normal_model"] == "analyn_strip" else 1e-5
+
+
 def check_mirror(scene, poses):
     system = scene.system()
     one, other = system.evaluate_many(**poses.arguments), system.evaluate_many(**poses.mirrored().arguments)
@@ -151,8 +157,7 @@ def check_mirror(scene, poses):
         off = np.where(good, np.abs(sum_or_difference), 0.0)
         assert_none(off > 1e-12, scene, poses, f"{name} in the mirror off by", off)       # [rad, m]
     off = np.max(np.abs(numbers(one) - twin) / np.where(twin == 0, 1.0, np.abs(twin)), axis=(0, 1))
-    # 1e-12 m against the sharpest edge: a kilonewton's strip, 5e-6 m deep, next to a joint that bends 10 times as much
-    assert_none(np.where(good, off, 0.0) > 1e-5, scene, poses, "patches in the mirror off by", off)
+    assert_none(np.where(good, off, 0.0) > patch_error(scene), scene, poses, "patches in the mirror off by", off)
     return off[good]
 
 
@@ -174,7 +179,7 @@ def check_history(scene, poses):
         assert_none(off > 1e-12, scene, poses, f"{name} after other poses off by", off)   # [rad, m]
     a, b = numbers(one), numbers(other)[..., back]
     off = np.where(good, np.max(np.abs(a - b) / np.where(b == 0, 1.0, np.abs(b)), axis=(0, 1)), 0.0)
-    assert_none(off > 1e-5, scene, poses, "patches after other poses off by", off)      # as for the mirror
+    assert_none(off > patch_error(scene), scene, poses, "patches after other poses off by", off)
 
 
 @amounts((3, 100), (60, 60), (400, 500))
@@ -331,7 +336,8 @@ EXAMPLES = settings(deadline=None, derandomize=True, database=None,
                     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
 
 
-@pytest.mark.parametrize("examples", [8, pytest.param(400, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("examples", [
+    8, pytest.param(80, marks=pytest.mark.slow), pytest.param(2000, marks=[pytest.mark.slow, pytest.mark.complete])])
 def test_hypothesis_finds_nothing(examples):
     """Hypothesis picks the scene by its number and changes shift, yaw and load of a few poses of it, to round numbers above all."""
 
