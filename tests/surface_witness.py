@@ -90,6 +90,13 @@ class Surfaces:
             least.append(lowest)
         return np.concatenate(rows), np.concatenate(gaps), np.concatenate(places), np.concatenate(least)
 
+    def lowest(self, shift, yaw, roll):
+        """The smallest gap [m] of each right wheel (n,)."""
+        rows, gaps, _, _ = self.smallest_gaps(shift, yaw, roll)
+        lowest = np.full(len(shift), np.inf)
+        np.minimum.at(lowest, rows, gaps)
+        return lowest
+
     def refine(self, shift, yaw, roll, low, high, phi):
         """Smallest gap between ``low`` and ``high`` and its place, by golden section, on each circle by Newton's method."""
         ratio = (np.sqrt(5) - 1) / 2

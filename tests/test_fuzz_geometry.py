@@ -10,11 +10,9 @@ from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 import wrcontact
-from tests.fuzzing import FORCES, GAUGES, GEOMETRY, GUESSES, RADII, RAILS, SHIFTS, YAWS, Cut, Poses, Scene, batches, cut
+from tests.fuzzing import FORCES, GAUGES, GEOMETRY, GUESSES, RADII, RAILS, SHIFTS, YAWS, Cut, Poses, Scene, batches
 from tests.surface_witness import Surfaces, allowance, inclined_stop
-from wrcontact import ContactSystem, Status
-from wrcontact.profiles import Profile, standard_profile
-from wrcontact.profiles.zones import Arc, Polynomial
+from wrcontact import Status
 
 HEIGHT = 5e-12      # [m] of the kernel's profiles: pieces keep to 1e-12 m on either profile, and roll is as exact
 NORMAL = 2e-8       # [1] sine between the normals: a place is refined to 1e-13 m, on curvatures of 1/12 mm and steeper ones
