@@ -38,7 +38,7 @@ def scan_table(wheel, rail, radius, arm):
     head[layout.SCAN_RAIL_OFFSET] = layout.SCAN_NODES + nodes.size
     head[layout.SCAN_BIN_OFFSET] = head[layout.SCAN_RAIL_OFFSET] + bounds.size
     head[layout.SCAN_BIN_COUNT], head[layout.SCAN_BINS_PER_METRE] = len(first), len(first) / (wheel_bends.stop - wheel_bends.start)
-    head[layout.SCAN_STEEPEST] = wheel_bends.between(wheel_bends.start, wheel_bends.stop)[2]
+    head[layout.SCAN_STEEPEST] = wheel_bends.between(np.array([wheel_bends.start]), np.array([wheel_bends.stop]))[2][0]
     return np.concatenate([head, nodes.ravel(), bounds.ravel(), first.astype(float)])
 
 

@@ -17,6 +17,7 @@ import brute_force  # noqa: E402
 STATION = 0.5e-3      # [m]
 TABLE = 2e-6          # [m] of the rail's table of heights
 NEAR = 7e-5           # [m] a minimum hides less below its stations: STATION^2 / 8 times 2000 1/m, at the flange root
+WHOLE_START, WHOLE_STOP = -69.6e-3, 60e-3       # [m]
 CHUNK = 64            # poses at a time
 STEEPEST = np.tan(np.radians(80.0))     # the product reads profiles up to here
 #: S1002's printed coefficients leave steps of 1.2e-7 m and 4e-8 m there, which the product leads over within half a
@@ -28,16 +29,24 @@ class Surfaces:
     """The pair of one scene: arguments as of ContactSystem; the wheel and the rail between given ends [m], if any."""
 
     def __init__(self, rail="UIC60", rail_inclination=1 / 40, gauge=1.435, gauge_depth=0.014, nominal_radius=0.46,
-                 wheel_start=-69.6e-3, wheel_stop=60e-3, rail_stop=np.inf):
+                 wheel_start=WHOLE_START, wheel_stop=WHOLE_STOP, rail_stop=np.inf):
         track = brute_force.track(rail, rail_inclination, gauge, gauge_depth)
         self.wheel, self.rail = track.wheel, track.rail
         self.origin, self.radius, self.arm = track.rail_origin, nominal_radius, 0.75
         self.y = np.append(np.arange(wheel_start, wheel_stop, STATION), wheel_stop)
         self.z, self.slope, _ = self.wheel(self.y)
+        self.edges = [end for end, whole in ((wheel_start, WHOLE_START), (wheel_stop, WHOLE_STOP)) if end != whole]
         x = np.arange(-45e-3, 45e-3, TABLE)
         height, slope, _ = self.rail(x)
         kept = (np.abs(slope) < STEEPEST) & (x <= rail_stop)
         self.x, self.height, self.rail_slope = x[kept], height[kept], slope[kept]
+
+    def is_edge(self, y):
+        """Whether places ``y`` [m] are at the edge of a wheel that is cut off, within a station.
+
+        The product looks for contacts where surfaces are parallel; the edge of a yawed wheel can be lower elsewhere.
+        """
+        return np.any([np.abs(y - edge) < STATION for edge in self.edges], axis=0) if self.edges else np.zeros(y.shape, bool)
 
     def place(self, shift, yaw, roll, phi, y, z):
         """Lateral and vertical track coordinate of wheel points, and their derivatives by phi; without vertical shift."""
@@ -72,7 +81,7 @@ class Surfaces:
             phi = phi - np.clip(np.nan_to_num(rate / np.maximum(curved, 0.1)), -0.05, 0.05)
             gap = self.table_gap(*pose, phi, self.y, self.z)[0]
             gap = np.where(np.isnan(gap), np.inf, gap)
-            lowest = gap.min(axis=1)
+            lowest = np.where(self.is_edge(self.y), np.inf, gap).min(axis=1)
             row, k = np.nonzero((gap < lowest[:, None] + NEAR) & (gap <= np.roll(gap, 1, axis=1))
                                 & (gap <= np.roll(gap, -1, axis=1)))
             low, high = self.y[np.maximum(k - 1, 0)], self.y[np.minimum(k + 1, len(self.y) - 1)]
@@ -80,6 +89,13 @@ class Surfaces:
             rows.append(row + first), gaps.append(np.fmin(refined[0], gap[row, k])), places.append(refined[1])
             least.append(lowest)
         return np.concatenate(rows), np.concatenate(gaps), np.concatenate(places), np.concatenate(least)
+
+    def lowest(self, shift, yaw, roll):
+        """The smallest gap [m] of each right wheel (n,)."""
+        rows, gaps, _, _ = self.smallest_gaps(shift, yaw, roll)
+        lowest = np.full(len(shift), np.inf)
+        np.minimum.at(lowest, rows, gaps)
+        return lowest
 
     def refine(self, shift, yaw, roll, low, high, phi):
         """Smallest gap between ``low`` and ``high`` and its place, by golden section, on each circle by Newton's method."""

@@ -10,11 +10,9 @@ from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 import wrcontact
-from tests.fuzzing import FORCES, GAUGES, GEOMETRY, GUESSES, RADII, RAILS, SHIFTS, YAWS, Cut, Poses, Scene, batches, cut
+from tests.fuzzing import FORCES, GAUGES, GEOMETRY, GUESSES, RADII, RAILS, SHIFTS, YAWS, Cut, Poses, Scene, batches
 from tests.surface_witness import Surfaces, allowance, inclined_stop
-from wrcontact import ContactSystem, Status
-from wrcontact.profiles import Profile, standard_profile
-from wrcontact.profiles.zones import Arc, Polynomial
+from wrcontact import Status
 
 HEIGHT = 5e-12      # [m] of the kernel's profiles: pieces keep to 1e-12 m on either profile, and roll is as exact
 NORMAL = 2e-8       # [1] sine between the normals: a place is refined to 1e-13 m, on curvatures of 1/12 mm and steeper ones
@@ -105,6 +103,7 @@ def check_surfaces(found, surfaces, is_cut, poses, table, good):
         found.add(f"{name} point on the wheel", np.abs(np.hypot(x, surfaces.radius + point.z_wheel[good]) - radius) - HEIGHT
                   - allowed, poses, good)
         rows, gaps, places, least = surfaces.smallest_gaps(*pose)
+        rows, gaps, places = (column[~surfaces.is_edge(places)] for column in (rows, gaps, places))
         found.add(f"{name} penetration", height[rows] - gaps - HEIGHT - allowance(places), poses, good[rows])
         found.add(f"{name} penetration far away", height - least - FAR_HEIGHT, poses, good)
 
@@ -168,11 +167,6 @@ def check_loads(scene, poses):
             found.add(f"{name} load", np.abs(getattr(table, name).normal_force[good] - force) - BALANCE * force, poses, good)
     else:
         found.add("vertical load", np.abs(table.force.z[good] + 2.0 * load) - BALANCE * 2.0 * load, poses, good)
-    for name in expected:
-        side = getattr(table, name)
-        total, three = side.normal_force[good], sum(patch.normal_force for patch in side.patches)[good]
-        few = side.patch_count[good] <= 3
-        found.add(f"{name} patches' loads", few * (np.abs(three - total) - BALANCE * total), poses, good)
     return found.lines
 
 

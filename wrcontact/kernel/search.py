@@ -66,10 +66,11 @@ REACH_ROLL: Final[float] = 0.06
 FINE_CELL: Final[float] = 0.501e-3
 #: Without a known place the search begins at the best of every eighth node.
 PROBE_STRIDE: Final[int] = 8
-#: Cells are halved down to this width [m]; what a cell can then hide is less than M (3e-5 m)^2 / 8, 2e-9 m at worst.
-NARROW: Final[float] = 3.2e-5
+#: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m at worst.
+NARROW: Final[float] = 2e-6
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
+ROUNDING: Final[float] = 1e-15       # of gaps [m]
 #: The end of the rail is located to this [m].
 END_SHARP: Final[float] = 1e-9
 LARGE_GAP: Final[float] = 1e3
@@ -510,7 +511,7 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
                       or mismatch_high <= 0.0 and mismatch_high - least * width <= 0.0) and not folded
             if turns and (least > 0.0 or width <= NARROW):
                 y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
-                keep_best(work, side, y, gap)
+                keep_refined(work, side, y, gap, width)
             elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
@@ -536,6 +537,18 @@ def push_cell(work: 'float[:]', top: int, low: float, high: float, gap_low: floa
 def keep_best(work: 'float[:]', side: int, y: float, gap: float):
     """Keep (y, gap) if it is the side's best so far."""
     if gap < work[side + SIDE_BEST]:
+        work[side + SIDE_BEST] = gap
+        work[side + SIDE_BEST_Y] = y
+    return 0
+
+
+def keep_refined(work: 'float[:]', side: int, y: float, gap: float, width: float):
+    """Keep (y, gap), a place of contact, if it is the side's best so far: before a node within ``width`` [m] that has the same
+    gap but for the last bits."""
+    allowed = work[side + SIDE_BEST]
+    if fabs(y - work[side + SIDE_BEST_Y]) < width:
+        allowed += ROUNDING
+    if gap < allowed:
         work[side + SIDE_BEST] = gap
         work[side + SIDE_BEST_Y] = y
     return 0

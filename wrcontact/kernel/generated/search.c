@@ -739,7 +739,7 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
             if (turns && ((least > 0.0) || (width <= search__NARROW)))
             {
                 search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
-                search__keep_best(work, side, y, gap);
+                search__keep_refined(work, side, y, gap, width);
             }
             else if ((width > search__NARROW) && (!steady) && (folded || (!(least > 0.0))))
             {
@@ -771,6 +771,25 @@ static inline int64_t search__push_cell(array_double_1d work, int64_t top, doubl
 static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
 {
     if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
+    {
+        (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
+        (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+    }
+    return INT64_C(0);
+}
+
+/* Keep (y, gap), a place of contact, if it is the side's best so far: before a node within ``width`` [m] that has the same
+ * gap but for the last bits.
+ */
+static inline int64_t search__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
+{
+    double allowed;
+    allowed = (*cspan_at(&work, side + layout__SIDE_BEST));
+    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_BEST_Y))) < width)
+    {
+        allowed += search__ROUNDING;
+    }
+    if (gap < allowed)
     {
         (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
         (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;

@@ -56,8 +56,9 @@ static const double search__REACH_SHARE = 1.2;
 static const double search__REACH_ROLL = 0.06;
 static const double search__FINE_CELL = 0.000501;
 static const int64_t search__PROBE_STRIDE = INT64_C(8);
-static const double search__NARROW = 3.2e-05;
+static const double search__NARROW = 2e-06;
 static const double search__SHARP = 1e-13;
+static const double search__ROUNDING = 1e-15;
 static const double search__END_SHARP = 1e-09;
 static const double search__LARGE_GAP = 1000.0;
 static const int64_t search__CANDIDATES = INT64_C(16);
@@ -73,6 +74,7 @@ static inline int64_t search__bend_bounds(double* least, double* most, array_dou
 static inline int64_t search__push_cell(array_double_1d work, int64_t top, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
 static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap);
 static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high);
+static inline int64_t search__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
 static inline int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last);
 static inline int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa, double beyond);
 static inline int64_t search__is_gone(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa);
