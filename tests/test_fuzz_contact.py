@@ -1,8 +1,8 @@
 """Normal and elastic contact at very many random poses (fuzzing.py): what has to hold at every one of them.
 
-No number here is compared with one that the kernel has computed in the same way: a load with the one prescribed, a pressure's
-integral with the load, a pose with its mirror image, with itself after another history, with the same bodies in another size
-and of another stiffness, and a pose with those beside it.
+No number here is compared with one that the kernel has computed in the same way: a load is with the one prescribed, a pose
+with its mirror image, with itself after another history, with the same bodies in another size and of another stiffness, and
+with the poses beside it.
 
 A failure prints the line of Python that is its pose.
 """
@@ -22,15 +22,15 @@ SIDES = (("left", -1), ("right", 1))
 NAMES = ("penetration", "normal_force", "area", "max_pressure", "patch_length", "patch_width")
 #: Powers of length in these at the same pressure.
 POWERS = dict(zip(NAMES, (1, 2, 2, 0, 1, 1)))
-#: Where one pose has one roll: a flange of 70 deg on a radius above 2 arms / tan(70 deg) has several, and beyond 0.093 rad of
-#: yaw the outline folds back (test_rigid.py).
+#: Where one pose has one roll: a flange of 70 deg on a radius above 2 arms / tan(70 deg) has several, and beyond 0.093 rad
+#: of yaw the outline folds back (test_rigid.py).
 LARGEST_RADIUS = 0.54   # [m]
 LARGEST_YAW = 0.09      # [rad]
 #: Loads below this are less than a contact's place, known to 1e-12 m, tells of their patches: 1 kN sinks in by 5e-6 m.
 HEAVY = 1e3             # [N]
 #: Under more a wheel can stand deeper in a rail's corner than elastic contact allows, and it is chance whether one is found.
 HEAVIEST = 3e5          # [N]
-#: A contact that moves farther under a small change has jumped, or stands on profiles that are conformal to the last nanometre.
+#: A contact that moves farther under a small change has jumped, or stands on profiles that are conformal to a nanometre.
 JUMPED = 1e-7           # [m]
 #: The vertical load is met region by region, and added up again from the patches and their normals, to this, relative.
 VERTICAL = 1e-6
@@ -87,13 +87,13 @@ def assert_none(bad, scene, poses, what, measure=None):
         pytest.fail(f"{what}{found}, {np.count_nonzero(bad)} of {len(bad)}: {scene.line(poses, row)}")
 
 
-# --- loads, areas, pressures ----------------------------------------------------------------------------------------------------
+# --- loads, areas, pressures ----------------------------------------------------------------------------------------------
 
 
 def check_sound(scene, poses):
     """Statuses, loads and patches of one batch; how many of its poses have not converged."""
     table = scene.system().evaluate_many(**poses.arguments)
-    compliant, vertical = (scene.arguments[name] == word for name, word in (("contact_mode", "compliant"), ("load", "vertical")))
+    compliant, vertical = scene.arguments["contact_mode"] == "compliant", scene.arguments["load"] == "vertical"
     lost = table.status == Status.NOT_CONVERGED
     assert_none(table.status > Status.NOT_CONVERGED, scene, poses, "status", table.status)
     good = table.status <= Status.UNLOADED
@@ -123,8 +123,8 @@ def check_sound(scene, poses):
 
 @amounts((8, 100), (100, 100), (400, 1000))
 def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
-    """All modes, models and methods, profiles that are cut off among them.  Status 3 on whole profiles: none in 10 000 poses, and
-    1 of 100 000, elastic with "vertical" distances under 700 kN."""
+    """All modes, models and methods, profiles that are cut off among them.  Status 3 on whole profiles: none in 10 000
+    poses, and 1 of 100 000, elastic with "vertical" distances under 700 kN."""
     whole = every = 0
     for scene, drawn in batches(seed, scenes, poses):
         found = check_sound(scene, drawn)
@@ -134,12 +134,12 @@ def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
     assert whole <= 2e-5 * scenes * poses + 1 and every <= 2e-3 * scenes * poses
 
 
-# --- mirror, history ------------------------------------------------------------------------------------------------------------
+# --- mirror, history ------------------------------------------------------------------------------------------------------
 
 
 def patch_error(scene):
-    """What 1e-12 m of a contact's place may change of its patch, relative: a kilonewton's is 5e-6 m deep, next to a joint that bends
-    10 times as much; the half-length of the last strip is the root of what is left of its load."""
+    """What 1e-12 m of a contact's place may change of its patch, relative: a kilonewton's is 5e-6 m deep, next to a joint
+    that bends 10 times as much; the half-length of the last strip is the root of what is left of its load."""
     return 1e-3 if scene.arguments["normal_model"] == "analyn_strip" else 1e-5
 
 
@@ -188,7 +188,7 @@ def test_what_came_before_changes_nothing(seed, scenes, poses):
         check_history(scene, heavy(drawn))
 
 
-# --- scaling --------------------------------------------------------------------------------------------------------------------
+# --- scaling --------------------------------------------------------------------------------------------------------------
 
 STIFFER = 1.7
 LARGER = 1.17
@@ -208,7 +208,8 @@ def test_loads_times_stiffness_are_the_same_patches(seed, scenes, poses):
         assert_none(soft.status != stiff.status, scene, drawn, "status when stiffer", stiff.status)
         good = soft.status <= Status.UNLOADED
         roll = np.where(good, np.abs(soft.roll - stiff.roll), 0.0)
-        assert_none(roll > 1e-11, scene, drawn, "roll when stiffer off by", roll)       # [rad]; 1e-12 of the stand, on flat profiles
+        # 1e-12 m of the stand, on flat profiles
+        assert_none(roll > 1e-11, scene, drawn, "roll when stiffer off by", roll)       # [rad]
         off = np.where(good, differences(soft, stiff, factors), 0.0)
         assert_none(off > 1e-6, scene, drawn, "patches when stiffer off by", off)
 
@@ -241,32 +242,32 @@ def check_size(scene, poses):
     return kept, np.where(kept, off, 0.0)
 
 
-@amounts((3, 100), (60, 60), (400, 500))
+@amounts((8, 30), (60, 60), (400, 500))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
 def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
     """Lengths k-fold and loads k^2-fold give the same angles and pressures.
 
-    The search's raster of 0.5 mm does not grow with the profiles, so that a second region beside a jump can be found in one size
-    and not in the other: measured, 1 % of the poses, half of which lie beside a jump, differ by more than 1 %.
+    The search's raster of 0.5 mm does not grow with the profiles, so that a second region beside a jump can be found in one
+    size and not in the other: measured, 1 % of the poses, half of which lie beside a jump, differ by more than 1 %.
     """
     every = [check_size(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)]
     kept, off = (np.concatenate(part) for part in zip(*every))
-    assert kept.mean() > 0.9
+    assert kept.mean() > 0.9        # the others stand within a nanometre of a jump
     assert np.median(off[kept]) < 1e-5          # nodes are laid over widths that are known to 2.5e-6 (regions.WIDTH_SHARP)
-    assert np.percentile(off[kept], 95) < 2e-3
-    assert np.mean(off[kept] > 0.02) < 0.02 + 3 / len(off)
+    assert np.percentile(off[kept], 80) < 1e-3
+    assert np.mean(off[kept] > 0.02) < 0.02 + 6 / len(off)
     assert np.mean(off[kept] > 0.5) < 2e-3 + 3 / len(off)
 
 
-# --- loads and penetrations -----------------------------------------------------------------------------------------------------
+# --- loads and penetrations -----------------------------------------------------------------------------------------------
 
 LOADS = np.geomspace(1e-3, 1e6, 40)             # [N]
 
 
 @amounts((2, 6), (40, 12), (300, 60))
 def test_penetration_rises_with_the_load(seed, scenes, poses):
-    """Rigid contact, from 1 mN to 1 MN.  Hertz always, with the power 2/3.  ANALYN and its strips step back where a second region
-    opens or joins, as documented, by no more than their estimates of the two widths differ; measured in 0.1 % of the steps."""
+    """Rigid contact, from 1 mN to 1 MN.  Hertz always, with the power 2/3.  ANALYN and its strips step back where a second
+    region opens or joins; measured in 0.1 % of the steps, and by a power of 1.1 at most."""
     back = steps = 0
     for scene, drawn in unique(seed, scenes, poses, contact_mode="rigid"):
         ladder = Poses(np.repeat(drawn.inputs, len(LOADS), axis=0)).changed(
@@ -277,7 +278,8 @@ def test_penetration_rises_with_the_load(seed, scenes, poses):
             depth = getattr(table, side).penetration.reshape(-1, len(LOADS))
             power = np.diff(np.log(depth), axis=1) / np.diff(np.log(LOADS))
             if scene.arguments["normal_model"] == "hertz":
-                assert np.all(np.abs(power - 2 / 3) < 1e-6), scene.line(ladder, int(np.argmax(np.abs(power - 2 / 3).max(axis=1))))
+                off = np.pad(np.abs(power - 2 / 3), ((0, 0), (0, 1))).ravel()
+                assert_none(off > 1e-6, scene, ladder, f"{side} is not Hertz by", off)
             back += np.count_nonzero(power < 0)
             steps += power.size
             rows = np.pad(power < -1.5, ((0, 0), (0, 1))).ravel()
@@ -285,16 +287,17 @@ def test_penetration_rises_with_the_load(seed, scenes, poses):
     assert back <= 3e-3 * steps + 3
 
 
-# --- poses beside each other ----------------------------------------------------------------------------------------------------
+# --- poses beside each other ----------------------------------------------------------------------------------------------
 
 STEPS = (4e-9, 1e-9)                            # [m]
 
 
 def bends(scene, poses, step):
-    """Largest second difference over three lateral shifts ``step`` apart, as a share of the value (n,), of 1 rad for the roll; and
-    which of the poses carry and stay on one side of every jump."""
+    """Largest second difference over three lateral shifts ``step`` apart, as a share of the value (n,), of 1 rad for the
+    roll; and which of the poses carry and stay on one side of every jump."""
     system = scene.system()
-    three = [system.evaluate_many(**poses.changed(lateral_shift=poses.lateral_shift + away).arguments) for away in (-step, 0.0, step)]
+    three = [system.evaluate_many(**poses.changed(lateral_shift=poses.lateral_shift + away).arguments)
+             for away in (-step, 0.0, step)]
     good = np.all([table.status == Status.VALID for table in three], axis=0)
     before, here, after = (numbers(table) for table in three)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -305,7 +308,7 @@ def bends(scene, poses, step):
 
 
 def check_smooth(seed, scenes, poses, mode):
-    """Hops of all poses (n,): second differences that do not fall with the step, as those of a smooth function, a kink or a root
+    """Hops of all poses (n,): second differences that do not fall with the step, as those of a smooth function or a kink
     would, at poses away from jumps of the rigid contact."""
     hops = []
     for scene, drawn in unique(seed, scenes, poses, contact_mode=mode):
@@ -323,14 +326,14 @@ def check_smooth(seed, scenes, poses, mode):
 @amounts((2, 60), (40, 40), (300, 400))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
 def test_outputs_hop_nowhere_but_at_jumps(mode, seed, scenes, poses):
-    """A real hop of a model that opens a region is met by a step of 1e-9 m once in 10^4 poses; chatter, as of two answers that take
-    turns, would be met at every one."""
+    """A real hop of a model that opens a region is met by a step of 1e-9 m once in 10^4 poses; chatter, as of two answers
+    that take turns, would be met at every one."""
     hops = check_smooth(seed, scenes, poses, mode)
     assert np.mean(hops > 1e-5) <= 2e-3 + 2 / len(hops), np.sort(hops)[-5:]
     assert np.mean(hops > 1e-7) <= 1e-2 + 2 / len(hops), np.sort(hops)[-5:]
 
 
-# --- hypothesis, over the same scenes ---------------------------------------------------------------------------------------------
+# --- hypothesis, over the same scenes -------------------------------------------------------------------------------------
 
 EXAMPLES = settings(deadline=None, derandomize=True, database=None,
                     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
@@ -339,7 +342,7 @@ EXAMPLES = settings(deadline=None, derandomize=True, database=None,
 @pytest.mark.parametrize("examples", [
     8, pytest.param(80, marks=pytest.mark.slow), pytest.param(2000, marks=[pytest.mark.slow, pytest.mark.complete])])
 def test_hypothesis_finds_nothing(examples):
-    """Hypothesis picks the scene by its number and changes shift, yaw and load of a few poses of it, to round numbers above all."""
+    """Hypothesis picks the scene by its number and changes shift, yaw and load of its poses, to round numbers above all."""
 
     @settings(EXAMPLES, max_examples=examples)
     @given(number=st.integers(0, 10_000), shift=st.floats(-12e-3, 12e-3), yaw=st.floats(-LARGEST_YAW, LARGEST_YAW),
@@ -354,7 +357,7 @@ def test_hypothesis_finds_nothing(examples):
     holds()
 
 
-# --- what these tests have found ----------------------------------------------------------------------------------------------------
+# --- what these tests have found ------------------------------------------------------------------------------------------
 
 #: Once refused with status 3, or answered with a penetration below zero, and why.
 ONCE_WRONG = {
@@ -365,8 +368,8 @@ ONCE_WRONG = {
         dict(rail="54E1", gauge=1.4305113549748596, gauge_depth=0.010858378562526454, separation="equidistant"),
         (-0.003254338123946434, -0.00017116613581495688, 15.653515755327103, 0.5867618771729588)),
     "a cubic between strips did": (
-        dict(rail="54E1", rail_inclination=1 / 30, gauge_depth=0.01146564059544422, load="vertical", normal_model="analyn_strip",
-             lateral_curvature="smooth"),
+        dict(rail="54E1", rail_inclination=1 / 30, gauge_depth=0.01146564059544422, load="vertical",
+             normal_model="analyn_strip", lateral_curvature="smooth"),
         (0.005679777440424658, 0.0, 0.002450529202564173, 0.0)),
     "a pressed wheel's deepest point lay between two scan nodes": (
         dict(rail_inclination=0.05, gauge_depth=0.015324165046210553, contact_mode="elastic", load="vertical",
@@ -394,8 +397,10 @@ def test_poses_that_were_wrong_once(why):
 def test_an_overlap_that_is_largest_at_a_profile_s_end_is_off_the_profile():
     """Once status 3."""
     wheel = Cut("S1002", start=-12.622386733876674).profile()
-    elastic = wrcontact.ContactSystem(wheel, rail_inclination=0.028368054877115124, gauge=1.4342425134139376, contact_mode="elastic",
-                                      load="vertical")
+    elastic = wrcontact.ContactSystem(wheel, rail_inclination=0.028368054877115124, gauge=1.4342425134139376,
+                                      nominal_radius=0.6702563017078506, contact_mode="elastic", load="vertical",
+                                      normal_model="analyn_strip", longitudinal_curvature="basic",
+                                      lateral_curvature="smooth")
     for shift, force in ((-0.0025763587153089834, 508272.8674985917), (0.002576329408950417, 5.513487330775905)):
         assert elastic.evaluate(shift, 0.0, force).status in (Status.VALID, Status.OFF_PROFILE)
 
@@ -406,8 +411,8 @@ def test_a_sharp_second_contact_between_two_scan_nodes_is_found():
     lengths = {name: LARGER * value for name, value in LENGTHS.items()}
     lengths["nominal_radius"] = LARGER * 0.3967601922387142
     pose = -0.006520705976562699, -5.110903245303732e-06, 10e3
-    one = wrcontact.ContactSystem(rail="60E1", rail_inclination=0.089475854701787, nominal_radius=0.3967601922387142).evaluate(
-        *pose, load_transfer=0.9).left
+    one = wrcontact.ContactSystem(rail="60E1", rail_inclination=0.089475854701787,
+                                  nominal_radius=0.3967601922387142).evaluate(*pose, load_transfer=0.9).left
     other = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.089475854701787, **lengths).evaluate(
         LARGER * pose[0], pose[1], LARGER**2 * pose[2], load_transfer=0.9).left
     assert (one.patch_count, other.patch_count) == (2, 2)
