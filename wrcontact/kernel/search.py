@@ -535,8 +535,8 @@ def push_cell(work: 'float[:]', top: int, low: float, high: float, gap_low: floa
 
 
 def keep_best(work: 'float[:]', side: int, y: float, gap: float):
-    """Keep (y, gap) if it is the side's best so far."""
-    if gap < work[side + SIDE_BEST]:
+    """Keep (y, gap) if it is the side's best so far, by more than rounding: a node beside a place of contact is none."""
+    if gap < work[side + SIDE_BEST] - ROUNDING:
         work[side + SIDE_BEST] = gap
         work[side + SIDE_BEST_Y] = y
     return 0

@@ -767,10 +767,10 @@ static inline int64_t search__push_cell(array_double_1d work, int64_t top, doubl
     return INT64_C(0);
 }
 
-/* Keep (y, gap) if it is the side's best so far. */
+/* Keep (y, gap) if it is the side's best so far, by more than rounding: a node beside a place of contact is none. */
 static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
 {
-    if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
+    if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)) - search__ROUNDING)
     {
         (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
         (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
