@@ -139,8 +139,8 @@ def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
 
 def patch_error(scene):
     """What 1e-12 m of a contact's place may change of its patch, relative: a kilonewton's is 5e-6 m deep, next to a joint
-    that bends 10 times as much; the half-length of the last strip is the root of what is left of its load."""
-    return 1e-3 if scene.arguments["normal_model"] == "analyn_strip" else 1e-5
+    that bends 10 times as much; a strip at the edge of a conformal patch takes up load or does not: 1 % of it, measured."""
+    return 0.03 if scene.arguments["normal_model"] == "analyn_strip" else 1e-5
 
 
 def check_mirror(scene, poses):
@@ -165,6 +165,7 @@ def check_mirror(scene, poses):
 def test_left_is_the_mirror_image_of_right(seed, scenes, poses):
     off = np.concatenate([check_mirror(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses)])
     assert np.percentile(off, 90) < 1e-10
+    assert np.mean(off > 1e-5) < 1e-3 + 1 / len(off)
 
 
 def check_history(scene, poses):
