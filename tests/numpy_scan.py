@@ -15,9 +15,10 @@ TOO_STEEP = 1e9       # [1/m]
 SAMPLES = 17          # of the second derivative in a piece, a cubic there
 
 
-def scan_table(wheel, rail):
+def scan_table(wheel, rail, radius, arm):
     """Scan nodes on the wheel and raster of the rail, each with bounds of the second derivative over stretches of 1, 2, 4
-    ... cells, from both compiled profile tables.
+    ... cells, from both compiled profile tables; ``radius`` is the nominal one, ``arm`` half the distance of the running
+    circles [m].
 
     Raises
     ------
@@ -30,12 +31,14 @@ def scan_table(wheel, rail):
         raise ValueError(f"the wheel profile is {wheel_bends.stop - wheel_bends.start:.4g} m wide; permitted are at most "
                          f"{SCAN_LIMIT * FINE_STEP:.4g} m")
     nodes, bounds = _wheel_rows(wheel, wheel_bends, y), _rail_rows(rail_bends)
+    nodes[:, layout.ROW_LEVER] = _levers(wheel, y, radius, arm)
     head = np.zeros(layout.SCAN_NODES)
     head[layout.SCAN_COUNT], head[layout.SCAN_RAIL_COUNT] = len(y), len(bounds)
     head[layout.SCAN_RAIL_START], head[layout.SCAN_RAIL_PER_METRE] = rail_bends.start, 1.0 / FINE_STEP
     head[layout.SCAN_RAIL_OFFSET] = layout.SCAN_NODES + nodes.size
     head[layout.SCAN_BIN_OFFSET] = head[layout.SCAN_RAIL_OFFSET] + bounds.size
-    head[layout.SCAN_BIN_COUNT], head[layout.SCAN_BINS_PER_METRE] = len(first), 1.0 / COARSE_STEP
+    head[layout.SCAN_BIN_COUNT], head[layout.SCAN_BINS_PER_METRE] = len(first), len(first) / (wheel_bends.stop - wheel_bends.start)
+    head[layout.SCAN_STEEPEST] = wheel_bends.between(np.array([wheel_bends.start]), np.array([wheel_bends.stop]))[2][0]
     return np.concatenate([head, nodes.ravel(), bounds.ravel(), first.astype(float)])
 
 
@@ -91,6 +94,15 @@ def _wheel_rows(wheel, bends, y):
     return nodes
 
 
+def _levers(wheel, y, radius, arm):
+    """The largest lever of each node ``y`` (n,) and all beyond it [m]: how a level wheelset's gap changes with the roll."""
+    widths = np.append(np.diff(y), 0.0)[:, None]
+    places = y[:, None] + widths * np.linspace(0.0, 1.0, SAMPLES)[:-1]
+    z, slope, _ = evaluate_table(wheel, places)
+    levers = np.max(-slope * (radius + z) - (arm + places), axis=1)
+    return np.maximum.accumulate(levers[::-1])[::-1]
+
+
 def _rail_rows(bends):
     """Rows of the rail's raster, see search.RAIL_...
 
@@ -109,11 +121,12 @@ def _rail_rows(bends):
 
 
 def _raster(bends):
-    """Abscissae (n,) of the scan nodes, COARSE_STEP apart where the wheel is nearly straight, else FINE_STEP; and the
-    number of the first node in each coarse step."""
-    count = int((bends.stop - bends.start) / COARSE_STEP)
-    edges = bends.start + 0.5 * (bends.stop - bends.start - count * COARSE_STEP) + COARSE_STEP * np.arange(count + 1)
+    """Abscissae (n,) of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where
+    it is not nearly straight; and the number of the first node in each coarse step."""
+    count = int(np.ceil((bends.stop - bends.start) / COARSE_STEP))
+    step = (bends.stop - bends.start) / count
+    edges = np.append(bends.start + step * np.arange(count), bends.stop)
     least, most, _ = bends.between(edges[:-1], edges[1:])
     halved = np.maximum(np.abs(least), np.abs(most)) > STRAIGHT
-    y = np.sort(np.concatenate([edges, edges[:-1][halved] + FINE_STEP]))
+    y = np.sort(np.concatenate([edges, edges[:-1][halved] + 0.5 * step]))
     return y, np.arange(count) + np.concatenate([[0], np.cumsum(halved)[:-1]])

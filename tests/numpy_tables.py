@@ -29,7 +29,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     parts = {
         layout.SET_WHEEL: wheel_table,
         layout.SET_RAIL: rail_table,
-        layout.SET_SCAN: scan_table(wheel_table, rail_table),
+        layout.SET_SCAN: scan_table(wheel_table, rail_table, nominal_radius, 0.5 * running_circle_distance),
         layout.SET_HERTZ: hertz_table(),
         layout.SET_INFLUENCE: influence_table(),
         layout.SET_STARTS: empty_starts(),

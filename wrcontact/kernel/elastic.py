@@ -19,16 +19,11 @@ from math import fabs
 from typing import Final
 
 from .contact_plane import FRAME_COS, FRAME_DEPTH
-from .gap import vertical_gap
-from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT_ROLL, OUT_VERTICAL_SHIFT, PLACE_BLOCK,
-                     SET_ABSENT, SET_ARM, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK,
-                     SIDE_PENETRATION, STATE_GAP_COUNT, STATE_ROLL_COUNT, SUPPORT_BLOCK, UNLOADED, VALID, WORK_INPUTS,
-                     WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT)
-from .locus import outline_point
+from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT,
+                     SET_ARM, SIDE_BEST, SIDE_BLOCK, SIDE_PENETRATION, STATE_ROLL_COUNT, SUPPORT_BLOCK, UNLOADED, VALID,
+                     WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE, WORK_SUPPORT)
 from .normal_contact import first_penetration
-from .profile_table import START, STOP, height_slope
-from .roll import ROLL_LIMIT, place_both, search_both, turn_both
-from .search import SHARP
+from .roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
 from .side import SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever, side_outputs
 from .touching import limited
 
@@ -54,8 +49,6 @@ SHALLOWEST: Final[float] = 0.1
 DEEPEST: Final[float] = 2e-3
 #: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known, does not touch; 5e-9 N.
 GRAZING: Final[float] = 1e-13
-FOLLOW_STEPS: Final[int] = 8
-FOLLOW_REACH: Final[float] = 2e-3    # [m]
 
 
 def first_sink(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
@@ -91,31 +84,6 @@ def carry_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: i
         work[support + SUPPORT_HEIGHT] = best + carried
         work[support + SUPPORT_LEVER] = side_lever(tables, work, index, count)
     return status
-
-
-def follow_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
-    """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
-    side = WORK_SIDE + SIDE_BLOCK * index
-    at = WORK_PLACE + PLACE_BLOCK * index
-    wheel = int(tables[SET_WHEEL])
-    y = work[side + SIDE_BEST_Y]
-    for i in range(FOLLOW_STEPS):
-        gap, mismatch, rate = vertical_gap(tables, work, at, y)
-        state[STATE_GAP_COUNT] += 1.0
-        if not rate > 0.0:
-            return 0
-        move = -mismatch / rate
-        if fabs(move) < SHARP:
-            z, slope = height_slope(tables, wheel, y)
-            y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-            work[side + SIDE_BEST] = gap
-            work[side + SIDE_BEST_Y] = y
-            work[side + SIDE_BEST_RAIL] = y_track - tables[SET_RAIL_Y]
-            return 1
-        y += move
-        if fabs(y - work[side + SIDE_BEST_Y]) > FOLLOW_REACH or not (y > tables[wheel + START] and y < tables[wheel + STOP]):
-            return 0
-    return 0
 
 
 def turn_to(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float):

@@ -24,15 +24,6 @@ def above_rail(tables: 'float[:]', abscissa: float):
     return inside
 
 
-def on_profiles(tables: 'float[:]', y: float, abscissa: float):
-    """1 if the wheel profile has a height at ``y`` [m] and the rail profile at ``abscissa`` [m], else 0."""
-    wheel = int(tables[SET_WHEEL])
-    inside = 0
-    if y >= tables[wheel + START] and y <= tables[wheel + STOP]:
-        inside = above_rail(tables, abscissa)
-    return inside
-
-
 def vertical_gap(tables: 'float[:]', place: 'float[:]', at: int, y: float):
     """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
 

@@ -161,6 +161,7 @@ STRIP_FIELDS: Final[int] = 16        # strip arrays
 STRIP_LIMIT: Final[int] = 104        # their length
 OVERLAP_LIMIT: Final[int] = 200      # samples of the overlap of a pressed wheel to either side
 OVERLAP_BLOCK: Final[int] = 64 + 4 * 2 * OVERLAP_LIMIT
+ROLLS_BLOCK: Final[int] = 256        # rolls at which both sides have been searched
 SEPARATION_BLOCK: Final[int] = 8     # origin of the region whose separation is measured
 
 WORK_INPUTS: Final[int] = 0          # inputs of the row at work
@@ -182,7 +183,8 @@ WORK_SEPARATION: Final[int] = WORK_SYSTEM + STRIP_LIMIT * (STRIP_LIMIT + 2)
 WORK_FRAMES: Final[int] = WORK_SEPARATION + SEPARATION_BLOCK                # of the regions, and the contact point's
 WORK_OVERLAP: Final[int] = WORK_FRAMES + CONTACT_BLOCK * (REGION_LIMIT + 1)   # where a pressed wheel overlaps its rail
 WORK_SUPPORT: Final[int] = WORK_OVERLAP + OVERLAP_BLOCK                     # left and right
-WORK_SIZE: Final[int] = WORK_SUPPORT + 2 * SUPPORT_BLOCK
+WORK_ROLLS: Final[int] = WORK_SUPPORT + 2 * SUPPORT_BLOCK                   # on the way from level to a roll
+WORK_SIZE: Final[int] = WORK_ROLLS + ROLLS_BLOCK
 
 # search data of one side, relative to its block
 SIDE_BEST: Final[int] = 0            # smallest gap found [m]

@@ -151,7 +151,11 @@ def fill_straight(work: 'float[:]', field: int, start: int, stop: int, count: in
 
 def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, stop: int, count: int, spacing: float,
                  start_rate: float, stop_rate: float):
-    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes."""
+    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes.
+
+    Behind a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of a region is smaller
+    than that at its minimum.
+    """
     low = work[gaps + start]
     rise = work[gaps + stop] - low
     width = spacing * float(stop - start)
@@ -163,7 +167,10 @@ def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, sto
     for i in range(1, count):
         x = float(i) / float(count)
         rest = 1.0 - x
-        work[gaps + start + inward * i] = low + x * (rise + rest * (rest * forward - x * backward))
+        gap = low + x * (rise + rest * (rest * forward - x * backward))
+        if gap < 0.0:
+            gap = 0.0
+        work[gaps + start + inward * i] = gap
     fill_straight(work, longitudinal, start, stop, count)
     return 0
 

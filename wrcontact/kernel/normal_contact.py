@@ -24,7 +24,7 @@ from .layout import (DEPTH_ALL, LATERAL_ADAPTIVE, LOAD_VERTICAL, MODEL_ANALYN_ST
                      SIDE_PATCH_WIDTH, SIDE_PENETRATION)
 from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .outline import outline_place
-from .overlaps import gather_overlaps
+from .overlaps import gather_overlaps, keep_deepest
 from .patches import gather_islands, write_outline, write_patches
 from .planes import enter_plane, give_planes, leave_plane
 from .profile_table import height_slope
@@ -310,10 +310,14 @@ def solve_estimated(tables: 'float[:]', work: 'float[:]', state: 'float[:]', sid
     met, else 0."""
     count = gather_regions(tables, work, state, side, estimate)
     penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
-    if met == 0 and count > 1 and work[FRAME_PRESSED] == 0.0:
+    if met == 0 and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
         count = 1
-        open_contact_region(tables, work, state)
+        if work[FRAME_PRESSED] == 1.0:
+            keep_deepest(work)
+            gather_overlaps(tables, work, state)
+        else:
+            open_contact_region(tables, work, state)
         start_levels(work, count, estimate)
         penetration, met = solve_fine(tables, work, state, count, force, estimate, by_penetration)
     return penetration, count, met

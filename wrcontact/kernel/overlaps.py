@@ -46,6 +46,11 @@ DEEP_ITERATIONS: Final[int] = 60
 LEVEL_RISE: Final[float] = 1e-4
 #: Deepest points closer than this on the rail are one [m].
 SAME: Final[float] = 1e-6
+#: Between two samples the overlap is looked at in so many parts.
+PARTS: Final[int] = 4
+#: The deepest point beside the smallest gap is looked for in steps that double from the first one on, up to the other [m].
+FIRST_STEP: Final[float] = 1e-7
+FAR_STEP: Final[float] = 1e-3
 #: Steps that a deepest point is looked for beyond its two samples.
 WIDENINGS: Final[int] = 6
 
@@ -61,8 +66,11 @@ def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, hei
     square = 1.0 / (1.0 + m * m)
     work[SAMPLE_RAIL + entry] = abscissa
     work[SAMPLE_WHEEL + entry] = y
-    # of (height - gap) cos, but for a factor cos
-    work[SAMPLE_RISE + entry] = outline_slope - m - (height - gap) * m * bend * square
+    # of (height - gap) cos, but for a factor cos; apart from each other, where the rail's normals say little, of height - gap
+    rise = outline_slope - m
+    if height > gap:
+        rise -= (height - gap) * m * bend * square
+    work[SAMPLE_RISE + entry] = rise
     return gap, m - outline_slope, abscissa
 
 
@@ -215,6 +223,15 @@ def deepest_entry(work: 'float[:]'):
     return best
 
 
+def keep_deepest(work: 'float[:]'):
+    """Leave only the deepest of the list, which then has no bounds."""
+    deepest = DEEP_FIRST + DEEP_SIZE * deepest_entry(work)
+    for i in range(DEEP_SIZE):
+        work[DEEP_FIRST + i] = work[deepest + i]
+    work[DEEP_COUNT] = 1.0
+    return 0
+
+
 def shallowest_entry(work: 'float[:]'):
     """The least deep of the list."""
     least = 0
@@ -268,13 +285,80 @@ def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side:
             y = 0.5 * (work[SAMPLE_WHEEL + entry] + work[SAMPLE_WHEEL + entry + 1])
             low = bracket_end(tables, work, at, work[SAMPLE_RAIL + entry], -step, y, height)
             high = bracket_end(tables, work, at, work[SAMPLE_RAIL + entry + 1], step, y, height)
-            x, y, depth, turned = turning_point(tables, work, at, low, high, y, height, 1.0)
-            if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
-                keep_deep(work, x, y, depth)
+            list_between(tables, work, at, low, high, y, height)
+    list_smallest(tables, work, side, at, height)
     if int(work[DEEP_COUNT]) > 0:
         find_humps(tables, work, at, height)
         merge_deep(work)
     return int(work[DEEP_COUNT])
+
+
+def list_between(tables: 'float[:]', work: 'float[:]', at: int, low: float, high: float, y: float, height: float):
+    """List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
+    profiles the joints of their arcs leave several, of which a bracket by itself would end at either."""
+    step = (high - low) / float(PARTS)
+    start = low
+    rising = 1
+    guess = y
+    for i in range(1, PARTS + 1):
+        stop = low + step * float(i)
+        falls = 1
+        if i < PARTS:
+            near, overlap, rise, bend, curvature, found = normal_line(tables, work, at, stop, guess, height)
+            if found == 1:
+                guess = near
+            if found == 1 and rise > 0.0:
+                falls = 0
+        if rising == 1 and falls == 1:
+            x, y, depth, turned = turning_point(tables, work, at, start, stop, guess, height, 1.0)
+            if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
+                keep_deep(work, x, y, depth)
+        rising = 1 - falls
+        start = stop
+    return 0
+
+
+def list_smallest(tables: 'float[:]', work: 'float[:]', side: int, at: int, height: float):
+    """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
+    scan nodes on nearly conformal profiles it can turn three times."""
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), work[side + SIDE_BEST_Y])
+    y_track, z_track, outline_slope = outline_point(work, at, work[side + SIDE_BEST_Y], z, slope)
+    x = y_track - tables[SET_RAIL_Y]
+    y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, work[side + SIDE_BEST_Y], height)
+    deepest = 0.0
+    if int(work[DEEP_COUNT]) > 0:
+        deepest = work[DEEP_FIRST + DEEP_SIZE * deepest_entry(work) + DEEP_DEPTH]
+    if found == 1 and overlap > deepest:
+        step = FIRST_STEP
+        if rise < 0.0:
+            step = -FIRST_STEP
+        far = x
+        while rise * step > 0.0 and fabs(far - x) < FAR_STEP and found == 1:
+            far += step
+            y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, far, y, height)
+            step *= 2.0
+        low = x
+        high = far
+        if far < x:
+            low = far
+            high = x
+        x, y, depth, turned = turning_point(tables, work, at, low, high, work[side + SIDE_BEST_Y], height, 1.0)
+        if turned == 1 and depth > deepest:
+            keep_deep(work, x, y, depth)
+            sort_deep(work)
+    return 0
+
+
+def sort_deep(work: 'float[:]'):
+    """Bring the last deepest point listed to its place along the rail."""
+    block = DEEP_FIRST + DEEP_SIZE * (int(work[DEEP_COUNT]) - 1)
+    while block > DEEP_FIRST and work[block + DEEP_RAIL] < work[block - DEEP_SIZE + DEEP_RAIL]:
+        for i in range(block, block + DEEP_SIZE):
+            kept = work[i]
+            work[i] = work[i - DEEP_SIZE]
+            work[i - DEEP_SIZE] = kept
+        block -= DEEP_SIZE
+    return 0
 
 
 def is_listed(work: 'float[:]', x: float):

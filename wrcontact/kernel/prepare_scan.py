@@ -7,19 +7,19 @@ largest absolute slope of its samples.
 from math import ceil, fabs
 from typing import Final
 
-from .layout import SCAN_LIMIT
+from .layout import SCAN_LIMIT, SET_ARM, SET_RADIUS
 from .prepare_pieces import FULL
 from .profile_table import PIECE_OFFSET, PIECE_SIZE, START, STOP, find_piece, height_slope, height_slope_bend
-from .search import (LEVELS, RAIL_LEAST_BEND, RAIL_LEAST_BENDS, RAIL_MOST_BEND, RAIL_ROW, ROW_HEIGHT, ROW_LEAST_BEND,
+from .search import (LEVELS, RAIL_LEAST_BEND, RAIL_LEAST_BENDS, RAIL_MOST_BEND, RAIL_ROW, ROW_HEIGHT, ROW_LEAST_BEND, ROW_LEVER,
                      ROW_MOST_BENDS, ROW_SLOPE, ROW_STEEPEST_BENDS, ROW_Y, SCAN_BINS_PER_METRE, SCAN_BIN_COUNT,
                      SCAN_BIN_OFFSET, SCAN_COUNT, SCAN_NODES, SCAN_RAIL_COUNT, SCAN_RAIL_OFFSET, SCAN_RAIL_PER_METRE,
-                     SCAN_RAIL_START, SCAN_ROW, STEEP, WIDEST)
+                     SCAN_RAIL_START, SCAN_ROW, SCAN_STEEPEST, STEEP, WIDEST)
 
 COARSE_STEP: Final[float] = 1.0e-3        # [m]
 FINE_STEP: Final[float] = 0.5e-3          # [m]
 STRAIGHT: Final[float] = 20.0             # the coarse step does where the wheel bends less [1/m]
 TOO_STEEP: Final[float] = 1e9             # [1/m]
-LAST_SAMPLE: Final[int] = 16              # samples of the second derivative in a piece, a cubic there
+LAST_SAMPLE: Final[int] = 16              # samples of the second derivative in a piece, a cubic there, and of levers in a cell
 TOO_WIDE: Final[int] = -2                 # in place of an offset: the wheel is wider than the raster
 FAR: Final[float] = 1e300
 
@@ -118,25 +118,40 @@ def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, lo
     return least, most, steepest
 
 
+def coarse_count(start: float, stop: float):
+    """How many coarse steps the wheel is divided into."""
+    return int(ceil((stop - start) / COARSE_STEP))
+
+
+def raster_place(start: float, stop: float, count: int, i: int):
+    """Abscissa [m] of coarse node ``i`` of ``count`` + 1, the ends to the last bit."""
+    y = start + (stop - start) / float(count) * float(i)
+    if i == count:
+        y = stop
+    return y
+
+
 def write_raster(tables: 'float[:]', base: int, wheel: int, work: 'float[:]', scratch: int, firsts: int):
-    """Abscissae of the scan nodes, COARSE_STEP apart where the wheel is nearly straight, else FINE_STEP; the number of the
-    first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes, or TOO_WIDE or FULL."""
+    """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where it
+    is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
+    or TOO_WIDE or FULL."""
     start = tables[wheel + START]
     stop = tables[wheel + STOP]
-    count = int((stop - start) / COARSE_STEP)
-    edge = start + 0.5 * (stop - start - float(count) * COARSE_STEP)
+    count = coarse_count(start, stop)
+    step = (stop - start) / float(count)
     if base + SCAN_NODES + SCAN_ROW * (2 * count + 1) > tables.shape[0]:
         return FULL
     node = 0
     for i in range(count + 1):
-        y = edge + COARSE_STEP * float(i)
+        y = raster_place(start, stop, count, i)
         tables[base + SCAN_NODES + SCAN_ROW * node + ROW_Y] = y
         work[firsts + i] = float(node)
         node += 1
         if i < count:
-            least, most, steepest = bend_range(tables, wheel, work, scratch, y, edge + COARSE_STEP * float(i + 1))
+            least, most, steepest = bend_range(tables, wheel, work, scratch, y,
+                                                raster_place(start, stop, count, i + 1))
             if max(fabs(least), fabs(most)) > STRAIGHT:
-                tables[base + SCAN_NODES + SCAN_ROW * node + ROW_Y] = y + FINE_STEP
+                tables[base + SCAN_NODES + SCAN_ROW * node + ROW_Y] = y + 0.5 * step
                 node += 1
     if node > SCAN_LIMIT:
         node = TOO_WIDE
@@ -169,6 +184,24 @@ def write_wheel_rows(tables: 'float[:]', base: int, wheel: int, count: int, work
     return 0
 
 
+def write_levers(tables: 'float[:]', base: int, wheel: int, count: int):
+    """The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a level
+    wheelset, if wheel and rail were parallel there."""
+    largest = -FAR
+    for i in range(count):
+        node = count - 1 - i
+        row = base + SCAN_NODES + SCAN_ROW * node
+        width = 0.0
+        if i > 0:
+            width = tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y]
+        for k in range(LAST_SAMPLE):
+            y = tables[row + ROW_Y] + width * (float(k) / float(LAST_SAMPLE))
+            z, slope = height_slope(tables, wheel, y)
+            largest = max(largest, -slope * (tables[SET_RADIUS] + z) - (tables[SET_ARM] + y))
+        tables[row + ROW_LEVER] = largest
+    return 0
+
+
 def write_rail_rows(tables: 'float[:]', at: int, rail: int, count: int, work: 'float[:]', scratch: int):
     """Bounds of the rail's raster at offset ``at``.
 
@@ -197,13 +230,16 @@ def write_scan(tables: 'float[:]', base: int, wheel: int, rail: int, work: 'floa
     count = write_raster(tables, base, wheel, work, scratch, firsts)
     if count < 0:
         return count
-    bins = int((tables[wheel + STOP] - tables[wheel + START]) / COARSE_STEP)
+    bins = coarse_count(tables[wheel + START], tables[wheel + STOP])
     cells = int(ceil((tables[rail + STOP] - tables[rail + START]) / FINE_STEP))
     rail_offset = SCAN_NODES + SCAN_ROW * count
     bin_offset = rail_offset + RAIL_ROW * cells
     if base + bin_offset + bins > tables.shape[0]:
         return FULL
     write_wheel_rows(tables, base, wheel, count, work, scratch)
+    write_levers(tables, base, wheel, count)
+    least, most, steepest = bend_range(tables, wheel, work, scratch, tables[wheel + START], tables[wheel + STOP])
+    tables[base + SCAN_STEEPEST] = steepest
     sample_pieces(tables, rail, work, scratch)
     write_rail_rows(tables, base + rail_offset, rail, cells, work, scratch)
     tables[base + SCAN_COUNT] = float(count)
@@ -213,7 +249,7 @@ def write_scan(tables: 'float[:]', base: int, wheel: int, rail: int, work: 'floa
     tables[base + SCAN_RAIL_OFFSET] = float(rail_offset)
     tables[base + SCAN_BIN_OFFSET] = float(bin_offset)
     tables[base + SCAN_BIN_COUNT] = float(bins)
-    tables[base + SCAN_BINS_PER_METRE] = 1.0 / COARSE_STEP
+    tables[base + SCAN_BINS_PER_METRE] = float(bins) / (tables[wheel + STOP] - tables[wheel + START])
     for i in range(bins):
         tables[base + bin_offset + i] = work[firsts + i]
     return base + bin_offset + bins

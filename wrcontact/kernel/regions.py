@@ -8,7 +8,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, FRAME_Y,
-                            NO_GAP, TRACER_RAIL, TRACER_WHEEL, normal_gap, start_tracer)
+                            NO_GAP, TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, normal_gap, start_tracer)
 from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST,
                      SIDE_FIRST, SIDE_LAST, SIDE_NODE, WORK_REGION)
 from .profile_table import height_slope
@@ -64,8 +64,8 @@ REGION_MOVE: Final[int] = 19         # change of its level that closes the resid
 MERGE: Final[float] = 0.3
 #: Minima closer than this to another are the same [m].
 APART: Final[float] = 2e-4
-#: A minimum of the normal gap lies within this of the vertical gap's [m].
-WANDER: Final[float] = 2e-3
+#: A minimum of the normal gap lies within this of the vertical gap's [m]; 2 mm where a tread is seen from a flange.
+WANDER: Final[float] = 5e-3
 FAR: Final[float] = 1.0
 TRACE: Final[float] = 1e-12          # tolerance of the abscissae while minima and humps are sought [m]
 PLACE_SHARP: Final[float] = 1e-11    # last Newton step to a minimum or a hump [m]; a hump cuts a load
@@ -96,13 +96,13 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
         move = -rate * WANDER
         if bend > 0.0:
             move = -rate / bend
+            if fabs(move) < PLACE_SHARP:
+                found = gap
         if station + move > start + WANDER:
             move = start + WANDER - station
         if station + move < start - WANDER:
             move = start - WANDER - station
         if fabs(move) < PLACE_SHARP:
-            if bend > 0.0:
-                found = gap
             break
         station += move
     work[block + REGION_STATION] = station
@@ -247,7 +247,7 @@ def find_hump(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int,
 def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, level: float,
                guess: float):
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
-    end of a profile; REGION_REACHED holds how far it has risen there.
+    end of a profile; REGION_REACHED holds how far it has risen there, and there the tracer stands.
 
     Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
     separation, with arcs in place of the chords whose length follows from this width.
@@ -266,6 +266,9 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
     high = -1.0
     width = guess
     work[block + REGION_REACHED] = 0.0
+    station = work[block + REGION_STATION]
+    abscissa = work[block + REGION_RAIL]
+    y = work[block + REGION_WHEEL]
     for i in range(WIDTH_ITERATIONS):
         if width > limit:
             width = limit
@@ -273,7 +276,11 @@ def zone_width(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
                                                 work[block + REGION_STATION] + direction * width, tolerance)
         if gap >= NO_GAP:
             # beyond an end the tracer has lost its way
-            start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
+            start_tracer(work, station, abscissa, y)
+        else:
+            station = work[TRACER_STATION]
+            abscissa = work[TRACER_RAIL]
+            y = work[TRACER_WHEEL]
         rise = gap - work[block + REGION_GAP]
         if rise < level:
             low = width

@@ -15,7 +15,7 @@ from .gap import FOLDED, above_rail, vertical_gap
 from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y,
                      SIDE_FIRST, SIDE_LAST, SIDE_NODE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
 from .locus import PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED, outline_point
-from .profile_table import START, height_slope
+from .profile_table import START, STOP, height_slope
 
 # the scan table: sizes, then the nodes, then the raster of the rail's bounds, then the first node of each bin
 SCAN_COUNT: Final[int] = 0           # nodes
@@ -26,15 +26,17 @@ SCAN_RAIL_OFFSET: Final[int] = 4
 SCAN_BIN_OFFSET: Final[int] = 5
 SCAN_BIN_COUNT: Final[int] = 6
 SCAN_BINS_PER_METRE: Final[int] = 7
-SCAN_NODES: Final[int] = 8
+SCAN_STEEPEST: Final[int] = 8        # largest absolute slope of the wheel [-]
+SCAN_NODES: Final[int] = 9
 LEVELS: Final[int] = 6               # stretches of 1, 2, 4 ... 32 cells
-SCAN_ROW: Final[int] = 16            # of a node:
+SCAN_ROW: Final[int] = 17            # of a node:
 ROW_Y: Final[int] = 0                # abscissa [m]
 ROW_HEIGHT: Final[int] = 1           # [m]
 ROW_SLOPE: Final[int] = 2
 ROW_LEAST_BEND: Final[int] = 3       # smallest second derivative up to the next node [1/m]
 ROW_MOST_BENDS: Final[int] = 4       # largest one up to the node 1, 2, 4 ... further
 ROW_STEEPEST_BENDS: Final[int] = 10  # largest absolute value, likewise
+ROW_LEVER: Final[int] = 16           # largest change of the gap with the roll, here and at all nodes beyond [m]
 RAIL_ROW: Final[int] = 9             # of a cell of the rail's raster:
 RAIL_LEAST_BEND: Final[int] = 0      # smallest and largest second derivative around it [1/m]
 RAIL_MOST_BEND: Final[int] = 1
@@ -56,17 +58,19 @@ ROLL_BEND: Final[float] = 9.5
 YAW_BEND: Final[float] = 18.0
 #: Stretches that the yawed outline stretches or folds by more than this share are not skipped.
 WIDEST: Final[float] = 0.25
+#: The yawed outline comes back above the rail from no further than sin^2(yaw) times radius times slope, but for this factor, and
+#: for the heights of the wheel, turned by the roll [m].
+REACH_SHARE: Final[float] = 1.2
+REACH_ROLL: Final[float] = 0.06
 #: A stretch of no more than this times its number of cells consists of fine cells only [m].
 FINE_CELL: Final[float] = 0.501e-3
 #: Without a known place the search begins at the best of every eighth node.
 PROBE_STRIDE: Final[int] = 8
-#: Cells are halved down to this width [m]; what a cell can then hide is less than M (3e-5 m)^2 / 8, 2e-9 m at worst.
-NARROW: Final[float] = 3.2e-5
-#: Second derivatives below minus this [1/m] are those of rough profiles, or steep: waves as short as a cell, of less bend, hide
-#: no more than 1e-7 m.  Treads of exact and of smoothed profiles stay above it.
-ROUGH: Final[float] = 20.0
+#: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m at worst.
+NARROW: Final[float] = 2e-6
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
+ROUNDING: Final[float] = 1e-15       # of gaps [m]
 #: The end of the rail is located to this [m].
 END_SHARP: Final[float] = 1e-9
 LARGE_GAP: Final[float] = 1e3
@@ -260,7 +264,7 @@ def probe(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
                 work[side + SIDE_BEST] = gap
                 work[side + SIDE_BEST_Y] = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
                 found = node
-        elif found >= 0:
+        elif found >= 0 and is_gone(tables, place, at, node, 1, abscissa) == 1:
             return found
         node += stride
     return found
@@ -275,31 +279,62 @@ def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
     gap_before = LARGE_GAP
     abscissa_before = 0.0
     skipped = 1
+    off = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
         state[STATE_GAP_COUNT] += 1.0
         if above_rail(tables, abscissa) == 0:
-            if skipped == 0:
-                search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before)
-            return 0
-        keep_best(work, side, tables[scan + SCAN_NODES + SCAN_ROW * node + ROW_Y], gap)
-        if skipped == 0:
-            if direction > 0:
-                bound_cell(tables, work, side, place, at, state, node - 1, gap_before, gap, abscissa_before)
-            else:
-                bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa)
-        gap_before = gap
-        abscissa_before = abscissa
-        level = clear_level(tables, place, at, node, direction, abscissa, gap - work[side + SIDE_BEST],
-                            float(direction) * mismatch, level, 0)
-        skipped = 1
-        if level < 0:
-            level = 0
+            if skipped == 0 and off == 0:
+                search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before, abscissa)
+            if is_gone(tables, place, at, node, direction, abscissa) == 1:
+                return 0
+            off = 1
             skipped = 0
+            level = 0
+        else:
+            keep_best(work, side, tables[scan + SCAN_NODES + SCAN_ROW * node + ROW_Y], gap)
+            if off == 1:
+                search_end(tables, work, side, place, at, state, node, -direction, abscissa, abscissa_before)
+            elif skipped == 0:
+                if direction > 0:
+                    bound_cell(tables, work, side, place, at, state, node - 1, gap_before, gap, abscissa_before)
+                else:
+                    bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa)
+            off = 0
+            gap_before = gap
+            level = clear_level(tables, place, at, node, direction, abscissa, gap - work[side + SIDE_BEST],
+                                float(direction) * mismatch, level, 0)
+            skipped = 1
+            if level < 0:
+                level = 0
+                skipped = 0
+        abscissa_before = abscissa
         node += direction * (1 << level)
-        if level < LEVELS - 1:
+        if off == 0 and level < LEVELS - 1:
             level += 1
     return 0
+
+
+def is_gone(tables: 'float[:]', place: 'float[:]', at: int, node: int, direction: int, abscissa: float):
+    """1 if the outline, beside the rail at scan node ``node``, does not come back above it further in ``direction``, else 0.
+
+    Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can reach over a
+    rail that ends below the flange root.
+    """
+    scan = int(tables[SET_SCAN])
+    rail = int(tables[SET_RAIL])
+    apart = abscissa - tables[rail + STOP]
+    if direction < 0:
+        apart = tables[rail + START] - abscissa
+    reach = 0.0
+    if place[at + PLACE_YAWED] != 0.0:
+        sine = place[at + PLACE_SIN_YAW]
+        steep = tables[scan + SCAN_STEEPEST] + tables[scan + SCAN_NODES + SCAN_ROW * node + ROW_SLOPE]
+        reach = REACH_SHARE * sine * sine * place[at + PLACE_RADIUS] * steep + REACH_ROLL * fabs(place[at + PLACE_SIN_ROLL])
+    gone = 0
+    if apart > reach:
+        gone = 1
+    return gone
 
 
 def bound_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', cell: int,
@@ -322,8 +357,9 @@ def bound_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
 
 
 def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', node: int,
-               outward: int, abscissa: float):
-    """Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail beyond it."""
+               outward: int, abscissa: float, beyond: float):
+    """Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail, which lies before the next
+    node at ``beyond`` [m]."""
     scan = int(tables[SET_SCAN])
     row = scan + SCAN_NODES + SCAN_ROW * node
     inner = tables[row + ROW_Y]
@@ -340,6 +376,7 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
     cell = node
     if outward < 0:
         cell = node - 1
+    if beyond < abscissa:
         abscissa = tables[int(tables[SET_RAIL]) + START]
     least, most = bend_bounds(tables, place, at, cell, abscissa)
     if inside < inner:
@@ -352,7 +389,7 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
               reach: float, abscissa: float):
     """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
-    or than the one before the rail's end, below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+    or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
 
     SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
     by rising abscissa.
@@ -383,34 +420,45 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
     before = -LARGE_GAP
     abscissa_before = 0.0
     fallen = 0
+    doubtful = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
         state[STATE_GAP_COUNT] += 1.0
+        cells = 1
         if above_rail(tables, abscissa) == 0:
             # the rail ends beside the last node: a minimum may lie before its end
             if fallen == 1:
                 list_candidate(work, side, node - direction, direction, abscissa_before)
-            return 0
-        if fallen == 1 and gap > before:
-            list_candidate(work, side, node - direction, direction, abscissa_before)
-        fallen = 0
-        if gap <= before and gap < reach:
-            fallen = 1
-        level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level, 1)
-        cells = 1
-        before = gap
-        abscissa_before = abscissa
-        if level > 0:
-            cells = 1 << level
-            if fallen == 1:
-                # the next node is higher, or beyond the rail
-                cells = 1
-            elif gap < reach:
-                before = -LARGE_GAP
-            else:
-                before = LARGE_GAP
-        if level < LEVELS - 1:
-            level += 1
+            if is_gone(tables, place, at, node, direction, abscissa) == 1:
+                return 0
+            fallen = 0
+            level = 0
+            before = LARGE_GAP
+        else:
+            if fallen == 1 and gap > before:
+                list_candidate(work, side, node - direction, direction, abscissa_before)
+            level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level,
+                                1)
+            # a minimum below the reach may lie between two nodes above it, behind this one or before it
+            fallen = 0
+            if gap <= before and (gap < reach or level < 0 or doubtful == 1):
+                fallen = 1
+            doubtful = 0
+            if level < 0:
+                doubtful = 1
+            before = gap
+            abscissa_before = abscissa
+            if level > 0:
+                cells = 1 << level
+                if fallen == 1:
+                    # the next node is higher, or beyond the rail
+                    cells = 1
+                elif gap < reach:
+                    before = -LARGE_GAP
+                else:
+                    before = LARGE_GAP
+            if level < LEVELS - 1:
+                level += 1
         node += direction * cells
     return 0
 
@@ -433,10 +481,7 @@ def list_candidate(work: 'float[:]', side: int, node: int, direction: int, absci
 def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
                 least: float, most: float, first: float, last: float):
     """Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
-    turns.  ``least`` and ``most`` bound the second derivative.
-
-    Where that may be below -ROUGH there can be another minimum beside the one that is found, and halving goes on.
-    """
+    turns.  ``least`` and ``most`` bound the second derivative."""
     stack = side + SIDE_STACK
     gap_low, mismatch_low, rate = vertical_gap(tables, place, at, first)
     gap_high, mismatch_high, rate = vertical_gap(tables, place, at, last)
@@ -461,12 +506,13 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
-            rough = least < -ROUGH
-            known = low < work[side + SIDE_BEST_Y] and work[side + SIDE_BEST_Y] < high
-            if turns and not (rough and known):
+            # the gap only rises, or only falls
+            steady = (mismatch_low >= 0.0 and mismatch_low + least * width >= 0.0
+                      or mismatch_high <= 0.0 and mismatch_high - least * width <= 0.0) and not folded
+            if turns and (least > 0.0 or width <= NARROW):
                 y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
-                keep_best(work, side, y, gap)
-            if width > NARROW and (folded or rough or not (turns or least > 0.0)):
+                keep_refined(work, side, y, gap, width)
+            elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
                 state[STATE_GAP_COUNT] += 1.0
@@ -489,8 +535,20 @@ def push_cell(work: 'float[:]', top: int, low: float, high: float, gap_low: floa
 
 
 def keep_best(work: 'float[:]', side: int, y: float, gap: float):
-    """Keep (y, gap) if it is the side's best so far."""
-    if gap < work[side + SIDE_BEST]:
+    """Keep (y, gap) if it is the side's best so far, by more than rounding: a node beside a place of contact is none."""
+    if gap < work[side + SIDE_BEST] - ROUNDING:
+        work[side + SIDE_BEST] = gap
+        work[side + SIDE_BEST_Y] = y
+    return 0
+
+
+def keep_refined(work: 'float[:]', side: int, y: float, gap: float, width: float):
+    """Keep (y, gap), a place of contact, if it is the side's best so far: before a node within ``width`` [m] that has the same
+    gap but for the last bits."""
+    allowed = work[side + SIDE_BEST]
+    if fabs(y - work[side + SIDE_BEST_Y]) < width:
+        allowed += ROUNDING
+    if gap < allowed:
         work[side + SIDE_BEST] = gap
         work[side + SIDE_BEST_Y] = y
     return 0

@@ -13,9 +13,10 @@ from .layout import (DEPTH_GEOMETRY, INPUT_COUNT, INVALID_INPUT, IN_LATERAL_SHIF
                      SET_MODE, SET_SIDES, SET_YAW_LIMIT, SIDES_BOTH, SIDES_LEFT, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK,
                      SIDE_SIZE, STATE_ROLL, STATE_SHIFT, STATE_WARM, STATE_Y_LEFT, STATE_Y_RIGHT, SUPPORT_BLOCK,
                      UNLOADED, VALID, WORK_INPUTS, WORK_KNOWN, WORK_OUTPUTS, WORK_SIDE, WORK_STATUS, WORK_SUPPORT)
+from .level import solve_roll
 from .outline import row_size
 from .resultant import clear_resultant, write_resultant
-from .roll import ROLL_LIMIT, solve_roll
+from .roll import ROLL_LIMIT
 from .side import SUPPORT_HEIGHT, clear_from, first_unwanted, side_outputs, side_resultant, step_side
 from .starts import START_LEFT, START_RIGHT, START_ROLL, nearest_start
 

@@ -246,6 +246,9 @@ def locate_strip(work: 'float[:]', i: int):
         k = int(work[block + REGION_FIRST])
     x = u - float(k)
     gap = cubic_value(work, node_field(region, NODE_GAP) + k, x)
+    if gap < 0.0:
+        # beside a sudden rise a cubic falls below the region's smallest gap
+        gap = 0.0
     work[strip_field(STRIP_GAP) + i] = work[block + REGION_GAP] + gap
     work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_A, k, x)
     work[strip_field(STRIP_TURN) + i] = work[block + REGION_TURN]

@@ -99,7 +99,9 @@ class Profile:
 
     def evaluate(self, y):
         """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN outside."""
-        y_mm = np.asarray(y, dtype=float) / MM
+        y = np.asarray(y, dtype=float)
+        # ``start`` and ``stop`` in metres need not come back to the same millimetres
+        y_mm = np.where((y >= self.start) & (y <= self.stop), np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)
         result = np.full((3,) + y_mm.shape, np.nan)
         for zone in self.zones:
             inside = (y_mm >= zone.start) & (y_mm <= zone.stop)

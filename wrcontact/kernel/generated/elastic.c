@@ -78,64 +78,16 @@ static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_dou
     return status;
 }
 
-/* Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0. */
-static OUT_OF_LINE int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
-{
-    int64_t side;
-    int64_t at;
-    int64_t wheel;
-    double y;
-    int64_t i;
-    double gap;
-    double mismatch;
-    double rate;
-    double move;
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
-    for (i = INT64_C(0); i < elastic__FOLLOW_STEPS; i += INT64_C(1))
-    {
-        gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
-        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        if (!(rate > 0.0))
-        {
-            return INT64_C(0);
-        }
-        move = (-mismatch) / rate;
-        if (fabs(move) < search__SHARP)
-        {
-            profile_table__height_slope(&z, &slope, tables, wheel, y);
-            locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-            (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-            (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
-            (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-            return INT64_C(1);
-        }
-        y += move;
-        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_BEST_Y))) > elastic__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + profile_table__START))) && (y < (*cspan_at(&tables, wheel + profile_table__STOP))))))
-        {
-            return INT64_C(0);
-        }
-    }
-    return INT64_C(0);
-}
-
 /* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are above their rails, else 0. */
 static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
 {
     int64_t known;
     int64_t result;
     roll__turn_both(work, roll);
-    known = elastic__follow_side(tables, work, state, INT64_C(0));
+    known = roll__follow_side(tables, work, state, INT64_C(0));
     if (known == INT64_C(1))
     {
-        known = elastic__follow_side(tables, work, state, INT64_C(1));
+        known = roll__follow_side(tables, work, state, INT64_C(1));
     }
     result = roll__search_both(tables, work, state, known);
     return result;

@@ -22,13 +22,9 @@
 
 #include "../native/spans.h"
 #include "contact_plane.h"
-#include "gap.h"
 #include "layout.h"
-#include "locus.h"
 #include "normal_contact.h"
-#include "profile_table.h"
 #include "roll.h"
-#include "search.h"
 #include "side.h"
 #include "touching.h"
 
@@ -43,12 +39,9 @@ static const double elastic__LEAST_LEVER = 0.01;
 static const double elastic__SHALLOWEST = 0.1;
 static const double elastic__DEEPEST = 0.002;
 static const double elastic__GRAZING = 1e-13;
-static const int64_t elastic__FOLLOW_STEPS = INT64_C(8);
-static const double elastic__FOLLOW_REACH = 0.002;
 
 static OUT_OF_LINE int64_t elastic__first_sink(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
 static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
-static OUT_OF_LINE int64_t elastic__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
 static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
 static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index);

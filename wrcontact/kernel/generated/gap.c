@@ -22,20 +22,6 @@ static inline int64_t gap__above_rail(array_double_1d tables, double abscissa)
     return inside;
 }
 
-/* 1 if the wheel profile has a height at ``y`` [m] and the rail profile at ``abscissa`` [m], else 0. */
-static inline int64_t gap__on_profiles(array_double_1d tables, double y, double abscissa)
-{
-    int64_t wheel;
-    int64_t inside;
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-    inside = INT64_C(0);
-    if ((y >= (*cspan_at(&tables, wheel + profile_table__START))) && (y <= (*cspan_at(&tables, wheel + profile_table__STOP))))
-    {
-        inside = gap__above_rail(tables, abscissa);
-    }
-    return inside;
-}
-
 /* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
  *
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope

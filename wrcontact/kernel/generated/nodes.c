@@ -185,7 +185,11 @@ static inline int64_t nodes__fill_straight(array_double_1d work, int64_t field, 
     return INT64_C(0);
 }
 
-/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes. */
+/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones with their slopes.
+ *
+ * Behind a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of a region is smaller
+ * than that at its minimum.
+ */
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, int64_t longitudinal, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
 {
     double low;
@@ -197,6 +201,7 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, in
     int64_t i;
     double x;
     double rest;
+    double gap;
     low = (*cspan_at(&work, gaps + start));
     rise = (*cspan_at(&work, gaps + stop)) - low;
     width = spacing * (double)(stop - start);
@@ -211,7 +216,12 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t gaps, in
     {
         x = (double)(i) / (double)(count);
         rest = 1.0 - x;
-        (*cspan_at(&work, gaps + start + inward * i)) = low + x * (rise + rest * (rest * forward - x * backward));
+        gap = low + x * (rise + rest * (rest * forward - x * backward));
+        if (gap < 0.0)
+        {
+            gap = 0.0;
+        }
+        (*cspan_at(&work, gaps + start + inward * i)) = gap;
     }
     nodes__fill_straight(work, longitudinal, start, stop, count);
     return INT64_C(0);

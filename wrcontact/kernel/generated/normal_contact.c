@@ -420,11 +420,19 @@ static inline int64_t normal_contact__solve_estimated(double* penetration, int64
 {
     (*count) = normal_contact__gather_regions(tables, work, state, side, estimate);
     normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
-    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0))
+    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         (*count) = INT64_C(1);
-        regions__open_contact_region(tables, work, state);
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            overlaps__keep_deepest(work);
+            overlaps__gather_overlaps(tables, work, state);
+        }
+        else
+        {
+            regions__open_contact_region(tables, work, state);
+        }
         normal_contact__start_levels(work, (*count), estimate);
         normal_contact__solve_fine(penetration, met, tables, work, state, (*count), force, estimate, by_penetration);
     }

@@ -21,6 +21,7 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     double m;
     double bend;
     double square;
+    double rise;
     row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
     y = (*cspan_at(&tables, row + search__ROW_Y));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
@@ -30,8 +31,13 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     square = 1.0 / (1.0 + m * m);
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*abscissa);
     (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) = y;
-    /* of (height - gap) cos, but for a factor cos */
-    (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = outline_slope - m - (height - (*gap)) * m * bend * square;
+    /* of (height - gap) cos, but for a factor cos; apart from each other, where the rail's normals say little, of height - gap */
+    rise = outline_slope - m;
+    if (height > (*gap))
+    {
+        rise -= (height - (*gap)) * m * bend * square;
+    }
+    (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = rise;
     (*result_1) = m - outline_slope;
     return 0;
 }
@@ -302,6 +308,20 @@ static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work)
     return best;
 }
 
+/* Leave only the deepest of the list, which then has no bounds. */
+static OUT_OF_LINE int64_t overlaps__keep_deepest(array_double_1d work)
+{
+    int64_t deepest;
+    int64_t i;
+    deepest = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * overlaps__deepest_entry(work);
+    for (i = INT64_C(0); i < overlaps__DEEP_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work, overlaps__DEEP_FIRST + i)) = (*cspan_at(&work, deepest + i));
+    }
+    (*cspan_at(&work, overlaps__DEEP_COUNT)) = 1.0;
+    return INT64_C(0);
+}
+
 /* The least deep of the list. */
 static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work)
 {
@@ -386,9 +406,6 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     double y;
     double low;
     double high;
-    double x;
-    double depth;
-    int64_t turned;
     int64_t result;
     node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
     (*cspan_at(&work, overlaps__DEEP_COUNT)) = 0.0;
@@ -402,13 +419,10 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
             y = 0.5 * ((*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry)) + (*cspan_at(&work, overlaps__SAMPLE_WHEEL + entry + INT64_C(1))));
             low = overlaps__bracket_end(tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)), -step, y, height);
             high = overlaps__bracket_end(tables, work, at, (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry + INT64_C(1))), step, y, height);
-            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, y, height, 1.0);
-            if ((turned == INT64_C(1)) && (depth > 0.0) && (overlaps__is_listed(work, x) == INT64_C(0)))
-            {
-                overlaps__keep_deep(work, x, y, depth);
-            }
+            overlaps__list_between(tables, work, at, low, high, y, height);
         }
     }
+    overlaps__list_smallest(tables, work, side, at, height);
     if ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) > INT64_C(0))
     {
         overlaps__find_humps(tables, work, at, height);
@@ -416,6 +430,145 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     }
     result = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     return result;
+}
+
+/* List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
+ * profiles the joints of their arcs leave several, of which a bracket by itself would end at either.
+ */
+static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height)
+{
+    double step;
+    double start;
+    int64_t rising;
+    double guess;
+    int64_t i;
+    double stop;
+    int64_t falls;
+    double near;
+    double overlap;
+    double rise;
+    double bend;
+    double curvature;
+    int64_t found;
+    double x;
+    double depth;
+    int64_t turned;
+    step = (high - low) / (double)(overlaps__PARTS);
+    start = low;
+    rising = INT64_C(1);
+    guess = y;
+    for (i = INT64_C(1); i < overlaps__PARTS + INT64_C(1); i += INT64_C(1))
+    {
+        stop = low + step * (double)(i);
+        falls = INT64_C(1);
+        if (i < overlaps__PARTS)
+        {
+            pressed__normal_line(&near, &overlap, &rise, &bend, &curvature, &found, tables, work, at, stop, guess, height);
+            if (found == INT64_C(1))
+            {
+                guess = near;
+            }
+            if ((found == INT64_C(1)) && (rise > 0.0))
+            {
+                falls = INT64_C(0);
+            }
+        }
+        if ((rising == INT64_C(1)) && (falls == INT64_C(1)))
+        {
+            overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, start, stop, guess, height, 1.0);
+            if ((turned == INT64_C(1)) && (depth > 0.0) && (overlaps__is_listed(work, x) == INT64_C(0)))
+            {
+                overlaps__keep_deep(work, x, y, depth);
+            }
+        }
+        rising = INT64_C(1) - falls;
+        start = stop;
+    }
+    return INT64_C(0);
+}
+
+/* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
+ * scan nodes on nearly conformal profiles it can turn three times.
+ */
+static OUT_OF_LINE int64_t overlaps__list_smallest(array_double_1d tables, array_double_1d work, int64_t side, int64_t at, double height)
+{
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double x;
+    double y;
+    double overlap;
+    double rise;
+    double bend;
+    double curvature;
+    int64_t found;
+    double deepest;
+    double step;
+    double far;
+    double low;
+    double high;
+    double depth;
+    int64_t turned;
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), z, slope);
+    x = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), height);
+    deepest = 0.0;
+    if ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) > INT64_C(0))
+    {
+        deepest = (*cspan_at(&work, overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * overlaps__deepest_entry(work) + overlaps__DEEP_DEPTH));
+    }
+    if ((found == INT64_C(1)) && (overlap > deepest))
+    {
+        step = overlaps__FIRST_STEP;
+        if (rise < 0.0)
+        {
+            step = -overlaps__FIRST_STEP;
+        }
+        far = x;
+        while((rise * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && (found == INT64_C(1)))
+        {
+            far += step;
+            pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, far, y, height);
+            step *= 2.0;
+        }
+        low = x;
+        high = far;
+        if (far < x)
+        {
+            low = far;
+            high = x;
+        }
+        overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), height, 1.0);
+        if ((turned == INT64_C(1)) && (depth > deepest))
+        {
+            overlaps__keep_deep(work, x, y, depth);
+            overlaps__sort_deep(work);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Bring the last deepest point listed to its place along the rail. */
+static OUT_OF_LINE int64_t overlaps__sort_deep(array_double_1d work)
+{
+    int64_t block;
+    int64_t i;
+    double kept;
+    block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) - INT64_C(1));
+    while((block > overlaps__DEEP_FIRST) && ((*cspan_at(&work, block + overlaps__DEEP_RAIL)) < (*cspan_at(&work, block - overlaps__DEEP_SIZE + overlaps__DEEP_RAIL))))
+    {
+        for (i = block; i < block + overlaps__DEEP_SIZE; i += INT64_C(1))
+        {
+            kept = (*cspan_at(&work, i));
+            (*cspan_at(&work, i)) = (*cspan_at(&work, i - overlaps__DEEP_SIZE));
+            (*cspan_at(&work, i - overlaps__DEEP_SIZE)) = kept;
+        }
+        block -= overlaps__DEEP_SIZE;
+    }
+    return INT64_C(0);
 }
 
 /* 1 if the last deepest point listed is at ``x`` [m] or beyond, else 0. */

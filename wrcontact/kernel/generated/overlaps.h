@@ -38,6 +38,9 @@ static const double overlaps__DEEP_SHARP = 1e-13;
 static const int64_t overlaps__DEEP_ITERATIONS = INT64_C(60);
 static const double overlaps__LEVEL_RISE = 0.0001;
 static const double overlaps__SAME = 1e-06;
+static const int64_t overlaps__PARTS = INT64_C(4);
+static const double overlaps__FIRST_STEP = 1e-07;
+static const double overlaps__FAR_STEP = 0.001;
 static const int64_t overlaps__WIDENINGS = INT64_C(6);
 
 static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry);
@@ -50,9 +53,13 @@ static OUT_OF_LINE int64_t overlaps__remove_deep(array_double_1d work, int64_t e
 static OUT_OF_LINE int64_t overlaps__drop_deep(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__find_humps(array_double_1d tables, array_double_1d work, int64_t at, double height);
 static OUT_OF_LINE int64_t overlaps__deepest_entry(array_double_1d work);
+static OUT_OF_LINE int64_t overlaps__keep_deepest(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__shallowest_entry(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__merge_deep(array_double_1d work);
 static OUT_OF_LINE int64_t overlaps__is_listed(array_double_1d work, double x);
+static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d tables, array_double_1d work, int64_t at, double low, double high, double y, double height);
+static OUT_OF_LINE int64_t overlaps__sort_deep(array_double_1d work);
+static OUT_OF_LINE int64_t overlaps__list_smallest(array_double_1d tables, array_double_1d work, int64_t side, int64_t at, double height);
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t at, double height);
 static OUT_OF_LINE int64_t overlaps__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t at, int64_t entry, double height);
 static OUT_OF_LINE int64_t overlaps__press_frame(array_double_1d work, double height, double depth, double gap);

@@ -163,15 +163,34 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
     return 0;
 }
 
-/* Abscissae of the scan nodes, COARSE_STEP apart where the wheel is nearly straight, else FINE_STEP; the number of the
- * first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes, or TOO_WIDE or FULL.
+/* How many coarse steps the wheel is divided into. */
+static inline int64_t prepare_scan__coarse_count(double start, double stop)
+{
+    return (int64_t)((int64_t)ceil((stop - start) / prepare_scan__COARSE_STEP));
+}
+
+/* Abscissa [m] of coarse node ``i`` of ``count`` + 1, the ends to the last bit. */
+static inline double prepare_scan__raster_place(double start, double stop, int64_t count, int64_t i)
+{
+    double y;
+    y = start + (stop - start) / (double)(count) * (double)(i);
+    if (i == count)
+    {
+        y = stop;
+    }
+    return y;
+}
+
+/* Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where it
+ * is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
+ * or TOO_WIDE or FULL.
  */
 static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t base, int64_t wheel, array_double_1d work, int64_t scratch, int64_t firsts)
 {
     double start;
     double stop;
     int64_t count;
-    double edge;
+    double step;
     int64_t node;
     int64_t i;
     double y;
@@ -180,8 +199,8 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
     double steepest;
     start = (*cspan_at(&tables, wheel + profile_table__START));
     stop = (*cspan_at(&tables, wheel + profile_table__STOP));
-    count = (int64_t)((stop - start) / prepare_scan__COARSE_STEP);
-    edge = start + 0.5 * (stop - start - (double)(count) * prepare_scan__COARSE_STEP);
+    count = prepare_scan__coarse_count(start, stop);
+    step = (stop - start) / (double)(count);
     if (base + search__SCAN_NODES + search__SCAN_ROW * (INT64_C(2) * count + INT64_C(1)) > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
@@ -189,16 +208,16 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
     node = INT64_C(0);
     for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
     {
-        y = edge + prepare_scan__COARSE_STEP * (double)(i);
+        y = prepare_scan__raster_place(start, stop, count, i);
         (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y;
         (*cspan_at(&work, firsts + i)) = (double)(node);
         node += INT64_C(1);
         if (i < count)
         {
-            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, edge + prepare_scan__COARSE_STEP * (double)(i + INT64_C(1)));
+            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, prepare_scan__raster_place(start, stop, count, i + INT64_C(1)));
             if (double_max(2, fabs(least), fabs(most)) > prepare_scan__STRAIGHT)
             {
-                (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y + prepare_scan__FINE_STEP;
+                (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y + 0.5 * step;
                 node += INT64_C(1);
             }
         }
@@ -255,6 +274,41 @@ static inline int64_t prepare_scan__write_wheel_rows(array_double_1d tables, int
     return INT64_C(0);
 }
 
+/* The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a level
+ * wheelset, if wheel and rail were parallel there.
+ */
+static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t base, int64_t wheel, int64_t count)
+{
+    double largest;
+    int64_t i;
+    int64_t node;
+    int64_t row;
+    double width;
+    int64_t k;
+    double y;
+    double z;
+    double slope;
+    largest = -prepare_scan__FAR;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        node = count - INT64_C(1) - i;
+        row = base + search__SCAN_NODES + search__SCAN_ROW * node;
+        width = 0.0;
+        if (i > INT64_C(0))
+        {
+            width = (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y));
+        }
+        for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE; k += INT64_C(1))
+        {
+            y = (*cspan_at(&tables, row + search__ROW_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
+            profile_table__height_slope(&z, &slope, tables, wheel, y);
+            largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, layout__SET_RADIUS)) + z) - ((*cspan_at(&tables, layout__SET_ARM)) + y));
+        }
+        (*cspan_at(&tables, row + search__ROW_LEVER)) = largest;
+    }
+    return INT64_C(0);
+}
+
 /* Bounds of the rail's raster at offset ``at``.
  *
  * A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
@@ -299,6 +353,9 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t b
     int64_t cells;
     int64_t rail_offset;
     int64_t bin_offset;
+    double least;
+    double most;
+    double steepest;
     int64_t i;
     pieces = int64_t_max(2, prepare_scan__piece_count(tables, wheel), prepare_scan__piece_count(tables, rail));
     firsts = scratch + INT64_C(3) * pieces;
@@ -308,7 +365,7 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t b
     {
         return count;
     }
-    bins = (int64_t)(((*cspan_at(&tables, wheel + profile_table__STOP)) - (*cspan_at(&tables, wheel + profile_table__START))) / prepare_scan__COARSE_STEP);
+    bins = prepare_scan__coarse_count((*cspan_at(&tables, wheel + profile_table__START)), (*cspan_at(&tables, wheel + profile_table__STOP)));
     cells = (int64_t)((int64_t)ceil(((*cspan_at(&tables, rail + profile_table__STOP)) - (*cspan_at(&tables, rail + profile_table__START))) / prepare_scan__FINE_STEP));
     rail_offset = search__SCAN_NODES + search__SCAN_ROW * count;
     bin_offset = rail_offset + search__RAIL_ROW * cells;
@@ -317,6 +374,9 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t b
         return prepare_pieces__FULL;
     }
     prepare_scan__write_wheel_rows(tables, base, wheel, count, work, scratch);
+    prepare_scan__write_levers(tables, base, wheel, count);
+    prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, (*cspan_at(&tables, wheel + profile_table__START)), (*cspan_at(&tables, wheel + profile_table__STOP)));
+    (*cspan_at(&tables, base + search__SCAN_STEEPEST)) = steepest;
     prepare_scan__sample_pieces(tables, rail, work, scratch);
     prepare_scan__write_rail_rows(tables, base + rail_offset, rail, cells, work, scratch);
     (*cspan_at(&tables, base + search__SCAN_COUNT)) = (double)(count);
@@ -326,7 +386,7 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t b
     (*cspan_at(&tables, base + search__SCAN_RAIL_OFFSET)) = (double)(rail_offset);
     (*cspan_at(&tables, base + search__SCAN_BIN_OFFSET)) = (double)(bin_offset);
     (*cspan_at(&tables, base + search__SCAN_BIN_COUNT)) = (double)(bins);
-    (*cspan_at(&tables, base + search__SCAN_BINS_PER_METRE)) = 1.0 / prepare_scan__COARSE_STEP;
+    (*cspan_at(&tables, base + search__SCAN_BINS_PER_METRE)) = (double)(bins) / ((*cspan_at(&tables, wheel + profile_table__STOP)) - (*cspan_at(&tables, wheel + profile_table__START)));
     for (i = INT64_C(0); i < bins; i += INT64_C(1))
     {
         (*cspan_at(&tables, base + bin_offset + i)) = (*cspan_at(&work, firsts + i));

@@ -30,8 +30,11 @@ static inline int64_t prepare_scan__slope_bend(double* slope, double* bend, arra
 static inline int64_t prepare_scan__piece_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t at, double width, double low, double high);
 static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high);
+static inline int64_t prepare_scan__coarse_count(double start, double stop);
+static inline double prepare_scan__raster_place(double start, double stop, int64_t count, int64_t i);
 static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t base, int64_t wheel, array_double_1d work, int64_t scratch, int64_t firsts);
 static inline int64_t prepare_scan__write_wheel_rows(array_double_1d tables, int64_t base, int64_t wheel, int64_t count, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t base, int64_t wheel, int64_t count);
 static inline int64_t prepare_scan__write_rail_rows(array_double_1d tables, int64_t at, int64_t rail, int64_t count, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t base, int64_t wheel, int64_t rail, array_double_1d work, int64_t scratch);
 

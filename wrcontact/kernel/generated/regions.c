@@ -41,6 +41,10 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         if (bend > 0.0)
         {
             move = (-rate) / bend;
+            if (fabs(move) < regions__PLACE_SHARP)
+            {
+                found = gap;
+            }
         }
         if (station + move > start + regions__WANDER)
         {
@@ -52,10 +56,6 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         }
         if (fabs(move) < regions__PLACE_SHARP)
         {
-            if (bend > 0.0)
-            {
-                found = gap;
-            }
             break;
         }
         station += move;
@@ -295,7 +295,7 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
 }
 
 /* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
- * end of a profile; REGION_REACHED holds how far it has risen there.
+ * end of a profile; REGION_REACHED holds how far it has risen there, and there the tracer stands.
  *
  * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
  * separation, with arcs in place of the chords whose length follows from this width.
@@ -308,6 +308,9 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
     double low;
     double high;
     double width;
+    double station;
+    double abscissa;
+    double y;
     int64_t i;
     double gap;
     double rate;
@@ -336,6 +339,9 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
     high = -1.0;
     width = guess;
     (*cspan_at(&work, block + regions__REGION_REACHED)) = 0.0;
+    station = (*cspan_at(&work, block + regions__REGION_STATION));
+    abscissa = (*cspan_at(&work, block + regions__REGION_RAIL));
+    y = (*cspan_at(&work, block + regions__REGION_WHEEL));
     for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
@@ -345,8 +351,14 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, tolerance);
         if (gap >= contact_plane__NO_GAP)
         {
+            contact_plane__start_tracer(work, station, abscissa, y);
+        }
+        else
+        {
             /* beyond an end the tracer has lost its way */
-            contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+            station = (*cspan_at(&work, contact_plane__TRACER_STATION));
+            abscissa = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+            y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
         }
         rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));
         if (rise < level)

@@ -31,13 +31,63 @@ static inline int64_t roll__turn_both(array_double_1d work, double roll)
 /* Search both sides; 1 if both wheels are above their rails, else 0. */
 static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
 {
-    int64_t result;
-    if (search__search_side(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state, known) == INT64_C(0))
+    int64_t left;
+    int64_t right;
+    left = search__search_side(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state, known);
+    right = search__search_side(tables, work, roll__RIGHT, work, roll__RIGHT_PLACE, state, known);
+    return left * right;
+}
+
+/* Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0. */
+static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+{
+    int64_t side;
+    int64_t at;
+    int64_t wheel;
+    double y;
+    int64_t i;
+    double gap;
+    double mismatch;
+    double rate;
+    double move;
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
+    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
+    for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
     {
-        return INT64_C(0);
+        gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        if (!(rate > 0.0))
+        {
+            return INT64_C(0);
+        }
+        move = (-mismatch) / rate;
+        if (fabs(move) < search__SHARP)
+        {
+            profile_table__height_slope(&z, &slope, tables, wheel, y);
+            locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
+            if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y))) == INT64_C(0))
+            {
+                return INT64_C(0);
+            }
+            (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
+            (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+            (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+            return INT64_C(1);
+        }
+        y += move;
+        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_BEST_Y))) > roll__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + profile_table__START))) && (y < (*cspan_at(&tables, wheel + profile_table__STOP))))))
+        {
+            return INT64_C(0);
+        }
     }
-    result = search__search_side(tables, work, roll__RIGHT, work, roll__RIGHT_PLACE, state, known);
-    return result;
+    return INT64_C(0);
 }
 
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
@@ -58,7 +108,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  *
  * Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
  * It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
- * a minimum can run away or vanish, and beyond the end of a profile there is none.
+ * a minimum can run away or vanish.
  */
 static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
 {
@@ -113,7 +163,7 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
         move_right -= turn_right * move / rate_right;
         if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < search__SHARP) && (fabs(move_right) < search__SHARP))
         {
-            if ((gap__on_profiles(tables, left, rail_left) == INT64_C(0)) || (gap__on_profiles(tables, right, rail_right) == INT64_C(0)))
+            if ((roll__on_profiles(tables, left, rail_left) == INT64_C(0)) || (roll__on_profiles(tables, right, rail_right) == INT64_C(0)))
             {
                 (*result_0_0001) = roll;
                 (*result_1_0001) = INT64_C(0);
@@ -146,6 +196,20 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
     return 0;
 }
 
+/* 1 if there is a wheel at ``y`` and a rail at ``abscissa`` [m], else 0. */
+static inline int64_t roll__on_profiles(array_double_1d tables, double y, double abscissa)
+{
+    int64_t wheel;
+    int64_t on;
+    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    on = gap__above_rail(tables, abscissa);
+    if ((y < (*cspan_at(&tables, wheel + profile_table__START))) || (y > (*cspan_at(&tables, wheel + profile_table__STOP))))
+    {
+        on = INT64_C(0);
+    }
+    return on;
+}
+
 /* Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]. */
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa)
 {
@@ -155,42 +219,29 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
     return INT64_C(0);
 }
 
-/* Roll [rad] and outcome; the sides' smallest gaps stay in the workspace.
+/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; these gaps stay in the
+ * workspace.  D has to be positive at ``first`` and negative at ``last``.
  *
- * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+ * With ``known`` = 1 the workspace holds local minima that are equal at ``roll``.
  */
-static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double first, double last, int64_t known)
 {
     double low;
     double high;
-    double roll;
     double width;
-    int64_t known;
-    double balanced;
+    double difference;
     int64_t i;
     double before_left;
     double before_right;
-    double difference;
+    int64_t found;
     double move;
     bool slow;
-    low = -roll__ROLL_LIMIT;
-    high = roll__ROLL_LIMIT;
-    roll = guess;
-    if (!((roll > low) && (roll < high)))
-    {
-        roll = 0.0;
-    }
+    double balanced;
+    int64_t status;
+    low = first;
+    high = last;
     width = high - low;
-    known = INT64_C(0);
-    roll__place_both(tables, work, roll);
-    if (warm == INT64_C(1))
-    {
-        roll__balance(&balanced, &known, tables, work, state, roll, low, high);
-        if (known == INT64_C(1))
-        {
-            roll = balanced;
-        }
-    }
+    difference = 0.0;
     for (i = INT64_C(0); i < roll__SEARCHES; i += INT64_C(1))
     {
         if (known == INT64_C(0))
@@ -199,74 +250,110 @@ static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001,
         }
         before_left = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
         before_right = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));
-        if (roll__search_both(tables, work, state, known) == INT64_C(0))
+        found = roll__search_both(tables, work, state, known);
+        if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y))) && (before_right == (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y))))
         {
-            if (roll == 0.0)
-            {
-                (*result_0) = roll;
-                (*result_1_0001) = layout__OFF_PROFILE;
-                return 0;
-            }
-            /* the guess was off the rails: start again from level */
-            roll = 0.0;
-            known = INT64_C(0);
-            low = -roll__ROLL_LIMIT;
-            high = roll__ROLL_LIMIT;
-            width = high - low;
+            (*result_0_0001) = roll;
+            (*result_1_0001) = layout__VALID;
+            return 0;
         }
-        else
+        known = INT64_C(0);
+        /* a wheel beside its rail has a large gap */
+        difference = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
+        if ((found == INT64_C(0)) && (difference == 0.0))
         {
-            if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y))) && (before_right == (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y))))
-            {
-                (*result_0) = roll;
-                (*result_1_0001) = layout__VALID;
-                return 0;
-            }
+            (*result_0_0001) = roll;
+            (*result_1_0001) = layout__OFF_PROFILE;
+            return 0;
+        }
+        move = 1.0;
+        if (found == INT64_C(1))
+        {
             roll__newton_move(&difference, &move, tables, work);
             if (fabs(move) < roll__ROLL_SHARP)
             {
-                (*result_0) = roll;
+                (*result_0_0001) = roll;
                 (*result_1_0001) = layout__VALID;
                 return 0;
             }
-            if (difference > 0.0)
+        }
+        if (difference > 0.0)
+        {
+            low = roll;
+        }
+        else
+        {
+            high = roll;
+        }
+        if (high - low < roll__ROLL_SHARP)
+        {
+            break;
+        }
+        /* between flange and tread Newton can creep along one side: halve where it did not */
+        slow = (low > first) && (high < last) && (high - low > 0.5 * width);
+        width = high - low;
+        if (slow || (!((roll + move > low) && (roll + move < high))))
+        {
+            roll = 0.5 * (low + high);
+        }
+        else if (fabs(move) > roll__LONGEST_TURN)
+        {
+            roll += move;
+        }
+        else
+        {
+            roll__balance(&balanced, &known, tables, work, state, roll + move, low, high);
+            roll += move;
+            if (known == INT64_C(1))
             {
-                low = roll;
-            }
-            else
-            {
-                high = roll;
-            }
-            if (high - low < roll__ROLL_SHARP)
-            {
-                (*result_0) = roll;
-                (*result_1_0001) = layout__VALID;
-                return 0;
-            }
-            known = INT64_C(0);
-            /* between flange and tread Newton can creep along one side: halve where it did not */
-            slow = (low > -roll__ROLL_LIMIT) && (high < roll__ROLL_LIMIT) && (high - low > 0.5 * width);
-            width = high - low;
-            if (slow || (!((roll + move > low) && (roll + move < high))))
-            {
-                roll = 0.5 * (low + high);
-            }
-            else if (fabs(move) > roll__LONGEST_TURN)
-            {
-                roll += move;
-            }
-            else
-            {
-                roll__balance(&balanced, &known, tables, work, state, roll + move, low, high);
-                roll += move;
-                if (known == INT64_C(1))
-                {
-                    roll = balanced;
-                }
+                roll = balanced;
             }
         }
     }
-    (*result_0) = roll;
-    (*result_1_0001) = layout__NOT_CONVERGED;
+    status = layout__NOT_CONVERGED;
+    if (high - low < roll__ROLL_SHARP)
+    {
+        status = layout__VALID;
+        if (fabs(difference) > roll__EQUAL)
+        {
+            /* an end of a profile comes above or leaves the rail there */
+            status = layout__OFF_PROFILE;
+        }
+    }
+    (*result_0_0001) = roll;
+    (*result_1_0001) = status;
+    return 0;
+}
+
+/* A roll [rad] at which both smallest gaps are equal, and the outcome; these gaps stay in the workspace.
+ *
+ * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+ */
+static inline int64_t roll__some_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+{
+    double start;
+    int64_t known;
+    double balanced;
+    start = guess;
+    if (!((start > -roll__ROLL_LIMIT) && (start < roll__ROLL_LIMIT)))
+    {
+        start = 0.0;
+    }
+    known = INT64_C(0);
+    roll__place_both(tables, work, start);
+    if (warm == INT64_C(1))
+    {
+        roll__balance(&balanced, &known, tables, work, state, start, -roll__ROLL_LIMIT, roll__ROLL_LIMIT);
+        if (known == INT64_C(1))
+        {
+            start = balanced;
+        }
+    }
+    roll__close_in(roll, status, tables, work, state, start, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, known);
+    if (((*status) != layout__VALID) && (start != 0.0))
+    {
+        /* far from level a wheel may be beside its rail, and D without a sign */
+        roll__close_in(roll, status, tables, work, state, 0.0, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, INT64_C(0));
+    }
     return 0;
 }

@@ -17,14 +17,18 @@
 #include "gap.h"
 #include "layout.h"
 #include "locus.h"
+#include "profile_table.h"
 #include "search.h"
 
 static const double roll__ROLL_LIMIT = 0.12;
 static const double roll__ROLL_SHARP = 1e-14;
-static const int64_t roll__SEARCHES = INT64_C(60);
+static const int64_t roll__SEARCHES = INT64_C(120);
+static const double roll__EQUAL = 1e-09;
 static const int64_t roll__NEWTON_STEPS = INT64_C(25);
 static const double roll__LONGEST_TURN = 0.005;
 static const double roll__LONGEST_MOVE = 0.005;
+static const int64_t roll__FOLLOW_STEPS = INT64_C(8);
+static const double roll__FOLLOW_REACH = 0.002;
 static const int64_t roll__LEFT = INT64_C(1523);
 static const int64_t roll__RIGHT = INT64_C(1923);
 static const int64_t roll__LEFT_PLACE = INT64_C(1491);
@@ -33,9 +37,12 @@ static const int64_t roll__RIGHT_PLACE = INT64_C(1507);
 static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known);
+static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
 static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work);
+static inline int64_t roll__on_profiles(array_double_1d tables, double y, double abscissa);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high);
-static inline int64_t roll__solve_roll(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
+static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double first, double last, int64_t known);
+static inline int64_t roll__some_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
 
 #endif

@@ -329,7 +329,7 @@ static inline int64_t search__probe(array_double_1d tables, array_double_1d work
                 found = node;
             }
         }
-        else if (found >= INT64_C(0))
+        else if ((found >= INT64_C(0)) && (search__is_gone(tables, place, at, node, INT64_C(1), abscissa) == INT64_C(1)))
         {
             return found;
         }
@@ -347,6 +347,7 @@ static inline int64_t search__march(array_double_1d tables, array_double_1d work
     double gap_before;
     double abscissa_before;
     int64_t skipped;
+    int64_t off;
     double gap;
     double mismatch;
     double abscissa;
@@ -356,46 +357,97 @@ static inline int64_t search__march(array_double_1d tables, array_double_1d work
     gap_before = search__LARGE_GAP;
     abscissa_before = 0.0;
     skipped = INT64_C(1);
+    off = INT64_C(0);
     while((node >= INT64_C(0)) && (node < count))
     {
         search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (gap__above_rail(tables, abscissa) == INT64_C(0))
         {
-            if (skipped == INT64_C(0))
+            if ((skipped == INT64_C(0)) && (off == INT64_C(0)))
             {
-                search__search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before);
+                search__search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before, abscissa);
             }
-            return INT64_C(0);
-        }
-        search__keep_best(work, side, (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)), gap);
-        if (skipped == INT64_C(0))
-        {
-            if (direction > INT64_C(0))
+            if (search__is_gone(tables, place, at, node, direction, abscissa) == INT64_C(1))
             {
-                search__bound_cell(tables, work, side, place, at, state, node - INT64_C(1), gap_before, gap, abscissa_before);
+                return INT64_C(0);
             }
-            else
-            {
-                search__bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa);
-            }
-        }
-        gap_before = gap;
-        abscissa_before = abscissa;
-        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_BEST)), (double)(direction) * mismatch, level, INT64_C(0));
-        skipped = INT64_C(1);
-        if (level < INT64_C(0))
-        {
-            level = INT64_C(0);
+            off = INT64_C(1);
             skipped = INT64_C(0);
+            level = INT64_C(0);
         }
+        else
+        {
+            search__keep_best(work, side, (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)), gap);
+            if (off == INT64_C(1))
+            {
+                search__search_end(tables, work, side, place, at, state, node, -direction, abscissa, abscissa_before);
+            }
+            else if (skipped == INT64_C(0))
+            {
+                if (direction > INT64_C(0))
+                {
+                    search__bound_cell(tables, work, side, place, at, state, node - INT64_C(1), gap_before, gap, abscissa_before);
+                }
+                else
+                {
+                    search__bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa);
+                }
+            }
+            off = INT64_C(0);
+            gap_before = gap;
+            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_BEST)), (double)(direction) * mismatch, level, INT64_C(0));
+            skipped = INT64_C(1);
+            if (level < INT64_C(0))
+            {
+                level = INT64_C(0);
+                skipped = INT64_C(0);
+            }
+        }
+        abscissa_before = abscissa;
         node += direction * (INT64_C(1) << level);
-        if (level < search__LEVELS - INT64_C(1))
+        if ((off == INT64_C(0)) && (level < search__LEVELS - INT64_C(1)))
         {
             level += INT64_C(1);
         }
     }
     return INT64_C(0);
+}
+
+/* 1 if the outline, beside the rail at scan node ``node``, does not come back above it further in ``direction``, else 0.
+ *
+ * Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can reach over a
+ * rail that ends below the flange root.
+ */
+static inline int64_t search__is_gone(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t direction, double abscissa)
+{
+    int64_t scan;
+    int64_t rail;
+    double apart;
+    double reach;
+    double sine;
+    double steep;
+    int64_t gone;
+    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    apart = abscissa - (*cspan_at(&tables, rail + profile_table__STOP));
+    if (direction < INT64_C(0))
+    {
+        apart = (*cspan_at(&tables, rail + profile_table__START)) - abscissa;
+    }
+    reach = 0.0;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    {
+        sine = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        steep = (*cspan_at(&tables, scan + search__SCAN_STEEPEST)) + (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_SLOPE));
+        reach = search__REACH_SHARE * sine * sine * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * steep + search__REACH_ROLL * fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
+    }
+    gone = INT64_C(0);
+    if (apart > reach)
+    {
+        gone = INT64_C(1);
+    }
+    return gone;
 }
 
 /* Search between the scan nodes ``cell`` and ``cell`` + 1 if the gap can be smaller there than the best one known.
@@ -427,8 +479,10 @@ static inline int64_t search__bound_cell(array_double_1d tables, array_double_1d
     return INT64_C(0);
 }
 
-/* Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail beyond it. */
-static inline int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa)
+/* Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail, which lies before the next
+ * node at ``beyond`` [m].
+ */
+static inline int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa, double beyond)
 {
     int64_t scan;
     int64_t row;
@@ -467,6 +521,9 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
     if (outward < INT64_C(0))
     {
         cell = node - INT64_C(1);
+    }
+    if (beyond < abscissa)
+    {
         abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))) + profile_table__START));
     }
     search__bend_bounds(&least, &most, tables, place, at, cell, abscissa);
@@ -482,7 +539,7 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
 }
 
 /* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
- * or than the one before the rail's end, below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+ * or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
  *
  * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
  * by rising abscissa.
@@ -521,6 +578,7 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
     double before;
     double abscissa_before;
     int64_t fallen;
+    int64_t doubtful;
     double gap;
     double mismatch;
     double abscissa;
@@ -531,10 +589,12 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
     before = -search__LARGE_GAP;
     abscissa_before = 0.0;
     fallen = INT64_C(0);
+    doubtful = INT64_C(0);
     while((node >= INT64_C(0)) && (node < count))
     {
         search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+        cells = INT64_C(1);
         if (gap__above_rail(tables, abscissa) == INT64_C(0))
         {
             /* the rail ends beside the last node: a minimum may lie before its end */
@@ -542,41 +602,55 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
             {
                 search__list_candidate(work, side, node - direction, direction, abscissa_before);
             }
-            return INT64_C(0);
-        }
-        if ((fallen == INT64_C(1)) && (gap > before))
-        {
-            search__list_candidate(work, side, node - direction, direction, abscissa_before);
-        }
-        fallen = INT64_C(0);
-        if ((gap <= before) && (gap < reach))
-        {
-            fallen = INT64_C(1);
-        }
-        level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
-        cells = INT64_C(1);
-        before = gap;
-        abscissa_before = abscissa;
-        if (level > INT64_C(0))
-        {
-            cells = INT64_C(1) << level;
-            if (fallen == INT64_C(1))
+            if (search__is_gone(tables, place, at, node, direction, abscissa) == INT64_C(1))
             {
-                /* the next node is higher, or beyond the rail */
-                cells = INT64_C(1);
+                return INT64_C(0);
             }
-            else if (gap < reach)
-            {
-                before = -search__LARGE_GAP;
-            }
-            else
-            {
-                before = search__LARGE_GAP;
-            }
+            fallen = INT64_C(0);
+            level = INT64_C(0);
+            before = search__LARGE_GAP;
         }
-        if (level < search__LEVELS - INT64_C(1))
+        else
         {
-            level += INT64_C(1);
+            if ((fallen == INT64_C(1)) && (gap > before))
+            {
+                search__list_candidate(work, side, node - direction, direction, abscissa_before);
+            }
+            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
+            /* a minimum below the reach may lie between two nodes above it, behind this one or before it */
+            fallen = INT64_C(0);
+            if ((gap <= before) && ((gap < reach) || (level < INT64_C(0)) || (doubtful == INT64_C(1))))
+            {
+                fallen = INT64_C(1);
+            }
+            doubtful = INT64_C(0);
+            if (level < INT64_C(0))
+            {
+                doubtful = INT64_C(1);
+            }
+            before = gap;
+            abscissa_before = abscissa;
+            if (level > INT64_C(0))
+            {
+                cells = INT64_C(1) << level;
+                if (fallen == INT64_C(1))
+                {
+                    /* the next node is higher, or beyond the rail */
+                    cells = INT64_C(1);
+                }
+                else if (gap < reach)
+                {
+                    before = -search__LARGE_GAP;
+                }
+                else
+                {
+                    before = search__LARGE_GAP;
+                }
+            }
+            if (level < search__LEVELS - INT64_C(1))
+            {
+                level += INT64_C(1);
+            }
         }
         node += direction * cells;
     }
@@ -610,8 +684,6 @@ static inline int64_t search__list_candidate(array_double_1d work, int64_t side,
 
 /* Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
  * turns.  ``least`` and ``most`` bound the second derivative.
- *
- * Where that may be below -ROUGH there can be another minimum beside the one that is found, and halving goes on.
  */
 static inline int64_t search__search_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double least, double most, double first, double last)
 {
@@ -629,8 +701,7 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
     double lowest;
     bool folded;
     bool turns;
-    bool rough;
-    bool known;
+    bool steady;
     double y;
     double gap;
     double middle;
@@ -663,14 +734,14 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
             turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            rough = least < -search__ROUGH;
-            known = (low < (*cspan_at(&work, side + layout__SIDE_BEST_Y))) && ((*cspan_at(&work, side + layout__SIDE_BEST_Y)) < high);
-            if (turns && (!(rough && known)))
+            /* the gap only rises, or only falls */
+            steady = (((mismatch_low >= 0.0) && (mismatch_low + least * width >= 0.0)) || ((mismatch_high <= 0.0) && (mismatch_high - least * width <= 0.0))) && (!folded);
+            if (turns && ((least > 0.0) || (width <= search__NARROW)))
             {
                 search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
-                search__keep_best(work, side, y, gap);
+                search__keep_refined(work, side, y, gap, width);
             }
-            if ((width > search__NARROW) && (folded || rough || (!(turns || (least > 0.0)))))
+            else if ((width > search__NARROW) && (!steady) && (folded || (!(least > 0.0))))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
@@ -696,10 +767,29 @@ static inline int64_t search__push_cell(array_double_1d work, int64_t top, doubl
     return INT64_C(0);
 }
 
-/* Keep (y, gap) if it is the side's best so far. */
+/* Keep (y, gap) if it is the side's best so far, by more than rounding: a node beside a place of contact is none. */
 static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
 {
-    if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
+    if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)) - search__ROUNDING)
+    {
+        (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
+        (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+    }
+    return INT64_C(0);
+}
+
+/* Keep (y, gap), a place of contact, if it is the side's best so far: before a node within ``width`` [m] that has the same
+ * gap but for the last bits.
+ */
+static inline int64_t search__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
+{
+    double allowed;
+    allowed = (*cspan_at(&work, side + layout__SIDE_BEST));
+    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_BEST_Y))) < width)
+    {
+        allowed += search__ROUNDING;
+    }
+    if (gap < allowed)
     {
         (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
         (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;

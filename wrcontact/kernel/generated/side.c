@@ -145,7 +145,8 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     resultant__clear_resultant(work, side__side_resultant(index));
     if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
     {
-        return layout__NOT_CONVERGED;
+        /* it overlaps most at the end of a profile */
+        return layout__OFF_PROFILE;
     }
     deepest = overlaps__deepest_entry(work);
     deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;

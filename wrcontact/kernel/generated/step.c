@@ -80,7 +80,7 @@ static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array
             warm = INT64_C(1);
         }
     }
-    roll__solve_roll(result_0, result_1, tables, work, state, guess, warm);
+    level__solve_roll(result_0, result_1, tables, work, state, guess, warm);
     return 0;
 }
 

@@ -11,6 +11,7 @@
 #include "../native/spans.h"
 #include "elastic.h"
 #include "layout.h"
+#include "level.h"
 #include "outline.h"
 #include "resultant.h"
 #include "roll.h"

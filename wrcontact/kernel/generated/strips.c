@@ -317,6 +317,11 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     }
     (*x) = u - (double)((*k));
     gap = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_GAP) + (*k), (*x));
+    if (gap < 0.0)
+    {
+        /* beside a sudden rise a cubic falls below the region's smallest gap */
+        gap = 0.0;
+    }
     (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
     (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_A, (*k), (*x));
     (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = (*cspan_at(&work, block + regions__REGION_TURN));

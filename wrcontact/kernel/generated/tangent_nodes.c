@@ -238,6 +238,8 @@ static inline int64_t tangent_nodes__fill_between_t(array_double_1d work, array_
     double rest;
     double v2;
     double v3;
+    double gap_t;
+    double gap;
     low_t = (*cspan_at(&work_t, gaps + start));
     low = (*cspan_at(&work, gaps + start));
     rise_t = (*cspan_at(&work_t, gaps + stop)) - low_t;
@@ -260,8 +262,15 @@ static inline int64_t tangent_nodes__fill_between_t(array_double_1d work, array_
         rest = 1.0 - x;
         v2 = rest * forward - x * backward;
         v3 = rise + rest * v2;
-        (*cspan_at(&work_t, gaps + start + inward * i)) = low_t + x * (rise_t + rest * (rest * forward_t - x * backward_t));
-        (*cspan_at(&work, gaps + start + inward * i)) = low + x * v3;
+        gap_t = low_t + x * (rise_t + rest * (rest * forward_t - x * backward_t));
+        gap = low + x * v3;
+        if (gap < 0.0)
+        {
+            gap_t = 0.0;
+            gap = 0.0;
+        }
+        (*cspan_at(&work_t, gaps + start + inward * i)) = gap_t;
+        (*cspan_at(&work, gaps + start + inward * i)) = gap;
     }
     tangent_nodes__fill_straight_t(work, work_t, longitudinal, start, stop, count);
     return INT64_C(0);

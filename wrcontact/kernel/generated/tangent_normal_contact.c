@@ -605,10 +605,18 @@ static inline int64_t tangent_normal_contact__solve_estimated_t(double* penetrat
     n1 = tangent_normal_contact__gather_regions_t(tables, work, work_t, state, side, estimate, estimate_t);
     (*count) = n1;
     tangent_normal_contact__solve_fine_t(penetration, penetration_t, met, tables, work, work_t, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
-    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0))
+    if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
         (*count) = INT64_C(1);
-        tangent_regions__open_contact_region_t(tables, work, work_t, state);
+        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        {
+            tangent_overlaps__keep_deepest_t(work, work_t);
+            tangent_overlaps__gather_overlaps_t(tables, work, work_t, state);
+        }
+        else
+        {
+            tangent_regions__open_contact_region_t(tables, work, work_t, state);
+        }
         tangent_normal_contact__start_levels_t(work, work_t, (*count), estimate, estimate_t);
         tangent_normal_contact__solve_fine_t(penetration, penetration_t, met, tables, work, work_t, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
     }

@@ -75,6 +75,22 @@ static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d tables, 
     return count;
 }
 
+/* Tangent of ``keep_deepest``. */
+static inline int64_t tangent_overlaps__keep_deepest_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t deepest;
+    int64_t i;
+    deepest = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * overlaps__deepest_entry(work);
+    for (i = INT64_C(0); i < overlaps__DEEP_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&work_t, overlaps__DEEP_FIRST + i)) = (*cspan_at(&work_t, deepest + i));
+        (*cspan_at(&work, overlaps__DEEP_FIRST + i)) = (*cspan_at(&work, deepest + i));
+    }
+    (*cspan_at(&work_t, overlaps__DEEP_COUNT)) = 0.0;
+    (*cspan_at(&work, overlaps__DEEP_COUNT)) = 1.0;
+    return INT64_C(0);
+}
+
 /* Tangent of ``touching_shift``. */
 static inline int64_t tangent_overlaps__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, int64_t entry, double height, double height_t)
 {

@@ -214,6 +214,11 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
             v3 = v2 / bend;
             move_t = ((-rate_t) - v3 * bend_t) / bend;
             move = v3;
+            if (fabs(move) < regions__PLACE_SHARP)
+            {
+                (*found_t) = gap_t;
+                (*found) = gap;
+            }
         }
         if (station + move > start + regions__WANDER)
         {
@@ -227,11 +232,6 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
         }
         if (fabs(move) < regions__PLACE_SHARP)
         {
-            if (bend > 0.0)
-            {
-                (*found_t) = gap_t;
-                (*found) = gap;
-            }
             break;
         }
         station_t = station_t + move_t;
@@ -494,6 +494,12 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
     double high;
     double width_t;
     double width;
+    double station_t;
+    double station;
+    double abscissa_t;
+    double abscissa;
+    double y_t;
+    double y;
     int64_t i;
     double gap;
     double gap_t;
@@ -547,6 +553,12 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
     width = guess;
     (*cspan_at(&work_t, block + regions__REGION_REACHED)) = 0.0;
     (*cspan_at(&work, block + regions__REGION_REACHED)) = 0.0;
+    station_t = (*cspan_at(&work_t, block + regions__REGION_STATION));
+    station = (*cspan_at(&work, block + regions__REGION_STATION));
+    abscissa_t = (*cspan_at(&work_t, block + regions__REGION_RAIL));
+    abscissa = (*cspan_at(&work, block + regions__REGION_RAIL));
+    y_t = (*cspan_at(&work_t, block + regions__REGION_WHEEL));
+    y = (*cspan_at(&work, block + regions__REGION_WHEEL));
     for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
@@ -557,7 +569,16 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
         tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
         if (gap >= contact_plane__NO_GAP)
         {
-            tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
+        }
+        else
+        {
+            station_t = (*cspan_at(&work_t, contact_plane__TRACER_STATION));
+            station = (*cspan_at(&work, contact_plane__TRACER_STATION));
+            abscissa_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+            abscissa = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+            y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+            y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
         }
         rise_t = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
         rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));

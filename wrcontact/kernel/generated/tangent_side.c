@@ -131,7 +131,7 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     n1 = tangent_overlaps__overlaps_rule_t(tables, work, work_t, state, side, at, height, height_t);
     if (n1 == INT64_C(0))
     {
-        return layout__NOT_CONVERGED;
+        return layout__OFF_PROFILE;
     }
     deepest = overlaps__deepest_entry(work);
     deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;

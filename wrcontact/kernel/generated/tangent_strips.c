@@ -495,6 +495,11 @@ static inline int64_t tangent_strips__locate_strip_t(int64_t* region, int64_t* k
     tangent_strips__cubic_value_t(&v4, &v4_t, work, work_t, nodes__node_field((*region), nodes__NODE_GAP) + (*k), (*x), (*x_t));
     gap_t = v4_t;
     gap = v4;
+    if (gap < 0.0)
+    {
+        gap_t = 0.0;
+        gap = 0.0;
+    }
     k5 = strips__strip_field(strips__STRIP_GAP) + i;
     (*cspan_at(&work_t, k5)) = (*cspan_at(&work_t, block + regions__REGION_GAP)) + gap_t;
     (*cspan_at(&work, k5)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;

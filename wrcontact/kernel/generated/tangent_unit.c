@@ -6,6 +6,7 @@
 #include "gap.c"
 #include "hertz.c"
 #include "lateral_curvature.c"
+#include "level.c"
 #include "locus.c"
 #include "nodes.c"
 #include "normal_contact.c"
