@@ -20,9 +20,9 @@ NEAR = 7e-5           # [m] a minimum hides less below its stations: STATION^2 /
 WHOLE_START, WHOLE_STOP = -69.6e-3, 60e-3       # [m]
 CHUNK = 64            # poses at a time
 STEEPEST = np.tan(np.radians(80.0))     # the product reads profiles up to here
-#: S1002's printed coefficients leave steps of 1.2e-7 m and 4e-8 m there, which the product leads over within half a
-#: millimetre; a hundredth of a radian of slope between may move a place by some micrometres.
-JOINTS, JOINT_REACH, JOINT_STEP = (-35e-3, -26e-3), 0.501e-3, 1.3e-7
+#: S1002's printed coefficients leave steps of 1.2e-7 m, 4e-8 m and, on the flange's tip, 6e-11 m there,
+#: of which the product leads the first two over within half a millimetre.
+JOINTS, JOINT_REACH, JOINT_STEP = (-35e-3, -26e-3, -49.662510381e-3), 0.501e-3, 1.3e-7
 
 
 class Surfaces:
