@@ -4,7 +4,6 @@ from math import atan, fabs
 from typing import Final
 
 from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
-from .gap import FOLDED
 from .lateral_curvature import relative_curvature
 from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SET_RAIL, SET_WHEEL,
                      SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK,
@@ -14,8 +13,9 @@ from .profile_table import START, STOP
 from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is none.  Within
-#: a profile they may differ at a corner, as at the last digits of printed joints.
+#: a profile they may differ by CORNER, as at the last digits of printed joints.
 PARALLEL: Final[float] = 1e-6
+CORNER: Final[float] = 1e-3
 #: A place this close to a profile's end is there [m]; the rail's is located to 1e-9 m.
 AT_END: Final[float] = 1e-8
 
@@ -52,7 +52,7 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
         work[out + SIDE_CURVATURE_Y] = 2.0 * relative_curvature(tables, y, work[FRAME_ABSCISSA])
     touches = 1
     if fabs(mismatch) >= PARALLEL:
-        if mismatch == FOLDED or is_end(tables, int(tables[SET_WHEEL]), y) == 1:
+        if fabs(mismatch) > CORNER or is_end(tables, int(tables[SET_WHEEL]), y) == 1:
             touches = 0
         if is_end(tables, int(tables[SET_RAIL]), work[FRAME_ABSCISSA]) == 1:
             touches = 0

@@ -54,7 +54,7 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     touches = INT64_C(1);
     if (fabs(mismatch) >= contact_point__PARALLEL)
     {
-        if ((mismatch == gap__FOLDED) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
+        if ((fabs(mismatch) > contact_point__CORNER) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
         {
             touches = INT64_C(0);
         }

@@ -8,7 +8,6 @@
 
 #include "../native/spans.h"
 #include "contact_plane.h"
-#include "gap.h"
 #include "lateral_curvature.h"
 #include "layout.h"
 #include "locus.h"
@@ -16,6 +15,7 @@
 #include "regions.h"
 
 static const double contact_point__PARALLEL = 1e-06;
+static const double contact_point__CORNER = 0.001;
 static const double contact_point__AT_END = 1e-08;
 
 static inline int64_t contact_point__is_end(array_double_1d tables, int64_t base, double y);

@@ -88,7 +88,7 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     touches = INT64_C(1);
     if (fabs(mismatch) >= contact_point__PARALLEL)
     {
-        if ((mismatch == gap__FOLDED) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
+        if ((fabs(mismatch) > contact_point__CORNER) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
         {
             touches = INT64_C(0);
         }

@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "contact_point.h"
-#include "gap.h"
 #include "layout.h"
 #include "locus.h"
 #include "regions.h"
