@@ -18,11 +18,12 @@ STATION = 0.5e-3      # [m]
 TABLE = 2e-6          # [m] of the rail's table of heights
 NEAR = 7e-5           # [m] a minimum hides less below its stations: STATION^2 / 8 times 2000 1/m, at the flange root
 WHOLE_START, WHOLE_STOP = -69.6e-3, 60e-3       # [m]
+EDGE = 5e-3           # [m] within which circles of a wheel that is cut off can be lower than its contact
 CHUNK = 64            # poses at a time
 STEEPEST = np.tan(np.radians(80.0))     # the product reads profiles up to here
-#: S1002's printed coefficients leave steps of 1.2e-7 m and 4e-8 m there, which the product leads over within half a
-#: millimetre; a hundredth of a radian of slope between may move a place by some micrometres.
-JOINTS, JOINT_REACH, JOINT_STEP = (-35e-3, -26e-3), 0.501e-3, 1.3e-7
+#: S1002's printed coefficients leave steps of 1.2e-7 m, 4e-8 m and, on the flange's tip, 6e-11 m there,
+#: of which the product leads the first two over within half a millimetre.
+JOINTS, JOINT_REACH, JOINT_STEP = (-35e-3, -26e-3, -49.662510381e-3), 0.501e-3, 1.3e-7
 
 
 class Surfaces:
@@ -42,11 +43,11 @@ class Surfaces:
         self.x, self.height, self.rail_slope = x[kept], height[kept], slope[kept]
 
     def is_edge(self, y):
-        """Whether places ``y`` [m] are at the edge of a wheel that is cut off, within a station.
+        """Whether places ``y`` [m] are at the edge of a wheel that is cut off, within EDGE.
 
         The product looks for contacts where surfaces are parallel; the edge of a yawed wheel can be lower elsewhere.
         """
-        return np.any([np.abs(y - edge) < STATION for edge in self.edges], axis=0) if self.edges else np.zeros(y.shape, bool)
+        return np.any([np.abs(y - edge) < EDGE for edge in self.edges], axis=0) if self.edges else np.zeros(y.shape, bool)
 
     def place(self, shift, yaw, roll, phi, y, z):
         """Lateral and vertical track coordinate of wheel points, and their derivatives by phi; without vertical shift."""

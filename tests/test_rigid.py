@@ -427,6 +427,14 @@ def test_there_is_one_answer(name):
     assert np.all((right - left) * table.roll[0] > 0.0)         # D keeps its sign from level to the roll
 
 
+def test_a_printed_joint_is_no_end():
+    """S1002's joint at y = -49.66 mm steps by 6e-11 m in its last digits; the contact stays on it for 0.3 um."""
+    system = wrcontact.ContactSystem(rail="54E1", gauge=1.4298494513942086, gauge_depth=0.01103666657956913,
+                                     nominal_radius=0.6963042611736863)
+    state = system.evaluate(-0.009625104234436804, -0.059105590772747164, roll_guess=-0.06792508450680196)
+    assert state.status == 0 and state.left.contact.y_wheel == pytest.approx(-49.66243e-3, abs=1e-7)
+
+
 def test_a_wheel_that_ends_on_the_tread_is_off_the_profile():
     """Not "not converged": the smallest gap lies at its end, from wherever the search starts."""
     system = wrcontact.ContactSystem(wheel=cut_wheel(-70.0, 6.7))

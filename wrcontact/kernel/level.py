@@ -1,13 +1,14 @@
 """Where the wheels could stand at several rolls: the first one from level.
 
 While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls and has one zero.  A large
-wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has three.
+wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has
+three.
 The roll is then the first zero on the way from level to the side on which D(0) tells that there is one: it depends on nothing
 but the pose, and D falls through it.
 
 That no zero lies before a known one is certified.  On that way the contact of the wheel that rises moves towards its flange and
-the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts at both
-ends of the way.  Where this does not settle it, the way is halved.
+the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts
+at both ends of the way.  Where this does not settle it, the way is halved.
 """
 
 from math import fabs
@@ -18,7 +19,8 @@ from .layout import (NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SET_RAIL, 
 from .locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SHIFT, PLACE_SIN_ROLL, PLACE_SIN_YAW,
                     around_wheel, outline_point)
 from .profile_table import START, height_slope
-from .roll import LEFT, LEFT_PLACE, RIGHT, RIGHT_PLACE, ROLL_LIMIT, close_in, follow_side, newton_move, search_both, some_roll, turn_both
+from .roll import (LEFT, LEFT_PLACE, RIGHT, RIGHT_PLACE, ROLL_LIMIT, close_in, follow_side, newton_move, search_both,
+                   some_roll, turn_both)
 from .search import (REACH_SHARE, ROW_LEVER, ROW_STEEPEST_BENDS, ROW_Y, SCAN_COUNT, SCAN_NODES, SCAN_ROW, SCAN_STEEPEST,
                      node_below, search_side)
 

@@ -8,7 +8,7 @@
 /* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
  * ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
  *
- * 1 if the profiles are parallel at the smallest gap, else 0.
+ * 1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
  */
 static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
 {
@@ -23,7 +23,7 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     double cos_phi;
     double r;
     double lateral;
-    int64_t parallel;
+    int64_t touches;
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
     contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
@@ -51,10 +51,29 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     {
         (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
     }
-    parallel = INT64_C(0);
-    if (fabs(mismatch) < contact_point__PARALLEL)
+    touches = INT64_C(1);
+    if (fabs(mismatch) >= contact_point__PARALLEL)
     {
-        parallel = INT64_C(1);
+        if ((fabs(mismatch) > contact_point__CORNER) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
+        {
+            touches = INT64_C(0);
+        }
+        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) == INT64_C(1))
+        {
+            touches = INT64_C(0);
+        }
     }
-    return parallel;
+    return touches;
+}
+
+/* 1 if ``y`` [m] is at an end of the profile, else 0. */
+static inline int64_t contact_point__is_end(array_double_1d tables, int64_t base, double y)
+{
+    int64_t end;
+    end = INT64_C(0);
+    if ((y < (*cspan_at(&tables, base + profile_table__START)) + contact_point__AT_END) || (y > (*cspan_at(&tables, base + profile_table__STOP)) - contact_point__AT_END))
+    {
+        end = INT64_C(1);
+    }
+    return end;
 }

@@ -3,13 +3,14 @@
  * Where the wheels could stand at several rolls: the first one from level.
  *
  * While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls and has one zero.  A large
- * wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has three.
+ * wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has
+ * three.
  * The roll is then the first zero on the way from level to the side on which D(0) tells that there is one: it depends on nothing
  * but the pose, and D falls through it.
  *
  * That no zero lies before a known one is certified.  On that way the contact of the wheel that rises moves towards its flange and
- * the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts at both
- * ends of the way.  Where this does not settle it, the way is halved.
+ * the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts
+ * at both ends of the way.  Where this does not settle it, the way is halved.
  */
 
 #include "level.h"

@@ -35,7 +35,7 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     int64_t k5;
     double v6;
     double v6_t;
-    int64_t parallel;
+    int64_t touches;
     at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
     out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
     tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, at, y, y_t, aside, aside_t, shift, shift_t);
@@ -85,10 +85,17 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
         (*cspan_at(&work_t, out + layout__SIDE_CURVATURE_Y)) = 2.0 * v6_t;
         (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = 2.0 * v6;
     }
-    parallel = INT64_C(0);
-    if (fabs(mismatch) < contact_point__PARALLEL)
+    touches = INT64_C(1);
+    if (fabs(mismatch) >= contact_point__PARALLEL)
     {
-        parallel = INT64_C(1);
+        if ((fabs(mismatch) > contact_point__CORNER) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
+        {
+            touches = INT64_C(0);
+        }
+        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) == INT64_C(1))
+        {
+            touches = INT64_C(0);
+        }
     }
-    return parallel;
+    return touches;
 }
