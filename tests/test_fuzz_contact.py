@@ -418,3 +418,16 @@ def test_a_sharp_second_contact_between_two_scan_nodes_is_found():
         LARGER * pose[0], pose[1], LARGER**2 * pose[2], load_transfer=0.9).left
     assert (one.patch_count, other.patch_count) == (2, 2)
     assert other.patches[1].normal_force == pytest.approx(LARGER**2 * one.patches[1].normal_force, rel=1e-3)
+
+
+@pytest.mark.parametrize("pose", [(-0.0061749, -0.012209894, 78500.0, -0.203122), (-0.0062, -0.01, 78500.0, 0.0)])
+def test_patches_do_not_depend_on_where_the_scan_has_its_nodes(pose):
+    """A wheel cut off on its field side has its scan nodes elsewhere.  Beside a flange root the flange was missed where its
+    smallest gap lies between two nodes that are both higher than the one before."""
+    reference = wrcontact.ContactSystem().evaluate(*pose).left
+    assert reference.patch_count == 2
+    for stop in np.linspace(59.9, 58.9, 11):
+        found = wrcontact.ContactSystem(Cut("S1002", stop=stop).profile()).evaluate(*pose).left
+        assert found.patch_count == 2, stop
+        # the same places by Newton's method from other starts
+        assert found.patches[1].normal_force == pytest.approx(reference.patches[1].normal_force, rel=1e-8), stop

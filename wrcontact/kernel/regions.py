@@ -66,6 +66,7 @@ MERGE: Final[float] = 0.3
 APART: Final[float] = 2e-4
 #: A minimum of the normal gap lies within this of the vertical gap's [m]; 2 mm where a tread is seen from a flange.
 WANDER: Final[float] = 5e-3
+DOWNHILL: Final[float] = 0.25e-3
 FAR: Final[float] = 1.0
 TRACE: Final[float] = 1e-12          # tolerance of the abscissae while minima and humps are sought [m]
 PLACE_SHARP: Final[float] = 1e-11    # last Newton step to a minimum or a hump [m]; a hump cuts a load
@@ -75,7 +76,7 @@ WIDTH_ITERATIONS: Final[int] = 60
 WIDTH_SHARP: Final[float] = 5e-3     # last Newton step, relative; its error is a tenth of the square
 PRESSED_SHARP: Final[float] = 1e-5   # where height and roll are sought, which asks for a smooth answer
 HUMP_SAMPLES: Final[int] = 8
-MINIMUM_ITERATIONS: Final[int] = 12
+MINIMUM_ITERATIONS: Final[int] = 30
 
 
 def region_block(index: int):
@@ -93,7 +94,10 @@ def open_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: 
     curvature = 0.0
     for i in range(MINIMUM_ITERATIONS):
         gap, rate, bend, curvature = normal_gap(tables, work, state, station, TRACE)
-        move = -rate * WANDER
+        # half a scan cell downhill, until the gap bends upwards
+        move = -DOWNHILL
+        if rate < 0.0:
+            move = DOWNHILL
         if bend > 0.0:
             move = -rate / bend
             if fabs(move) < PLACE_SHARP:

@@ -439,9 +439,11 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
                 list_candidate(work, side, node - direction, direction, abscissa_before)
             level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level,
                                 1)
-            # a minimum below the reach may lie between two nodes above it, behind this one or before it
+            # a minimum below the reach may lie between two nodes above it, behind this one or before it; and between this one
+            # and the next, both higher than the one before
             fallen = 0
-            if gap <= before and (gap < reach or level < 0 or doubtful == 1):
+            falls = gap <= before or float(direction) * mismatch < 0.0
+            if falls and (gap < reach or level < 0 or doubtful == 1):
                 fallen = 1
             doubtful = 0
             if level < 0:

@@ -37,7 +37,12 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
-        move = (-rate) * regions__WANDER;
+        /* half a scan cell downhill, until the gap bends upwards */
+        move = -regions__DOWNHILL;
+        if (rate < 0.0)
+        {
+            move = regions__DOWNHILL;
+        }
         if (bend > 0.0)
         {
             move = (-rate) / bend;

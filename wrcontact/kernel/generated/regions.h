@@ -61,6 +61,7 @@ static const int64_t regions__REGION_MOVE = INT64_C(19);
 static const double regions__MERGE = 0.3;
 static const double regions__APART = 0.0002;
 static const double regions__WANDER = 0.005;
+static const double regions__DOWNHILL = 0.00025;
 static const double regions__FAR = 1.0;
 static const double regions__TRACE = 1e-12;
 static const double regions__PLACE_SHARP = 1e-11;
@@ -70,7 +71,7 @@ static const int64_t regions__WIDTH_ITERATIONS = INT64_C(60);
 static const double regions__WIDTH_SHARP = 0.005;
 static const double regions__PRESSED_SHARP = 1e-05;
 static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
-static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(12);
+static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(30);
 
 static inline int64_t regions__region_block(int64_t index);
 static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block, double slope);

@@ -583,6 +583,7 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
     double mismatch;
     double abscissa;
     int64_t cells;
+    bool falls;
     count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
     level = search__LEVELS - INT64_C(1);
     /* the gap at the node before: after a rise it is smaller, coming from above it is larger */
@@ -617,9 +618,11 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
                 search__list_candidate(work, side, node - direction, direction, abscissa_before);
             }
             level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
-            /* a minimum below the reach may lie between two nodes above it, behind this one or before it */
+            /* a minimum below the reach may lie between two nodes above it, behind this one or before it; and between this one */
+            /* and the next, both higher than the one before */
             fallen = INT64_C(0);
-            if ((gap <= before) && ((gap < reach) || (level < INT64_C(0)) || (doubtful == INT64_C(1))))
+            falls = (gap <= before) || ((double)(direction) * mismatch < 0.0);
+            if (falls && ((gap < reach) || (level < INT64_C(0)) || (doubtful == INT64_C(1))))
             {
                 fallen = INT64_C(1);
             }

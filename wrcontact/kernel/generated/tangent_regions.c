@@ -182,11 +182,10 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     int64_t i;
     double rate;
     double rate_t;
-    double v1;
     double move_t;
     double move;
+    double v1;
     double v2;
-    double v3;
     double height;
     double height_t;
     double slope;
@@ -205,15 +204,19 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, station, station_t, regions__TRACE, 0.0);
-        v1 = -rate;
-        move_t = (-rate_t) * regions__WANDER;
-        move = v1 * regions__WANDER;
+        move_t = 0.0;
+        move = -regions__DOWNHILL;
+        if (rate < 0.0)
+        {
+            move_t = 0.0;
+            move = regions__DOWNHILL;
+        }
         if (bend > 0.0)
         {
-            v2 = -rate;
-            v3 = v2 / bend;
-            move_t = ((-rate_t) - v3 * bend_t) / bend;
-            move = v3;
+            v1 = -rate;
+            v2 = v1 / bend;
+            move_t = ((-rate_t) - v2 * bend_t) / bend;
+            move = v2;
             if (fabs(move) < regions__PLACE_SHARP)
             {
                 (*found_t) = gap_t;
