@@ -7,7 +7,8 @@ from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
 from .lateral_curvature import relative_curvature
 from .layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SET_RAIL, SET_WHEEL,
                      SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK,
-                     SIDE_X_WHEEL, SIDE_Y_RAIL, SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL, WORK_OUTPUTS, WORK_PLACE)
+                     SIDE_X_WHEEL, SIDE_Y_RAIL, SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL,
+                     WORK_OUTPUTS, WORK_PLACE)
 from .locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel
 from .profile_table import START, STOP
 from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
