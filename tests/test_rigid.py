@@ -339,11 +339,11 @@ def test_a_contact_on_the_end_of_a_profile_is_off_it():
     further out, up to that end."""
     gauge, end = 1.54, 60e-3                                    # [m]
     room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
-    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-3)).evaluate()
+    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-6)).evaluate()
     assert inside.status == 0
     for side in (inside.left, inside.right):
-        assert side.contact.y_wheel == pytest.approx(end - 1e-3, abs=1e-9)
-    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 5e-3)).evaluate()
+        assert side.contact.y_wheel == pytest.approx(end - 1e-6, abs=1e-9)
+    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 1e-6)).evaluate()
     assert beyond.status == wrcontact.Status.OFF_PROFILE
 
 
@@ -425,6 +425,16 @@ def test_there_is_one_answer(name):
     way = table.roll[0] * np.linspace(0.0, 1.0, 60)[:-1]
     right, left = (surfaces.lowest(np.full(59, sign * shift), np.full(59, sign * yaw), sign * way) for sign in (1.0, -1.0))
     assert np.all((right - left) * table.roll[0] > 0.0)         # D keeps its sign from level to the roll
+
+
+@pytest.mark.parametrize("shift", [8.133158769028561e-05, 8.132284882685428e-05])
+def test_a_start_that_finds_no_roll_does_not_decide(shift):
+    """Beyond its end a wheel's smallest gap jumps: from 4 mrad on the search ended there, with status 2."""
+    system = wrcontact.ContactSystem(cut_wheel(-70.0, 1.149722310560055), gauge=1.4262290727589113,
+                                     gauge_depth=0.011519422829102665, nominal_radius=0.6543992887310359)
+    table = system.evaluate_many(shift, 0.04903556557466748, roll_guess=np.linspace(-0.1, 0.1, 81), outputs="geometry")
+    assert not table.status.any()
+    assert np.ptp(table.roll) < 1e-12
 
 
 def test_a_printed_joint_is_no_end():

@@ -263,13 +263,21 @@ def first_from_level(tables: 'float[:]', work: 'float[:]', state: 'float[:]', ro
     return roll, status
 
 
-def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
-    """Roll [rad] of the wheelset and outcome; the sides' smallest gaps stay in the workspace.
-
-    With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
-    """
+def certified_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+    """``solve_roll`` from this start alone."""
     roll, status = some_roll(tables, work, state, guess, warm)
     if status == VALID and falls_at_level(tables, work, roll) == 0:
         if certainly_first(tables, work, state, roll) == 0:
             roll, status = first_from_level(tables, work, state, roll)
+    return roll, status
+
+
+def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+    """Roll [rad] of the wheelset and outcome; the sides' smallest gaps stay in the workspace.
+
+    With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.  A start from which there is no roll does not decide that.
+    """
+    roll, status = certified_roll(tables, work, state, guess, warm)
+    if status != VALID and (guess != 0.0 or warm == 1):
+        roll, status = certified_roll(tables, work, state, 0.0, 0)
     return roll, status

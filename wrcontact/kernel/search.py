@@ -389,7 +389,8 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
               reach: float, abscissa: float):
     """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
-    or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+    or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies
+    at ``abscissa`` on the rail [m].
 
     SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
     by rising abscissa.

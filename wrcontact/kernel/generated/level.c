@@ -389,11 +389,8 @@ static inline int64_t level__first_from_level(double* result_0, int64_t* result_
     return 0;
 }
 
-/* Roll [rad] of the wheelset and outcome; the sides' smallest gaps stay in the workspace.
- *
- * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
- */
-static inline int64_t level__solve_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+/* ``solve_roll`` from this start alone. */
+static inline int64_t level__certified_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
 {
     roll__some_roll(roll, status, tables, work, state, guess, warm);
     if (((*status) == layout__VALID) && (level__falls_at_level(tables, work, (*roll)) == INT64_C(0)))
@@ -402,6 +399,20 @@ static inline int64_t level__solve_roll(double* roll, int64_t* status, array_dou
         {
             level__first_from_level(roll, status, tables, work, state, (*roll));
         }
+    }
+    return 0;
+}
+
+/* Roll [rad] of the wheelset and outcome; the sides' smallest gaps stay in the workspace.
+ *
+ * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.  A start from which there is no roll does not decide that.
+ */
+static inline int64_t level__solve_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+{
+    level__certified_roll(roll, status, tables, work, state, guess, warm);
+    if (((*status) != layout__VALID) && ((guess != 0.0) || (warm == INT64_C(1))))
+    {
+        level__certified_roll(roll, status, tables, work, state, 0.0, INT64_C(0));
     }
     return 0;
 }

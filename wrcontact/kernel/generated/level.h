@@ -47,6 +47,7 @@ static inline int64_t level__lever_range(double* least, double* most, array_doub
 static inline int64_t level__note_entry(array_double_1d work, int64_t entry, double roll);
 static inline int64_t level__is_clear(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t near, int64_t far, double sign);
 static inline int64_t level__first_from_level(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
+static inline int64_t level__certified_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
 static inline int64_t level__solve_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm);
 
 #endif

@@ -539,7 +539,8 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
 }
 
 /* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
- * or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies at ``abscissa`` on the rail [m].
+ * or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies
+ * at ``abscissa`` on the rail [m].
  *
  * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
  * by rising abscissa.
