@@ -9,10 +9,10 @@ from typing import Final
 
 from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, FRAME_Y,
                             NO_GAP, TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, normal_gap, start_tracer)
-from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SET_SCAN, SIDE_ABSCISSA, SIDE_BEST,
-                     SIDE_FIRST, SIDE_LAST, SIDE_NODE, WORK_REGION)
+from .layout import (LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, SET_LOAD, SET_RAIL, SIDE_ABSCISSA, SIDE_BEST, SIDE_FIRST,
+                     SIDE_LAST, SIDE_PLACE, WORK_REGION)
 from .profile_table import height_slope
-from .search import ROW_Y, SCAN_NODES, SCAN_ROW, scan_side
+from .search import scan_side
 from .separation import open_origin, separation
 
 # a region block
@@ -154,15 +154,14 @@ def open_contact_region(tables: 'float[:]', work: 'float[:]', state: 'float[:]')
 def find_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, level: float):
     """Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included.
 
-    They are sought at the local minima of the vertical gap over the scan nodes.
+    They are sought at the local minima of the vertical gap.
     """
-    scan = int(tables[SET_SCAN])
     count = 1
     reach = work[side + SIDE_BEST] + 2.0 * level / work[FRAME_COS]
     scan_side(tables, work, side, work, int(work[FRAME_PLACE]), state, reach, work[FRAME_ABSCISSA])
     for i in range(int(work[side + SIDE_FIRST]), int(work[side + SIDE_LAST]) + 1):
         if count < REGION_LIMIT:
-            y = tables[scan + SCAN_NODES + SCAN_ROW * int(work[side + SIDE_NODE + i]) + ROW_Y]
+            y = work[side + SIDE_PLACE + i]
             abscissa = work[side + SIDE_ABSCISSA + i]
             height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
             station = ((abscissa - work[FRAME_ABSCISSA]) * work[FRAME_COS]

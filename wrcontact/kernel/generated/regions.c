@@ -119,11 +119,10 @@ static inline int64_t regions__open_contact_region(array_double_1d tables, array
 
 /* Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included.
  *
- * They are sought at the local minima of the vertical gap over the scan nodes.
+ * They are sought at the local minima of the vertical gap.
  */
 static inline int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
 {
-    int64_t scan;
     double reach;
     int64_t i_end;
     int64_t i;
@@ -133,7 +132,6 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     double slope;
     double station;
     int64_t count;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
     search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
@@ -142,7 +140,7 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     {
         if (count < layout__REGION_LIMIT)
         {
-            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            y = (*cspan_at(&work, side + layout__SIDE_PLACE + i));
             abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
             station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));

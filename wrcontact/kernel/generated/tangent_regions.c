@@ -331,13 +331,13 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tab
 /* Tangent of ``find_regions``. */
 static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double level, double level_t)
 {
-    int64_t scan;
     double v1;
     double v2;
     double reach_t;
     double reach;
     int64_t i_end;
     int64_t i;
+    double y_t;
     double y;
     double abscissa_t;
     double abscissa;
@@ -352,7 +352,6 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     double n5;
     double n5_t;
     int64_t count;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     v1 = 2.0 * level;
     v2 = v1 / (*cspan_at(&work, contact_plane__FRAME_COS));
@@ -364,7 +363,8 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     {
         if (count < layout__REGION_LIMIT)
         {
-            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            y_t = (*cspan_at(&work_t, side + layout__SIDE_PLACE + i));
+            y = (*cspan_at(&work, side + layout__SIDE_PLACE + i));
             abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_ABSCISSA + i));
             abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
             tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
@@ -372,7 +372,7 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
             v4 = height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
             station_t = (abscissa_t - (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + v3 * (*cspan_at(&work_t, contact_plane__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN)) + v4 * (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
             station = v3 * (*cspan_at(&work, contact_plane__FRAME_COS)) + v4 * (*cspan_at(&work, contact_plane__FRAME_SIN));
-            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, 0.0);
+            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
             tangent_regions__minimum_rule_t(&n5, &n5_t, tables, work, work_t, state, count, station, station_t);
             if (n5 < level)
             {
