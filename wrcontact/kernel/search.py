@@ -68,8 +68,9 @@ FINE_CELL: Final[float] = 0.501e-3
 PROBE_STRIDE: Final[int] = 8
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m at worst.
 NARROW: Final[float] = 2e-6
-#: The same where further minima are listed: what hides in less is no hump between two regions.
+#: The same where further minima are looked for; and a stretch that has one is not halved below this, for two would be one contact.
 LISTED: Final[float] = 2e-6
+LISTED_ONE: Final[float] = 2.5e-4
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
 ROUNDING: Final[float] = 1e-15       # of gaps [m]
@@ -537,11 +538,11 @@ def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
         if min(gap_low, gap_high) - most * width * width / 8.0 < reach:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
-            if turns and (least > 0.0 or width <= LISTED):
-                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
+            if turns and (least > 0.0 or width <= LISTED_ONE):
+                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high, LISTED)
                 if gap < reach:
                     list_minimum(work, side, y, rail_place(tables, place, at, y), direction)
-            elif width > LISTED and (folded or is_steady(least, width, mismatch_low, mismatch_high) == 0):
+            elif width > LISTED and (folded or is_steady(least, most, width, mismatch_low, mismatch_high) == 0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
                 state[STATE_GAP_COUNT] += 1.0
@@ -556,15 +557,27 @@ def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
     return 0
 
 
-def is_steady(least: float, width: float, mismatch_low: float, mismatch_high: float):
+def is_steady(least: float, most: float, width: float, mismatch_low: float, mismatch_high: float):
     """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less than
-    ``least`` [1/m], else 0."""
+    ``least`` and no more than ``most`` [1/m], else 0."""
     steady = 0
-    if mismatch_low >= 0.0 and mismatch_low + least * width >= 0.0:
+    if mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0:
         steady = 1
-    if mismatch_high <= 0.0 and mismatch_high - least * width <= 0.0:
+    if mismatch_high <= 0.0 and least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0:
         steady = 1
     return steady
+
+
+def least_slope(least: float, most: float, width: float, first: float, last: float):
+    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by no
+    less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet."""
+    lowest = min(first, last)
+    if least < 0.0:
+        lowest = first + least * width
+        if most > 0.0:
+            meet = (last - first - most * width) / (least - most)
+            lowest = first + least * min(max(meet, 0.0), width)
+    return lowest
 
 
 def list_minimum(work: 'float[:]', side: int, y: float, abscissa: float, direction: int):
@@ -610,9 +623,9 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
-            steady = is_steady(least, width, mismatch_low, mismatch_high) == 1 and not folded
+            steady = is_steady(least, most, width, mismatch_low, mismatch_high) == 1 and not folded
             if turns and (least > 0.0 or width <= NARROW):
-                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
+                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high, SHARP)
                 keep_refined(work, side, y, gap, width)
             elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
@@ -657,8 +670,9 @@ def keep_refined(work: 'float[:]', side: int, y: float, gap: float, width: float
 
 
 def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float[:]', low: float, high: float,
-                   mismatch_low: float, mismatch_high: float):
-    """Abscissa [m] and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed Newton."""
+                   mismatch_low: float, mismatch_high: float, sharp: float):
+    """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed
+    Newton."""
     y = low - mismatch_low * (high - low) / (mismatch_high - mismatch_low)
     gap = 0.0
     for i in range(60):
@@ -671,11 +685,11 @@ def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float
         following = 0.5 * (low + high)
         if rate > 0.0:
             move = -mismatch / rate
-            if fabs(move) < SHARP:
+            if fabs(move) < sharp:
                 break
             if y + move > low and y + move < high:
                 following = y + move
-        if fabs(following - y) < SHARP:
+        if fabs(following - y) < sharp:
             break
         y = following
     return y, gap

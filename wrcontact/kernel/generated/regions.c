@@ -22,6 +22,8 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     double gap;
     double bend;
     double curvature;
+    double low;
+    double high;
     int64_t i;
     double rate;
     double move;
@@ -34,6 +36,8 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     found = regions__FAR;
     bend = 0.0;
     curvature = 0.0;
+    low = start - regions__WANDER;
+    high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
@@ -42,6 +46,11 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         if (rate < 0.0)
         {
             move = regions__DOWNHILL;
+            low = station;
+        }
+        else
+        {
+            high = station;
         }
         if (bend > 0.0)
         {
@@ -50,6 +59,11 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
             {
                 found = gap;
             }
+        }
+        if (((station + move > high) && (high < start + regions__WANDER)) || ((station + move < low) && (low > start - regions__WANDER)))
+        {
+            /* the curvature jumps in between */
+            move = 0.5 * (low + high) - station;
         }
         if (station + move > start + regions__WANDER)
         {

@@ -765,15 +765,15 @@ static inline int64_t search__list_cell(array_double_1d tables, array_double_1d 
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
             turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            if (turns && ((least > 0.0) || (width <= search__LISTED)))
+            if (turns && ((least > 0.0) || (width <= search__LISTED_ONE)))
             {
-                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
+                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high, search__LISTED);
                 if (gap < reach)
                 {
                     search__list_minimum(work, side, y, search__rail_place(tables, place, at, y), direction);
                 }
             }
-            else if ((width > search__LISTED) && (folded || (search__is_steady(least, width, mismatch_low, mismatch_high) == INT64_C(0))))
+            else if ((width > search__LISTED) && (folded || (search__is_steady(least, most, width, mismatch_low, mismatch_high) == INT64_C(0))))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
@@ -797,21 +797,41 @@ static inline int64_t search__list_cell(array_double_1d tables, array_double_1d 
 }
 
 /* 1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less than
- * ``least`` [1/m], else 0.
+ * ``least`` and no more than ``most`` [1/m], else 0.
  */
-static inline int64_t search__is_steady(double least, double width, double mismatch_low, double mismatch_high)
+static inline int64_t search__is_steady(double least, double most, double width, double mismatch_low, double mismatch_high)
 {
     int64_t steady;
     steady = INT64_C(0);
-    if ((mismatch_low >= 0.0) && (mismatch_low + least * width >= 0.0))
+    if ((mismatch_low >= 0.0) && (search__least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0))
     {
         steady = INT64_C(1);
     }
-    if ((mismatch_high <= 0.0) && (mismatch_high - least * width <= 0.0))
+    if ((mismatch_high <= 0.0) && (search__least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0))
     {
         steady = INT64_C(1);
     }
     return steady;
+}
+
+/* The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by no
+ * less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet.
+ */
+static inline double search__least_slope(double least, double most, double width, double first, double last)
+{
+    double meet;
+    double lowest;
+    lowest = double_min(2, first, last);
+    if (least < 0.0)
+    {
+        lowest = first + least * width;
+        if (most > 0.0)
+        {
+            meet = (last - first - most * width) / (least - most);
+            lowest = first + least * double_min(2, double_max(2, meet, 0.0), width);
+        }
+    }
+    return lowest;
 }
 
 /* Add the minimum at ``y`` [m] to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning. */
@@ -891,10 +911,10 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
             turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            steady = (search__is_steady(least, width, mismatch_low, mismatch_high) == INT64_C(1)) && (!folded);
+            steady = (search__is_steady(least, most, width, mismatch_low, mismatch_high) == INT64_C(1)) && (!folded);
             if (turns && ((least > 0.0) || (width <= search__NARROW)))
             {
-                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
+                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high, search__SHARP);
                 search__keep_refined(work, side, y, gap, width);
             }
             else if ((width > search__NARROW) && (!steady) && (folded || (!(least > 0.0))))
@@ -953,8 +973,10 @@ static inline int64_t search__keep_refined(array_double_1d work, int64_t side, d
     return INT64_C(0);
 }
 
-/* Abscissa [m] and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed Newton. */
-static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high)
+/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed
+ * Newton.
+ */
+static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high, double sharp)
 {
     int64_t i;
     double mismatch;
@@ -979,7 +1001,7 @@ static inline int64_t search__refine_minimum(double* y, double* gap, array_doubl
         if (rate > 0.0)
         {
             move = (-mismatch) / rate;
-            if (fabs(move) < search__SHARP)
+            if (fabs(move) < sharp)
             {
                 break;
             }
@@ -988,7 +1010,7 @@ static inline int64_t search__refine_minimum(double* y, double* gap, array_doubl
                 following = (*y) + move;
             }
         }
-        if (fabs(following - (*y)) < search__SHARP)
+        if (fabs(following - (*y)) < sharp)
         {
             break;
         }

@@ -179,6 +179,10 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     double bend;
     double curvature_t;
     double curvature;
+    double low_t;
+    double low;
+    double high_t;
+    double high;
     int64_t i;
     double rate;
     double rate_t;
@@ -186,6 +190,7 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     double move;
     double v1;
     double v2;
+    double v3;
     double height;
     double height_t;
     double slope;
@@ -201,6 +206,10 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     bend = 0.0;
     curvature_t = 0.0;
     curvature = 0.0;
+    low_t = start_t;
+    low = start - regions__WANDER;
+    high_t = start_t;
+    high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, station, station_t, regions__TRACE, 0.0);
@@ -210,6 +219,13 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
         {
             move_t = 0.0;
             move = regions__DOWNHILL;
+            low_t = station_t;
+            low = station;
+        }
+        else
+        {
+            high_t = station_t;
+            high = station;
         }
         if (bend > 0.0)
         {
@@ -222,6 +238,12 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
                 (*found_t) = gap_t;
                 (*found) = gap;
             }
+        }
+        if (((station + move > high) && (high < start + regions__WANDER)) || ((station + move < low) && (low > start - regions__WANDER)))
+        {
+            v3 = low + high;
+            move_t = 0.5 * (low_t + high_t) - station_t;
+            move = 0.5 * v3 - station;
         }
         if (station + move > start + regions__WANDER)
         {
