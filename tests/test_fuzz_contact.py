@@ -441,8 +441,8 @@ def test_patches_do_not_depend_on_where_the_scan_has_its_nodes(pose):
     ("54E1", "left", (-0.006087608355140479, 0.014018496963233304, 156365.20610192217, -0.33085431741403815)),
     ("54E1", "right", (-0.0005404628671692698, 0.04250867422671269, 18614.224630994177, -0.0638226561405264))])
 def test_a_shallow_minimum_is_found_wherever_the_scan_has_its_nodes(rail, side, pose):
-    """A minimum and the hump before it may both lie between two nodes, with a gap that rises, or falls, at both: up to 8 % of the
-    penetration hung on that."""
+    """A minimum and the hump before it may both lie between two nodes, with a gap that rises, or falls, at both: up to 8 % of
+    the penetration hung on that."""
     found = [getattr(wrcontact.ContactSystem(Cut("S1002", stop=stop).profile(), rail).evaluate(*pose), side)
              for stop in (60.0, 59.7, 59.3, 59.13)]
     for other in found[1:]:

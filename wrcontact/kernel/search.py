@@ -68,7 +68,7 @@ FINE_CELL: Final[float] = 0.501e-3
 PROBE_STRIDE: Final[int] = 8
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m at worst.
 NARROW: Final[float] = 2e-6
-#: The same where further minima are looked for; and a stretch that has one is not halved below this, for two would be one contact.
+#: The same where further minima are looked for; and a stretch that has one is not halved below this: two would be one contact.
 LISTED: Final[float] = 2e-6
 LISTED_ONE: Final[float] = 2.5e-4
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
@@ -157,9 +157,9 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
 
 
 def least_bend(tables: 'float[:]', place: 'float[:]', at: int, first: int, level: int, length: float, u: float):
-    """By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin with
-    scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is not
-    below WIDEST.
+    """By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin
+    with scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is
+    not below WIDEST.
 
     u : place in the rail's raster where they begin, in cells.
     """
@@ -409,11 +409,11 @@ def rail_end(tables: 'float[:]', place: 'float[:]', at: int, node: int, outward:
 
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
               reach: float, abscissa: float):
-    """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on the
-    rail [m].
+    """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
+    the rail [m].
 
-    SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on the
-    rail [m], hold them, by rising abscissa.
+    SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on
+    the rail [m], hold them, by rising abscissa.
     """
     cell = node_below(tables, work[side + SIDE_BEST_Y])
     work[side + SIDE_FIRST] = float(CANDIDATES)
@@ -494,8 +494,8 @@ def list_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]',
         gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
         gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
         state[STATE_GAP_COUNT] += 2.0
-        list_cell(tables, work, side, place, at, state, reach, cell, direction, rail_place(tables, place, at, low), low, high,
-                  gap_low, gap_high, mismatch_low, mismatch_high)
+        list_cell(tables, work, side, place, at, state, reach, cell, direction, rail_place(tables, place, at, low), low,
+                  high, gap_low, gap_high, mismatch_low, mismatch_high)
     return 0
 
 
@@ -558,8 +558,8 @@ def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
 
 
 def is_steady(least: float, most: float, width: float, mismatch_low: float, mismatch_high: float):
-    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less than
-    ``least`` and no more than ``most`` [1/m], else 0."""
+    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
+    than ``least`` and no more than ``most`` [1/m], else 0."""
     steady = 0
     if mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0:
         steady = 1
@@ -569,8 +569,8 @@ def is_steady(least: float, most: float, width: float, mismatch_low: float, mism
 
 
 def least_slope(least: float, most: float, width: float, first: float, last: float):
-    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by no
-    less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet."""
+    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
+    no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet."""
     lowest = min(first, last)
     if least < 0.0:
         lowest = first + least * width
@@ -671,8 +671,8 @@ def keep_refined(work: 'float[:]', side: int, y: float, gap: float, width: float
 
 def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float[:]', low: float, high: float,
                    mismatch_low: float, mismatch_high: float, sharp: float):
-    """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed
-    Newton."""
+    """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``:
+    bracketed Newton."""
     y = low - mismatch_low * (high - low) / (mismatch_high - mismatch_low)
     gap = 0.0
     for i in range(60):

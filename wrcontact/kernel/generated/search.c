@@ -141,9 +141,9 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
     return level;
 }
 
-/* By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin with
- * scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is not
- * below WIDEST.
+/* By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin
+ * with scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is
+ * not below WIDEST.
  *
  * u : place in the rail's raster where they begin, in cells.
  */
@@ -559,11 +559,11 @@ static inline double search__rail_end(array_double_1d tables, array_double_1d pl
     return inside;
 }
 
-/* List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on the
- * rail [m].
+/* List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
+ * the rail [m].
  *
- * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on the
- * rail [m], hold them, by rising abscissa.
+ * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on
+ * the rail [m], hold them, by rising abscissa.
  */
 static inline int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa)
 {
@@ -796,8 +796,8 @@ static inline int64_t search__list_cell(array_double_1d tables, array_double_1d 
     return INT64_C(0);
 }
 
-/* 1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less than
- * ``least`` and no more than ``most`` [1/m], else 0.
+/* 1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
+ * than ``least`` and no more than ``most`` [1/m], else 0.
  */
 static inline int64_t search__is_steady(double least, double most, double width, double mismatch_low, double mismatch_high)
 {
@@ -814,8 +814,8 @@ static inline int64_t search__is_steady(double least, double most, double width,
     return steady;
 }
 
-/* The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by no
- * less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet.
+/* The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
+ * no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet.
  */
 static inline double search__least_slope(double least, double most, double width, double first, double last)
 {
@@ -973,8 +973,8 @@ static inline int64_t search__keep_refined(array_double_1d work, int64_t side, d
     return INT64_C(0);
 }
 
-/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed
- * Newton.
+/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``:
+ * bracketed Newton.
  */
 static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high, double sharp)
 {
