@@ -13,7 +13,7 @@ from typing import Final
 
 from .gap import FOLDED, above_rail, vertical_gap
 from .layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y,
-                     SIDE_FIRST, SIDE_LAST, SIDE_NODE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
+                     SIDE_FIRST, SIDE_LAST, SIDE_PLACE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
 from .locus import PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED, outline_point
 from .profile_table import START, STOP, height_slope
 
@@ -68,6 +68,9 @@ FINE_CELL: Final[float] = 0.501e-3
 PROBE_STRIDE: Final[int] = 8
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m at worst.
 NARROW: Final[float] = 2e-6
+#: The same where further minima are looked for; and a stretch that has one is not halved below this: two would be one contact.
+LISTED: Final[float] = 2e-6
+LISTED_ONE: Final[float] = 2.5e-4
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
 ROUNDING: Final[float] = 1e-15       # of gaps [m]
@@ -131,15 +134,6 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
     """
     scan = int(tables[SET_SCAN])
     count = int(tables[scan + SCAN_COUNT])
-    roll = fabs(place[at + PLACE_SIN_ROLL])
-    widened = ROLL_STRETCH * roll
-    share = ROLL_BEND * roll
-    per_bend = 0.0
-    if place[at + PLACE_YAWED] != 0.0:
-        square = place[at + PLACE_SIN_YAW] * place[at + PLACE_SIN_YAW]
-        widened += STEEP_STRETCH * square
-        share += YAW_BEND * square
-        per_bend = BEND_STRETCH * square * place[at + PLACE_RADIUS]
     begin = rail_cell(tables, abscissa)
     back = 0.0
     if direction < 0:
@@ -152,20 +146,41 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
         if first >= 0 and first + cells < count:
             row = scan + SCAN_NODES + SCAN_ROW * first
             length = tables[row + SCAN_ROW * cells + ROW_Y] - tables[row + ROW_Y]
-            stretch = widened + per_bend * tables[row + ROW_STEEPEST_BENDS + level]
+            bend, stretch = least_bend(tables, place, at, first, level, length, begin - back * length)
             if stretch < WIDEST:
-                rail = rail_row(tables, begin - back * length)
-                bend = tables[rail + RAIL_LEAST_BENDS + level]
-                if length > FINE_CELL * float(cells):
-                    bend = tables[rail + RAIL_LEAST_BENDS + level + 1]
-                wheel = tables[row + ROW_MOST_BENDS + level]
-                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
                 if largest_fall(slope, bend, length, stretch) <= excess:
                     return level
                 if risen == 1 and slope >= 0.0 and slope + bend * length >= 0.0:
                     return level
         level -= 1
     return level
+
+
+def least_bend(tables: 'float[:]', place: 'float[:]', at: int, first: int, level: int, length: float, u: float):
+    """By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin
+    with scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is
+    not below WIDEST.
+
+    u : place in the rail's raster where they begin, in cells.
+    """
+    roll = fabs(place[at + PLACE_SIN_ROLL])
+    stretch = ROLL_STRETCH * roll
+    share = ROLL_BEND * roll
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * first
+    if place[at + PLACE_YAWED] != 0.0:
+        square = place[at + PLACE_SIN_YAW] * place[at + PLACE_SIN_YAW]
+        stretch += STEEP_STRETCH * square + BEND_STRETCH * square * place[at + PLACE_RADIUS] * tables[
+            row + ROW_STEEPEST_BENDS + level]
+        share += YAW_BEND * square
+    bend = 0.0
+    if stretch < WIDEST:
+        rail = rail_row(tables, u)
+        bend = tables[rail + RAIL_LEAST_BENDS + level]
+        if length > FINE_CELL * float(1 << level):
+            bend = tables[rail + RAIL_LEAST_BENDS + level + 1]
+        wheel = tables[row + ROW_MOST_BENDS + level]
+        bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
+    return bend, stretch
 
 
 def leave_minimum(tables: 'float[:]', place: 'float[:]', at: int, cell: int, direction: int, abscissa: float):
@@ -360,19 +375,8 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
                outward: int, abscissa: float, beyond: float):
     """Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail, which lies before the next
     node at ``beyond`` [m]."""
-    scan = int(tables[SET_SCAN])
-    row = scan + SCAN_NODES + SCAN_ROW * node
-    inner = tables[row + ROW_Y]
-    inside = inner
-    outside = tables[row + SCAN_ROW * outward + ROW_Y]
-    while fabs(outside - inside) > END_SHARP:
-        middle = 0.5 * (inside + outside)
-        z, slope = height_slope(tables, int(tables[SET_WHEEL]), middle)
-        y_track, z_track, outline_slope = outline_point(place, at, middle, z, slope)
-        if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 1:
-            inside = middle
-        else:
-            outside = middle
+    inner = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
+    inside = rail_end(tables, place, at, node, outward)
     cell = node
     if outward < 0:
         cell = node - 1
@@ -386,14 +390,30 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
     return 0
 
 
+def rail_end(tables: 'float[:]', place: 'float[:]', at: int, node: int, outward: int):
+    """Wheel abscissa [m] above the end of the rail, which lies between scan node ``node``, above it, and the next one
+    ``outward`` (1 or -1)."""
+    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node
+    inside = tables[row + ROW_Y]
+    outside = tables[row + SCAN_ROW * outward + ROW_Y]
+    while fabs(outside - inside) > END_SHARP:
+        middle = 0.5 * (inside + outside)
+        z, slope = height_slope(tables, int(tables[SET_WHEEL]), middle)
+        y_track, z_track, outline_slope = outline_point(place, at, middle, z, slope)
+        if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 1:
+            inside = middle
+        else:
+            outside = middle
+    return inside
+
+
 def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
               reach: float, abscissa: float):
-    """List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
-    or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies
-    at ``abscissa`` on the rail [m].
+    """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
+    the rail [m].
 
-    SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
-    by rising abscissa.
+    SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on
+    the rail [m], hold them, by rising abscissa.
     """
     cell = node_below(tables, work[side + SIDE_BEST_Y])
     work[side + SIDE_FIRST] = float(CANDIDATES)
@@ -415,64 +435,158 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
 
     Stretches are skipped in which the gap only rises, or stays above ``reach``.
     """
+    nodes = int(tables[SET_SCAN]) + SCAN_NODES
     count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
     level = LEVELS - 1
-    # the gap at the node before: after a rise it is smaller, coming from above it is larger
-    before = -LARGE_GAP
+    gap_before = 0.0
+    mismatch_before = 0.0
     abscissa_before = 0.0
-    fallen = 0
-    doubtful = 0
+    skipped = 1
+    off = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
         state[STATE_GAP_COUNT] += 1.0
-        cells = 1
+        y = tables[nodes + SCAN_ROW * node + ROW_Y]
         if above_rail(tables, abscissa) == 0:
-            # the rail ends beside the last node: a minimum may lie before its end
-            if fallen == 1:
-                list_candidate(work, side, node - direction, direction, abscissa_before)
+            if skipped == 0 and off == 0:
+                list_end(tables, work, side, place, at, state, reach, node - direction, direction, direction)
             if is_gone(tables, place, at, node, direction, abscissa) == 1:
                 return 0
-            fallen = 0
+            off = 1
+            skipped = 0
             level = 0
-            before = LARGE_GAP
         else:
-            if fallen == 1 and gap > before:
-                list_candidate(work, side, node - direction, direction, abscissa_before)
+            if off == 1:
+                list_end(tables, work, side, place, at, state, reach, node, -direction, direction)
+            elif skipped == 0 and direction > 0:
+                list_cell(tables, work, side, place, at, state, reach, node - 1, direction, abscissa_before,
+                          tables[nodes + SCAN_ROW * (node - 1) + ROW_Y], y, gap_before, gap, mismatch_before, mismatch)
+            elif skipped == 0:
+                list_cell(tables, work, side, place, at, state, reach, node, direction, abscissa, y,
+                          tables[nodes + SCAN_ROW * (node + 1) + ROW_Y], gap, gap_before, mismatch, mismatch_before)
+            off = 0
             level = clear_level(tables, place, at, node, direction, abscissa, gap - reach, float(direction) * mismatch, level,
                                 1)
-            # a minimum below the reach may lie between two nodes above it, behind this one or before it; and between this one
-            # and the next, both higher than the one before
-            fallen = 0
-            falls = gap <= before or float(direction) * mismatch < 0.0
-            if falls and (gap < reach or level < 0 or doubtful == 1):
-                fallen = 1
-            doubtful = 0
+            skipped = 1
             if level < 0:
-                doubtful = 1
-            before = gap
+                level = 0
+                skipped = 0
+            gap_before = gap
+            mismatch_before = mismatch
             abscissa_before = abscissa
-            if level > 0:
-                cells = 1 << level
-                if fallen == 1:
-                    # the next node is higher, or beyond the rail
-                    cells = 1
-                elif gap < reach:
-                    before = -LARGE_GAP
-                else:
-                    before = LARGE_GAP
-            if level < LEVELS - 1:
-                level += 1
-        node += direction * cells
+        node += direction * (1 << level)
+        if off == 0 and level < LEVELS - 1:
+            level += 1
     return 0
 
 
-def list_candidate(work: 'float[:]', side: int, node: int, direction: int, abscissa: float):
-    """Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning."""
+def list_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
+             node: int, outward: int, direction: int):
+    """``list_cell`` between scan node ``node`` and the end of the rail before the next one ``outward`` (1 or -1)."""
+    inner = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
+    end = rail_end(tables, place, at, node, outward)
+    low = min(inner, end)
+    high = max(inner, end)
+    cell = node
+    if outward < 0:
+        cell = node - 1
+    if low < high:
+        gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
+        gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
+        state[STATE_GAP_COUNT] += 2.0
+        list_cell(tables, work, side, place, at, state, reach, cell, direction, rail_place(tables, place, at, low), low,
+                  high, gap_low, gap_high, mismatch_low, mismatch_high)
+    return 0
+
+
+def rail_place(tables: 'float[:]', place: 'float[:]', at: int, y: float):
+    """Abscissa on the rail [m] below wheel abscissa ``y`` [m]."""
+    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
+    return y_track - tables[SET_RAIL_Y]
+
+
+def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
+              cell: int, direction: int, abscissa: float, low: float, high: float, gap_low: float, gap_high: float,
+              mismatch_low: float, mismatch_high: float):
+    """List the local minima between ``low`` and ``high`` [m], which lie between the scan nodes ``cell`` and ``cell`` + 1.
+
+    abscissa : of ``low`` on the rail [m].
+    gap_low, gap_high, mismatch_low, mismatch_high : at both.
+    """
+    nothing, most = bend_bounds(tables, place, at, cell, abscissa)
+    least, stretch = least_bend(tables, place, at, cell, 0, high - low, rail_cell(tables, abscissa))
+    if not stretch < WIDEST:
+        # the outline may be folded there
+        least = nothing
+        gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
+        gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
+        state[STATE_GAP_COUNT] += 2.0
+    stack = side + SIDE_STACK
+    push_cell(work, stack, low, high, gap_low, gap_high, mismatch_low, mismatch_high)
+    depth = 1
+    while depth > 0:
+        depth -= 1
+        top = stack + 6 * depth
+        low = work[top]
+        high = work[top + 1]
+        gap_low = work[top + 2]
+        gap_high = work[top + 3]
+        mismatch_low = work[top + 4]
+        mismatch_high = work[top + 5]
+        width = high - low
+        if min(gap_low, gap_high) - most * width * width / 8.0 < reach:
+            folded = mismatch_low == FOLDED or mismatch_high == FOLDED
+            turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
+            if turns and (least > 0.0 or width <= LISTED_ONE):
+                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high, LISTED)
+                if gap < reach:
+                    list_minimum(work, side, y, rail_place(tables, place, at, y), direction)
+            elif width > LISTED and (folded or is_steady(least, most, width, mismatch_low, mismatch_high) == 0):
+                middle = 0.5 * (low + high)
+                gap, mismatch, rate = vertical_gap(tables, place, at, middle)
+                state[STATE_GAP_COUNT] += 1.0
+                # the one that comes first in ``direction`` on top
+                if direction > 0:
+                    push_cell(work, top, middle, high, gap, gap_high, mismatch, mismatch_high)
+                    push_cell(work, top + 6, low, middle, gap_low, gap, mismatch_low, mismatch)
+                else:
+                    push_cell(work, top, low, middle, gap_low, gap, mismatch_low, mismatch)
+                    push_cell(work, top + 6, middle, high, gap, gap_high, mismatch, mismatch_high)
+                depth += 2
+    return 0
+
+
+def is_steady(least: float, most: float, width: float, mismatch_low: float, mismatch_high: float):
+    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
+    than ``least`` and no more than ``most`` [1/m], else 0."""
+    steady = 0
+    if mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0:
+        steady = 1
+    if mismatch_high <= 0.0 and least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0:
+        steady = 1
+    return steady
+
+
+def least_slope(least: float, most: float, width: float, first: float, last: float):
+    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
+    no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet."""
+    lowest = min(first, last)
+    if least < 0.0:
+        lowest = first + least * width
+        if most > 0.0:
+            meet = (last - first - most * width) / (least - most)
+            lowest = first + least * min(max(meet, 0.0), width)
+    return lowest
+
+
+def list_minimum(work: 'float[:]', side: int, y: float, abscissa: float, direction: int):
+    """Add the minimum at ``y`` [m] to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning."""
     entry = int(work[side + SIDE_LAST]) + 1
     if direction < 0:
         entry = int(work[side + SIDE_FIRST]) - 1
     if entry >= 0 and entry < 2 * CANDIDATES:
-        work[side + SIDE_NODE + entry] = float(node)
+        work[side + SIDE_PLACE + entry] = y
         work[side + SIDE_ABSCISSA + entry] = abscissa
         if direction < 0:
             work[side + SIDE_FIRST] = float(entry)
@@ -509,11 +623,9 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
-            # the gap only rises, or only falls
-            steady = (mismatch_low >= 0.0 and mismatch_low + least * width >= 0.0
-                      or mismatch_high <= 0.0 and mismatch_high - least * width <= 0.0) and not folded
+            steady = is_steady(least, most, width, mismatch_low, mismatch_high) == 1 and not folded
             if turns and (least > 0.0 or width <= NARROW):
-                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high)
+                y, gap = refine_minimum(tables, place, at, state, low, high, mismatch_low, mismatch_high, SHARP)
                 keep_refined(work, side, y, gap, width)
             elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
@@ -558,8 +670,9 @@ def keep_refined(work: 'float[:]', side: int, y: float, gap: float, width: float
 
 
 def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float[:]', low: float, high: float,
-                   mismatch_low: float, mismatch_high: float):
-    """Abscissa [m] and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed Newton."""
+                   mismatch_low: float, mismatch_high: float, sharp: float):
+    """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``:
+    bracketed Newton."""
     y = low - mismatch_low * (high - low) / (mismatch_high - mismatch_low)
     gap = 0.0
     for i in range(60):
@@ -572,11 +685,11 @@ def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float
         following = 0.5 * (low + high)
         if rate > 0.0:
             move = -mismatch / rate
-            if fabs(move) < SHARP:
+            if fabs(move) < sharp:
                 break
             if y + move > low and y + move < high:
                 following = y + move
-        if fabs(following - y) < SHARP:
+        if fabs(following - y) < sharp:
             break
         y = following
     return y, gap

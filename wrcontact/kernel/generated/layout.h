@@ -177,7 +177,7 @@ static const int64_t layout__SIDE_BEST_Y = INT64_C(1);
 static const int64_t layout__SIDE_BEST_RAIL = INT64_C(2);
 static const int64_t layout__SIDE_FIRST = INT64_C(3);
 static const int64_t layout__SIDE_LAST = INT64_C(4);
-static const int64_t layout__SIDE_NODE = INT64_C(8);
+static const int64_t layout__SIDE_PLACE = INT64_C(8);
 static const int64_t layout__SIDE_ABSCISSA = INT64_C(48);
 static const int64_t layout__SIDE_STACK = INT64_C(88);
 

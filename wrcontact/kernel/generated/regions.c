@@ -22,6 +22,8 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     double gap;
     double bend;
     double curvature;
+    double low;
+    double high;
     int64_t i;
     double rate;
     double move;
@@ -34,6 +36,8 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     found = regions__FAR;
     bend = 0.0;
     curvature = 0.0;
+    low = start - regions__WANDER;
+    high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
@@ -42,6 +46,11 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         if (rate < 0.0)
         {
             move = regions__DOWNHILL;
+            low = station;
+        }
+        else
+        {
+            high = station;
         }
         if (bend > 0.0)
         {
@@ -50,6 +59,11 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
             {
                 found = gap;
             }
+        }
+        if (((station + move > high) && (high < start + regions__WANDER)) || ((station + move < low) && (low > start - regions__WANDER)))
+        {
+            /* the curvature jumps in between */
+            move = 0.5 * (low + high) - station;
         }
         if (station + move > start + regions__WANDER)
         {
@@ -119,11 +133,10 @@ static inline int64_t regions__open_contact_region(array_double_1d tables, array
 
 /* Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included.
  *
- * They are sought at the local minima of the vertical gap over the scan nodes.
+ * They are sought at the local minima of the vertical gap.
  */
 static inline int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
 {
-    int64_t scan;
     double reach;
     int64_t i_end;
     int64_t i;
@@ -133,7 +146,6 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     double slope;
     double station;
     int64_t count;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
     search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
@@ -142,7 +154,7 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     {
         if (count < layout__REGION_LIMIT)
         {
-            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            y = (*cspan_at(&work, side + layout__SIDE_PLACE + i));
             abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
             station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));

@@ -95,34 +95,16 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
 {
     int64_t scan;
     int64_t count;
-    double roll;
-    double widened;
-    double share;
-    double per_bend;
-    double square;
     double begin;
     double back;
     int64_t cells;
     int64_t first;
     int64_t row;
     double length;
-    double stretch;
-    int64_t rail;
     double bend;
-    double wheel;
+    double stretch;
     scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
-    roll = fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
-    widened = search__ROLL_STRETCH * roll;
-    share = search__ROLL_BEND * roll;
-    per_bend = 0.0;
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
-    {
-        square = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
-        widened += search__STEEP_STRETCH * square;
-        share += search__YAW_BEND * square;
-        per_bend = search__BEND_STRETCH * square * (*cspan_at(&place, at + locus__PLACE_RADIUS));
-    }
     begin = search__rail_cell(tables, abscissa);
     back = 0.0;
     if (direction < INT64_C(0))
@@ -141,17 +123,9 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
         {
             row = scan + search__SCAN_NODES + search__SCAN_ROW * first;
             length = (*cspan_at(&tables, row + search__SCAN_ROW * cells + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y));
-            stretch = widened + per_bend * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level));
+            search__least_bend(&bend, &stretch, tables, place, at, first, level, length, begin - back * length);
             if (stretch < search__WIDEST)
             {
-                rail = search__rail_row(tables, begin - back * length);
-                bend = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level));
-                if (length > search__FINE_CELL * (double)(cells))
-                {
-                    bend = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level + INT64_C(1)));
-                }
-                wheel = (*cspan_at(&tables, row + search__ROW_MOST_BENDS + level));
-                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
                 if (search__largest_fall(slope, bend, length, stretch) <= excess)
                 {
                     return level;
@@ -165,6 +139,45 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
         level -= INT64_C(1);
     }
     return level;
+}
+
+/* By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin
+ * with scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is
+ * not below WIDEST.
+ *
+ * u : place in the rail's raster where they begin, in cells.
+ */
+static inline int64_t search__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d place, int64_t at, int64_t first, int64_t level, double length, double u)
+{
+    double roll;
+    double share;
+    int64_t row;
+    double square;
+    int64_t rail;
+    double wheel;
+    roll = fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
+    (*stretch) = search__ROLL_STRETCH * roll;
+    share = search__ROLL_BEND * roll;
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * first;
+    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    {
+        square = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        (*stretch) += search__STEEP_STRETCH * square + search__BEND_STRETCH * square * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level));
+        share += search__YAW_BEND * square;
+    }
+    (*bend) = 0.0;
+    if ((*stretch) < search__WIDEST)
+    {
+        rail = search__rail_row(tables, u);
+        (*bend) = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level));
+        if (length > search__FINE_CELL * (double)(INT64_C(1) << level))
+        {
+            (*bend) = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level + INT64_C(1)));
+        }
+        wheel = (*cspan_at(&tables, row + search__ROW_MOST_BENDS + level));
+        (*bend) -= (*stretch) * fabs((*bend)) + wheel + share * fabs(wheel);
+    }
+    return 0;
 }
 
 /* ``clear_level`` from a minimum of the gap in ``cell``, at ``abscissa`` on the rail [m]: where the gap only rises.
@@ -484,39 +497,13 @@ static inline int64_t search__bound_cell(array_double_1d tables, array_double_1d
  */
 static inline int64_t search__search_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, int64_t node, int64_t outward, double abscissa, double beyond)
 {
-    int64_t scan;
-    int64_t row;
     double inner;
     double inside;
-    double outside;
-    double middle;
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
     int64_t cell;
     double least;
     double most;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    row = scan + search__SCAN_NODES + search__SCAN_ROW * node;
-    inner = (*cspan_at(&tables, row + search__ROW_Y));
-    inside = inner;
-    outside = (*cspan_at(&tables, row + search__SCAN_ROW * outward + search__ROW_Y));
-    while(fabs(outside - inside) > search__END_SHARP)
-    {
-        middle = 0.5 * (inside + outside);
-        profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), middle);
-        locus__outline_point(&y_track, &z_track, &outline_slope, place, at, middle, z, slope);
-        if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y))) == INT64_C(1))
-        {
-            inside = middle;
-        }
-        else
-        {
-            outside = middle;
-        }
-    }
+    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
+    inside = search__rail_end(tables, place, at, node, outward);
     cell = node;
     if (outward < INT64_C(0))
     {
@@ -538,12 +525,45 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
     return INT64_C(0);
 }
 
-/* List the scan nodes, other than those beside the known smallest gap, that have a smaller gap than both neighbours
- * or than the one before the rail's end, where it, or a minimum beside it, can be below ``reach`` [m].  The smallest gap lies
- * at ``abscissa`` on the rail [m].
+/* Wheel abscissa [m] above the end of the rail, which lies between scan node ``node``, above it, and the next one
+ * ``outward`` (1 or -1).
+ */
+static inline double search__rail_end(array_double_1d tables, array_double_1d place, int64_t at, int64_t node, int64_t outward)
+{
+    int64_t row;
+    double outside;
+    double middle;
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double inside;
+    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
+    inside = (*cspan_at(&tables, row + search__ROW_Y));
+    outside = (*cspan_at(&tables, row + search__SCAN_ROW * outward + search__ROW_Y));
+    while(fabs(outside - inside) > search__END_SHARP)
+    {
+        middle = 0.5 * (inside + outside);
+        profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), middle);
+        locus__outline_point(&y_track, &z_track, &outline_slope, place, at, middle, z, slope);
+        if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y))) == INT64_C(1))
+        {
+            inside = middle;
+        }
+        else
+        {
+            outside = middle;
+        }
+    }
+    return inside;
+}
+
+/* List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
+ * the rail [m].
  *
- * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_NODE (and of SIDE_ABSCISSA, their place on the rail [m]) hold them,
- * by rising abscissa.
+ * SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on
+ * the rail [m], hold them, by rising abscissa.
  */
 static inline int64_t search__scan_side(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, double abscissa)
 {
@@ -574,95 +594,248 @@ static inline int64_t search__scan_side(array_double_1d tables, array_double_1d 
  */
 static inline int64_t search__scan_on(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t direction)
 {
+    int64_t nodes;
     int64_t count;
     int64_t level;
-    double before;
+    double gap_before;
+    double mismatch_before;
     double abscissa_before;
-    int64_t fallen;
-    int64_t doubtful;
+    int64_t skipped;
+    int64_t off;
     double gap;
     double mismatch;
     double abscissa;
-    int64_t cells;
-    bool falls;
+    double y;
+    nodes = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES;
     count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
     level = search__LEVELS - INT64_C(1);
-    /* the gap at the node before: after a rise it is smaller, coming from above it is larger */
-    before = -search__LARGE_GAP;
+    gap_before = 0.0;
+    mismatch_before = 0.0;
     abscissa_before = 0.0;
-    fallen = INT64_C(0);
-    doubtful = INT64_C(0);
+    skipped = INT64_C(1);
+    off = INT64_C(0);
     while((node >= INT64_C(0)) && (node < count))
     {
         search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        cells = INT64_C(1);
+        y = (*cspan_at(&tables, nodes + search__SCAN_ROW * node + search__ROW_Y));
         if (gap__above_rail(tables, abscissa) == INT64_C(0))
         {
-            /* the rail ends beside the last node: a minimum may lie before its end */
-            if (fallen == INT64_C(1))
+            if ((skipped == INT64_C(0)) && (off == INT64_C(0)))
             {
-                search__list_candidate(work, side, node - direction, direction, abscissa_before);
+                search__list_end(tables, work, side, place, at, state, reach, node - direction, direction, direction);
             }
             if (search__is_gone(tables, place, at, node, direction, abscissa) == INT64_C(1))
             {
                 return INT64_C(0);
             }
-            fallen = INT64_C(0);
+            off = INT64_C(1);
+            skipped = INT64_C(0);
             level = INT64_C(0);
-            before = search__LARGE_GAP;
         }
         else
         {
-            if ((fallen == INT64_C(1)) && (gap > before))
+            if (off == INT64_C(1))
             {
-                search__list_candidate(work, side, node - direction, direction, abscissa_before);
+                search__list_end(tables, work, side, place, at, state, reach, node, -direction, direction);
             }
+            else if ((skipped == INT64_C(0)) && (direction > INT64_C(0)))
+            {
+                search__list_cell(tables, work, side, place, at, state, reach, node - INT64_C(1), direction, abscissa_before, (*cspan_at(&tables, nodes + search__SCAN_ROW * (node - INT64_C(1)) + search__ROW_Y)), y, gap_before, gap, mismatch_before, mismatch);
+            }
+            else if (skipped == INT64_C(0))
+            {
+                search__list_cell(tables, work, side, place, at, state, reach, node, direction, abscissa, y, (*cspan_at(&tables, nodes + search__SCAN_ROW * (node + INT64_C(1)) + search__ROW_Y)), gap, gap_before, mismatch, mismatch_before);
+            }
+            off = INT64_C(0);
             level = search__clear_level(tables, place, at, node, direction, abscissa, gap - reach, (double)(direction) * mismatch, level, INT64_C(1));
-            /* a minimum below the reach may lie between two nodes above it, behind this one or before it; and between this one */
-            /* and the next, both higher than the one before */
-            fallen = INT64_C(0);
-            falls = (gap <= before) || ((double)(direction) * mismatch < 0.0);
-            if (falls && ((gap < reach) || (level < INT64_C(0)) || (doubtful == INT64_C(1))))
-            {
-                fallen = INT64_C(1);
-            }
-            doubtful = INT64_C(0);
+            skipped = INT64_C(1);
             if (level < INT64_C(0))
             {
-                doubtful = INT64_C(1);
+                level = INT64_C(0);
+                skipped = INT64_C(0);
             }
-            before = gap;
+            gap_before = gap;
+            mismatch_before = mismatch;
             abscissa_before = abscissa;
-            if (level > INT64_C(0))
-            {
-                cells = INT64_C(1) << level;
-                if (fallen == INT64_C(1))
-                {
-                    /* the next node is higher, or beyond the rail */
-                    cells = INT64_C(1);
-                }
-                else if (gap < reach)
-                {
-                    before = -search__LARGE_GAP;
-                }
-                else
-                {
-                    before = search__LARGE_GAP;
-                }
-            }
-            if (level < search__LEVELS - INT64_C(1))
-            {
-                level += INT64_C(1);
-            }
         }
-        node += direction * cells;
+        node += direction * (INT64_C(1) << level);
+        if ((off == INT64_C(0)) && (level < search__LEVELS - INT64_C(1)))
+        {
+            level += INT64_C(1);
+        }
     }
     return INT64_C(0);
 }
 
-/* Add ``node`` to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning. */
-static inline int64_t search__list_candidate(array_double_1d work, int64_t side, int64_t node, int64_t direction, double abscissa)
+/* ``list_cell`` between scan node ``node`` and the end of the rail before the next one ``outward`` (1 or -1). */
+static inline int64_t search__list_end(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t node, int64_t outward, int64_t direction)
+{
+    double inner;
+    double end;
+    double low;
+    double high;
+    int64_t cell;
+    double gap_low;
+    double mismatch_low;
+    double rate;
+    double gap_high;
+    double mismatch_high;
+    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
+    end = search__rail_end(tables, place, at, node, outward);
+    low = double_min(2, inner, end);
+    high = double_max(2, inner, end);
+    cell = node;
+    if (outward < INT64_C(0))
+    {
+        cell = node - INT64_C(1);
+    }
+    if (low < high)
+    {
+        gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, place, at, low);
+        gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, place, at, high);
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
+        search__list_cell(tables, work, side, place, at, state, reach, cell, direction, search__rail_place(tables, place, at, low), low, high, gap_low, gap_high, mismatch_low, mismatch_high);
+    }
+    return INT64_C(0);
+}
+
+/* Abscissa on the rail [m] below wheel abscissa ``y`` [m]. */
+static inline double search__rail_place(array_double_1d tables, array_double_1d place, int64_t at, double y)
+{
+    double z;
+    double slope;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double result;
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    locus__outline_point(&y_track, &z_track, &outline_slope, place, at, y, z, slope);
+    result = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    return result;
+}
+
+/* List the local minima between ``low`` and ``high`` [m], which lie between the scan nodes ``cell`` and ``cell`` + 1.
+ *
+ * abscissa : of ``low`` on the rail [m].
+ * gap_low, gap_high, mismatch_low, mismatch_high : at both.
+ */
+static inline int64_t search__list_cell(array_double_1d tables, array_double_1d work, int64_t side, array_double_1d place, int64_t at, array_double_1d state, double reach, int64_t cell, int64_t direction, double abscissa, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
+{
+    double nothing;
+    double most;
+    double least;
+    double stretch;
+    double rate;
+    int64_t stack;
+    int64_t depth;
+    int64_t top;
+    double width;
+    bool folded;
+    bool turns;
+    double y;
+    double gap;
+    double middle;
+    double mismatch;
+    search__bend_bounds(&nothing, &most, tables, place, at, cell, abscissa);
+    search__least_bend(&least, &stretch, tables, place, at, cell, INT64_C(0), high - low, search__rail_cell(tables, abscissa));
+    if (!(stretch < search__WIDEST))
+    {
+        /* the outline may be folded there */
+        least = nothing;
+        gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, place, at, low);
+        gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, place, at, high);
+        (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
+    }
+    stack = side + layout__SIDE_STACK;
+    search__push_cell(work, stack, low, high, gap_low, gap_high, mismatch_low, mismatch_high);
+    depth = INT64_C(1);
+    while(depth > INT64_C(0))
+    {
+        depth -= INT64_C(1);
+        top = stack + INT64_C(6) * depth;
+        low = (*cspan_at(&work, top));
+        high = (*cspan_at(&work, top + INT64_C(1)));
+        gap_low = (*cspan_at(&work, top + INT64_C(2)));
+        gap_high = (*cspan_at(&work, top + INT64_C(3)));
+        mismatch_low = (*cspan_at(&work, top + INT64_C(4)));
+        mismatch_high = (*cspan_at(&work, top + INT64_C(5)));
+        width = high - low;
+        if (double_min(2, gap_low, gap_high) - most * width * width / 8.0 < reach)
+        {
+            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
+            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
+            if (turns && ((least > 0.0) || (width <= search__LISTED_ONE)))
+            {
+                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high, search__LISTED);
+                if (gap < reach)
+                {
+                    search__list_minimum(work, side, y, search__rail_place(tables, place, at, y), direction);
+                }
+            }
+            else if ((width > search__LISTED) && (folded || (search__is_steady(least, most, width, mismatch_low, mismatch_high) == INT64_C(0))))
+            {
+                middle = 0.5 * (low + high);
+                gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
+                (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
+                /* the one that comes first in ``direction`` on top */
+                if (direction > INT64_C(0))
+                {
+                    search__push_cell(work, top, middle, high, gap, gap_high, mismatch, mismatch_high);
+                    search__push_cell(work, top + INT64_C(6), low, middle, gap_low, gap, mismatch_low, mismatch);
+                }
+                else
+                {
+                    search__push_cell(work, top, low, middle, gap_low, gap, mismatch_low, mismatch);
+                    search__push_cell(work, top + INT64_C(6), middle, high, gap, gap_high, mismatch, mismatch_high);
+                }
+                depth += INT64_C(2);
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* 1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
+ * than ``least`` and no more than ``most`` [1/m], else 0.
+ */
+static inline int64_t search__is_steady(double least, double most, double width, double mismatch_low, double mismatch_high)
+{
+    int64_t steady;
+    steady = INT64_C(0);
+    if ((mismatch_low >= 0.0) && (search__least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0))
+    {
+        steady = INT64_C(1);
+    }
+    if ((mismatch_high <= 0.0) && (search__least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0))
+    {
+        steady = INT64_C(1);
+    }
+    return steady;
+}
+
+/* The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
+ * no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet.
+ */
+static inline double search__least_slope(double least, double most, double width, double first, double last)
+{
+    double meet;
+    double lowest;
+    lowest = double_min(2, first, last);
+    if (least < 0.0)
+    {
+        lowest = first + least * width;
+        if (most > 0.0)
+        {
+            meet = (last - first - most * width) / (least - most);
+            lowest = first + least * double_min(2, double_max(2, meet, 0.0), width);
+        }
+    }
+    return lowest;
+}
+
+/* Add the minimum at ``y`` [m] to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning. */
+static inline int64_t search__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction)
 {
     int64_t entry;
     entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
@@ -672,7 +845,7 @@ static inline int64_t search__list_candidate(array_double_1d work, int64_t side,
     }
     if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * search__CANDIDATES))
     {
-        (*cspan_at(&work, side + layout__SIDE_NODE + entry)) = (double)(node);
+        (*cspan_at(&work, side + layout__SIDE_PLACE + entry)) = y;
         (*cspan_at(&work, side + layout__SIDE_ABSCISSA + entry)) = abscissa;
         if (direction < INT64_C(0))
         {
@@ -738,11 +911,10 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
             turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            /* the gap only rises, or only falls */
-            steady = (((mismatch_low >= 0.0) && (mismatch_low + least * width >= 0.0)) || ((mismatch_high <= 0.0) && (mismatch_high - least * width <= 0.0))) && (!folded);
+            steady = (search__is_steady(least, most, width, mismatch_low, mismatch_high) == INT64_C(1)) && (!folded);
             if (turns && ((least > 0.0) || (width <= search__NARROW)))
             {
-                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high);
+                search__refine_minimum(&y, &gap, tables, place, at, state, low, high, mismatch_low, mismatch_high, search__SHARP);
                 search__keep_refined(work, side, y, gap, width);
             }
             else if ((width > search__NARROW) && (!steady) && (folded || (!(least > 0.0))))
@@ -801,8 +973,10 @@ static inline int64_t search__keep_refined(array_double_1d work, int64_t side, d
     return INT64_C(0);
 }
 
-/* Abscissa [m] and gap [m] where the slope difference vanishes between ``low`` and ``high``: bracketed Newton. */
-static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high)
+/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``:
+ * bracketed Newton.
+ */
+static inline int64_t search__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d place, int64_t at, array_double_1d state, double low, double high, double mismatch_low, double mismatch_high, double sharp)
 {
     int64_t i;
     double mismatch;
@@ -827,7 +1001,7 @@ static inline int64_t search__refine_minimum(double* y, double* gap, array_doubl
         if (rate > 0.0)
         {
             move = (-mismatch) / rate;
-            if (fabs(move) < search__SHARP)
+            if (fabs(move) < sharp)
             {
                 break;
             }
@@ -836,7 +1010,7 @@ static inline int64_t search__refine_minimum(double* y, double* gap, array_doubl
                 following = (*y) + move;
             }
         }
-        if (fabs(following - (*y)) < search__SHARP)
+        if (fabs(following - (*y)) < sharp)
         {
             break;
         }

@@ -179,6 +179,10 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     double bend;
     double curvature_t;
     double curvature;
+    double low_t;
+    double low;
+    double high_t;
+    double high;
     int64_t i;
     double rate;
     double rate_t;
@@ -186,6 +190,7 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     double move;
     double v1;
     double v2;
+    double v3;
     double height;
     double height_t;
     double slope;
@@ -201,6 +206,10 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     bend = 0.0;
     curvature_t = 0.0;
     curvature = 0.0;
+    low_t = start_t;
+    low = start - regions__WANDER;
+    high_t = start_t;
+    high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, station, station_t, regions__TRACE, 0.0);
@@ -210,6 +219,13 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
         {
             move_t = 0.0;
             move = regions__DOWNHILL;
+            low_t = station_t;
+            low = station;
+        }
+        else
+        {
+            high_t = station_t;
+            high = station;
         }
         if (bend > 0.0)
         {
@@ -222,6 +238,12 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
                 (*found_t) = gap_t;
                 (*found) = gap;
             }
+        }
+        if (((station + move > high) && (high < start + regions__WANDER)) || ((station + move < low) && (low > start - regions__WANDER)))
+        {
+            v3 = low + high;
+            move_t = 0.5 * (low_t + high_t) - station_t;
+            move = 0.5 * v3 - station;
         }
         if (station + move > start + regions__WANDER)
         {
@@ -331,13 +353,13 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tab
 /* Tangent of ``find_regions``. */
 static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double level, double level_t)
 {
-    int64_t scan;
     double v1;
     double v2;
     double reach_t;
     double reach;
     int64_t i_end;
     int64_t i;
+    double y_t;
     double y;
     double abscissa_t;
     double abscissa;
@@ -352,7 +374,6 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     double n5;
     double n5_t;
     int64_t count;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
     count = INT64_C(1);
     v1 = 2.0 * level;
     v2 = v1 / (*cspan_at(&work, contact_plane__FRAME_COS));
@@ -364,7 +385,8 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     {
         if (count < layout__REGION_LIMIT)
         {
-            y = (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * (int64_t)((*cspan_at(&work, side + layout__SIDE_NODE + i))) + search__ROW_Y));
+            y_t = (*cspan_at(&work_t, side + layout__SIDE_PLACE + i));
+            y = (*cspan_at(&work, side + layout__SIDE_PLACE + i));
             abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_ABSCISSA + i));
             abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
             tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
@@ -372,7 +394,7 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
             v4 = height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
             station_t = (abscissa_t - (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + v3 * (*cspan_at(&work_t, contact_plane__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN)) + v4 * (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
             station = v3 * (*cspan_at(&work, contact_plane__FRAME_COS)) + v4 * (*cspan_at(&work, contact_plane__FRAME_SIN));
-            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, 0.0);
+            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
             tangent_regions__minimum_rule_t(&n5, &n5_t, tables, work, work_t, state, count, station, station_t);
             if (n5 < level)
             {
