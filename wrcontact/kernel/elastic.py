@@ -20,8 +20,8 @@ from typing import Final
 
 from .contact_plane import FRAME_COS, FRAME_DEPTH
 from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT,
-                     SET_ARM, SIDE_BEST, SIDE_BLOCK, SIDE_PENETRATION, STATE_ROLL_COUNT, SUPPORT_BLOCK, UNLOADED, VALID,
-                     WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE, WORK_SUPPORT)
+                     SET_ARM, SIDE_BEST, SIDE_BLOCK, SIDE_CONTACT_ANGLE, SIDE_PENETRATION, STATE_ROLL_COUNT,
+                     SUPPORT_BLOCK, UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE, WORK_SUPPORT)
 from .normal_contact import first_penetration
 from .regions import REGION_CARRIED, REGION_SHARE, region_block
 from .roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
@@ -207,7 +207,7 @@ def within_bracket(low: float, high: float, at_low: float, at_high: float, i: in
 
 
 def carried_load(work: 'float[:]', count: int):
-    """What ``count`` regions carry in the sense of the prescribed load [N]."""
+    """What ``count`` regions carry [N], vertically where the prescribed load is vertical."""
     total = 0.0
     for region in range(count):
         block = region_block(region)
@@ -229,6 +229,10 @@ def lay_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int
     if status == NOT_CONVERGED:
         met = 0
         sink = height - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+        if sink > DEEPEST:
+            sink = DEEPEST
+        if sink < SHALLOWEST * work[support + SUPPORT_FIRST]:
+            sink = SHALLOWEST * work[support + SUPPORT_FIRST]
         status = press_side(tables, work, state, index, sink)
         if status == VALID:
             count, status = load_side(tables, work, state, index, 0.0, work[FRAME_DEPTH])
@@ -293,26 +297,47 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
     return status
 
 
-def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
-    """Let both sides carry their loads at ``roll``; by how much the right one is lower [m], and the outcome."""
+def flatter_side(work: 'float[:]'):
+    """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal."""
+    flat = 0
+    if fabs(work[side_outputs(1) + SIDE_CONTACT_ANGLE]) < fabs(work[side_outputs(0) + SIDE_CONTACT_ANGLE]):
+        flat = 1
+    return flat
+
+
+def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float, flat: int):
+    """Let side ``flat`` carry its load at ``roll``, and lay down the other one at this height; how much lower the right one
+    would stand than the left one [m], 1 if either load is carried, else 0, and the outcome."""
     if turn_to(tables, work, state, roll) == 0:
-        return 0.0, OFF_PROFILE
+        return 0.0, 0, OFF_PROFILE
     state[STATE_ROLL_COUNT] += 1.0
-    status = bracket_height(tables, work, state, 0, left)
-    if status <= UNLOADED:
-        outcome = bracket_height(tables, work, state, 1, right)
-        if outcome > status:
-            status = outcome
-    difference = work[WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT] - work[WORK_SUPPORT + SUPPORT_HEIGHT]
-    return difference, status
+    flat_force = left
+    steep_force = right
+    if flat == 1:
+        flat_force = right
+        steep_force = left
+    status = bracket_height(tables, work, state, flat, flat_force)
+    if status > UNLOADED:
+        return 0.0, 0, status
+    height = work[WORK_SUPPORT + SUPPORT_BLOCK * flat + SUPPORT_HEIGHT]
+    lack, met, outcome = lay_side(tables, work, state, 1 - flat, steep_force, height)
+    work[WORK_SUPPORT + SUPPORT_BLOCK * (1 - flat) + SUPPORT_HEIGHT] = height
+    if outcome > status:
+        status = outcome
+    if flat == 1:
+        lack = -lack
+    return lack, met, status
 
 
 def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
-    """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while both heights exist.
+    """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
 
-    Where the difference of the heights jumps across zero, since a region comes or goes, the roll of the jump is taken.
+    A steep flange may carry its load at several heights of one roll, or at none that is not too deep; on the way down the
+    other wheel's height its load has one value at every roll.  Where that jumps past the force, since a region comes or goes,
+    the roll of the jump is taken.
     """
-    difference, status = stand_at(tables, work, state, roll, left, right)
+    flat = flatter_side(work)
+    difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
     if status > UNLOADED:
         return roll, status
     low = roll
@@ -327,22 +352,18 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
             low = high
             at_low = at_high
             high = roll + reach
-            at_high, status = stand_at(tables, work, state, high, left, right)
+            at_high, met, status = stand_at(tables, work, state, high, left, right, flat)
         else:
             high = low
             at_high = at_low
             low = roll - reach
-            at_low, status = stand_at(tables, work, state, low, left, right)
+            at_low, met, status = stand_at(tables, work, state, low, left, right, flat)
         if status > UNLOADED:
             return roll, status
         reach *= 2.0
     for i in range(BRACKETINGS):
         roll = within_bracket(low, high, at_low, at_high, i)
-        difference, status = stand_at(tables, work, state, roll, left, right)
-        if status <= UNLOADED and (fabs(difference) < BRACKET_SHARP or high - low < BRACKET_SHARP):
-            if too_deep(work, 0) == 1 or too_deep(work, 1) == 1:
-                status = OFF_PROFILE
-            return roll, status
+        difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
         if status > UNLOADED:
             return roll, status
         if difference > 0.0:
@@ -351,6 +372,20 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
         else:
             high = roll
             at_high = difference
+        if fabs(difference) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+            break
+    if met == 0:
+        # of both ends of a jump, the one whose nodes can carry the force
+        other = low
+        if roll == low:
+            other = high
+        roll = other
+        difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
+    if status <= UNLOADED:
+        if met == 0:
+            status = NOT_CONVERGED
+        if too_deep(work, 0) == 1 or too_deep(work, 1) == 1:
+            status = OFF_PROFILE
     return roll, status
 
 
