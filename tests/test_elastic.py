@@ -638,6 +638,30 @@ def test_a_steep_flange_stands_where_the_compliant_form_carries_its_load(choice,
     assert away[0] < (1 + 1e-8) * wanted and away[1] > (1 - 1e-8) * wanted, (away[0] / wanted, away[1] / wanted)
 
 
+def test_both_wheels_stand_at_one_height_where_the_flange_s_jumps():
+    """The flange carries its load at several heights of one roll; once the two wheels stood 0.1 mm apart there, at status 0."""
+    parameters = dict(load="vertical", normal_model="analyn_strip", separation="vertical", longitudinal_curvature="basic",
+                      lateral_curvature="smooth")
+    shift, yaw, force, transfer = 0.006717038521666567, -0.02235267519980281, 177991.03241361293, 0.8098496174104448
+    state = elastic(**parameters).evaluate(shift, yaw, force, transfer)
+    assert state.status == 0
+    stand = compliant(**parameters).evaluate(shift, yaw, vertical_shift_input=state.vertical_shift, roll_input=state.roll)
+    # strips are corrected for the load in one form and for the depth in the other, on a tread 0.14 % at most (measured)
+    assert stand.left.normal_force == pytest.approx(state.left.normal_force, rel=2e-3)
+
+
+def test_a_load_that_no_depth_carries_is_told():
+    """The flange carries at most 0.989 of its load where it is less than 2 mm deep and the tread carries its own, by a scan of the
+    compliant form over 1200 rolls; half of the load stands."""
+    pair = elastic(load="vertical", longitudinal_curvature="basic")
+    pose = (0.00673795137966747, 0.03108301780155364)
+    assert pair.evaluate(*pose, 91133.0, 0.9198425535487278).status == 0
+    state = pair.evaluate(*pose, 182267.24730465972, 0.9198425535487278)
+    sentence = explain(state.status, state.inputs)
+    assert state.status == 2
+    assert all(word in sentence for word in ("normal_force 182267 N", "load_transfer 0.919843", "deeper", "0.002 m")), sentence
+
+
 # ------------------------------------------------------------------------------- planes of their own, in rigid contact
 
 #: yaw [deg], shift [mm], force [N]: flange root and flange carry load at once
