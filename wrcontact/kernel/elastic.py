@@ -219,7 +219,7 @@ def lay_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int
     """What a side that is laid down at ``height`` lacks of the height at which it carries ``force`` [m]; 1 if it is carried
     there, else 0; and the outcome.
 
-    The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height`` itself
+    The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height``
     tells whether that is too low or too high, and the lack counts as the whole depth.
     """
     support = WORK_SUPPORT + SUPPORT_BLOCK * index
@@ -332,9 +332,9 @@ def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: floa
 def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
     """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
 
-    A steep flange may carry its load at several heights of one roll, or at none that is not too deep; on the way down the
-    other wheel's height its load has one value at every roll.  Where that jumps past the force, since a region comes or goes,
-    the roll of the jump is taken.
+    A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+    height of the other wheel its load has one value at every roll.  Where that jumps past the force, since a region comes or
+    goes, the roll of the jump is taken.
     """
     flat = flatter_side(work)
     difference, met, status = stand_at(tables, work, state, roll, left, right, flat)

@@ -301,7 +301,7 @@ static OUT_OF_LINE double elastic__carried_load(array_double_1d work, int64_t co
 /* What a side that is laid down at ``height`` lacks of the height at which it carries ``force`` [m]; 1 if it is carried
  * there, else 0; and the outcome.
  *
- * The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height`` itself
+ * The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height``
  * tells whether that is too low or too high, and the lack counts as the whole depth.
  */
 static OUT_OF_LINE int64_t elastic__lay_side(double* lack, int64_t* met, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
@@ -499,9 +499,9 @@ static OUT_OF_LINE int64_t elastic__stand_at(double* lack, int64_t* met, int64_t
 
 /* ``solve_elastic`` by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
  *
- * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; on the way down the
- * other wheel's height its load has one value at every roll.  Where that jumps past the force, since a region comes or goes,
- * the roll of the jump is taken.
+ * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+ * height of the other wheel its load has one value at every roll.  Where that jumps past the force, since a region comes or
+ * goes, the roll of the jump is taken.
  */
 static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
