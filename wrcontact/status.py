@@ -56,7 +56,9 @@ def explain(status, inputs, compliant=False):
             return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift {shift:g} m: a wheel is "
                     f"off its rail or deeper in it than {DEEPEST:g} m; {kept}")
         return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a profile, where "
-                f"there is no contact; permitted are shifts that keep the contact on both profiles; {kept}")
+                "there is no contact; permitted are shifts that keep the contact on both profiles; or in elastic contact "
+                f"normal_force {force:g} N with load_transfer {transfer:g} would press a wheel deeper into its rail than "
+                f"{DEEPEST:g} m; {kept}")
     return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, load_transfer "
             f"{transfer:g} within the iteration limit; {kept}")
 

@@ -144,7 +144,9 @@ static void explain(int status, const double *inputs, bool compliant, char *text
                  "or deeper in it than %s m; %s", height, roll, shift, SIX_DIGITS(MODEL_DEEPEST), KEPT);
     else
         snprintf(text, size, "lateral_shift is %s m at yaw %s rad: the smallest gap lies at the end of a profile, where there is "
-                 "no contact; permitted are shifts that keep the contact on both profiles; %s", shift, yaw, KEPT);
+                 "no contact; permitted are shifts that keep the contact on both profiles; or in elastic contact normal_force %s N "
+                 "with load_transfer %s would press a wheel deeper into its rail than %s m; %s", shift, yaw, force, transfer,
+                 SIX_DIGITS(MODEL_DEEPEST), KEPT);
 }
 
 static void tell_status(wheelset *self)

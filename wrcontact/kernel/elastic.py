@@ -20,9 +20,10 @@ from typing import Final
 
 from .contact_plane import FRAME_COS, FRAME_DEPTH
 from .layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT,
-                     SET_ARM, SIDE_BEST, SIDE_BLOCK, SIDE_PENETRATION, STATE_ROLL_COUNT, SUPPORT_BLOCK, UNLOADED, VALID,
-                     WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE, WORK_SUPPORT)
+                     SET_ARM, SIDE_BEST, SIDE_BLOCK, SIDE_CONTACT_ANGLE, SIDE_PENETRATION, STATE_ROLL_COUNT,
+                     SUPPORT_BLOCK, UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE, WORK_SUPPORT)
 from .normal_contact import first_penetration
+from .regions import REGION_CARRIED, REGION_SHARE, region_block
 from .roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
 from .side import SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever, side_outputs
 from .touching import limited
@@ -205,39 +206,80 @@ def within_bracket(low: float, high: float, at_low: float, at_high: float, i: in
     return place
 
 
+def carried_load(work: 'float[:]', count: int):
+    """What ``count`` regions carry [N], vertically where the prescribed load is vertical."""
+    total = 0.0
+    for region in range(count):
+        block = region_block(region)
+        total += work[block + REGION_SHARE] * work[block + REGION_CARRIED]
+    return total
+
+
+def lay_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float, height: float):
+    """What a side that is laid down at ``height`` lacks of the height at which it carries ``force`` [m]; 1 if it is carried
+    there, else 0; and the outcome.
+
+    The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height``
+    tells whether that is too low or too high, and the lack counts as the whole depth.
+    """
+    support = WORK_SUPPORT + SUPPORT_BLOCK * index
+    status = carry_side(tables, work, state, index, force, height)
+    lack = work[support + SUPPORT_HEIGHT] - height
+    met = 1
+    if status == NOT_CONVERGED:
+        met = 0
+        sink = height - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+        if sink > DEEPEST:
+            sink = DEEPEST
+        if sink < SHALLOWEST * work[support + SUPPORT_FIRST]:
+            sink = SHALLOWEST * work[support + SUPPORT_FIRST]
+        status = press_side(tables, work, state, index, sink)
+        if status == VALID:
+            count, status = load_side(tables, work, state, index, 0.0, work[FRAME_DEPTH])
+            lack = sink
+            if carried_load(work, count) > force:
+                lack = -sink
+            work[support + SUPPORT_HEIGHT] = height + lack
+    return lack, met, status
+
+
 def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
     """Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
 
     Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
-    a region comes or goes, the height of the jump is taken, with the regions just below it.
+    a region comes or goes, the height of the jump is taken, with the regions just below it, or just above where those cannot
+    carry the force.  Where DEEPEST is too high the height is what it would be with regions as they are there.
     """
     support = WORK_SUPPORT + SUPPORT_BLOCK * index
     best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
     if not force > 0.0:
         return carry_side(tables, work, state, index, force, best)
     low = best + SHALLOWEST * work[support + SUPPORT_FIRST]
-    status = carry_side(tables, work, state, index, force, low)
-    lack_low = work[support + SUPPORT_HEIGHT] - low
-    if status > UNLOADED or lack_low <= 0.0:
+    lack_low, met, status = lay_side(tables, work, state, index, force, low)
+    if status > UNLOADED:
+        return status
+    if lack_low <= 0.0:
+        if met == 0:
+            status = NOT_CONVERGED
         return status
     high = low
     lack_high = lack_low
     while lack_high > 0.0:
+        if high >= best + DEEPEST:
+            return status
         low = high
         lack_low = lack_high
         high = best + 1.5 * (high - best)
-        if high - best > DEEPEST:
-            return OFF_PROFILE
-        status = carry_side(tables, work, state, index, force, high)
+        if high > best + DEEPEST:
+            high = best + DEEPEST
+        lack_high, met, status = lay_side(tables, work, state, index, force, high)
         if status > UNLOADED:
             return status
-        lack_high = work[support + SUPPORT_HEIGHT] - high
     for i in range(BRACKETINGS):
         height = within_bracket(low, high, lack_low, lack_high, i)
-        status = carry_side(tables, work, state, index, force, height)
+        lack, met, status = lay_side(tables, work, state, index, force, height)
         if status > UNLOADED:
             return status
-        lack = work[support + SUPPORT_HEIGHT] - height
         if fabs(lack) < BRACKET_SHARP:
             return status
         if lack > 0.0:
@@ -249,30 +291,53 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
         if high - low < BRACKET_SHARP:
             break
     status = carry_side(tables, work, state, index, force, high)
+    if status == NOT_CONVERGED:
+        status = carry_side(tables, work, state, index, force, low)
     work[support + SUPPORT_HEIGHT] = high
     return status
 
 
-def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
-    """Let both sides carry their loads at ``roll``; by how much the right one is lower [m], and the outcome."""
+def flatter_side(work: 'float[:]'):
+    """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal."""
+    flat = 0
+    if fabs(work[side_outputs(1) + SIDE_CONTACT_ANGLE]) < fabs(work[side_outputs(0) + SIDE_CONTACT_ANGLE]):
+        flat = 1
+    return flat
+
+
+def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float, flat: int):
+    """Let side ``flat`` carry its load at ``roll``, and lay down the other one at this height; how much lower the right one
+    would stand than the left one [m], 1 if either load is carried, else 0, and the outcome."""
     if turn_to(tables, work, state, roll) == 0:
-        return 0.0, OFF_PROFILE
+        return 0.0, 0, OFF_PROFILE
     state[STATE_ROLL_COUNT] += 1.0
-    status = bracket_height(tables, work, state, 0, left)
-    if status <= UNLOADED:
-        outcome = bracket_height(tables, work, state, 1, right)
-        if outcome > status:
-            status = outcome
-    difference = work[WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT] - work[WORK_SUPPORT + SUPPORT_HEIGHT]
-    return difference, status
+    flat_force = left
+    steep_force = right
+    if flat == 1:
+        flat_force = right
+        steep_force = left
+    status = bracket_height(tables, work, state, flat, flat_force)
+    if status > UNLOADED:
+        return 0.0, 0, status
+    height = work[WORK_SUPPORT + SUPPORT_BLOCK * flat + SUPPORT_HEIGHT]
+    lack, met, outcome = lay_side(tables, work, state, 1 - flat, steep_force, height)
+    work[WORK_SUPPORT + SUPPORT_BLOCK * (1 - flat) + SUPPORT_HEIGHT] = height
+    if outcome > status:
+        status = outcome
+    if flat == 1:
+        lack = -lack
+    return lack, met, status
 
 
 def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
-    """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while both heights exist.
+    """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
 
-    Where the difference of the heights jumps across zero, since a region comes or goes, the roll of the jump is taken.
+    A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+    height of the other wheel its load has one value at every roll.  Where that jumps past the force, since a region comes or
+    goes, the roll of the jump is taken.
     """
-    difference, status = stand_at(tables, work, state, roll, left, right)
+    flat = flatter_side(work)
+    difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
     if status > UNLOADED:
         return roll, status
     low = roll
@@ -287,19 +352,19 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
             low = high
             at_low = at_high
             high = roll + reach
-            at_high, status = stand_at(tables, work, state, high, left, right)
+            at_high, met, status = stand_at(tables, work, state, high, left, right, flat)
         else:
             high = low
             at_high = at_low
             low = roll - reach
-            at_low, status = stand_at(tables, work, state, low, left, right)
+            at_low, met, status = stand_at(tables, work, state, low, left, right, flat)
         if status > UNLOADED:
             return roll, status
         reach *= 2.0
     for i in range(BRACKETINGS):
         roll = within_bracket(low, high, at_low, at_high, i)
-        difference, status = stand_at(tables, work, state, roll, left, right)
-        if status > UNLOADED or fabs(difference) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+        difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
+        if status > UNLOADED:
             return roll, status
         if difference > 0.0:
             low = roll
@@ -307,6 +372,20 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
         else:
             high = roll
             at_high = difference
+        if fabs(difference) < BRACKET_SHARP or high - low < BRACKET_SHARP:
+            break
+    if met == 0:
+        # of both ends of a jump, the one whose nodes can carry the force
+        other = low
+        if roll == low:
+            other = high
+        roll = other
+        difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
+    if status <= UNLOADED:
+        if met == 0:
+            status = NOT_CONVERGED
+        if too_deep(work, 0) == 1 or too_deep(work, 1) == 1:
+            status = OFF_PROFILE
     return roll, status
 
 

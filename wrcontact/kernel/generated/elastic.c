@@ -283,65 +283,132 @@ static OUT_OF_LINE double elastic__within_bracket(double low, double high, doubl
     return place;
 }
 
+/* What ``count`` regions carry [N], vertically where the prescribed load is vertical. */
+static OUT_OF_LINE double elastic__carried_load(array_double_1d work, int64_t count)
+{
+    int64_t region;
+    int64_t block;
+    double total;
+    total = 0.0;
+    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    {
+        block = regions__region_block(region);
+        total += (*cspan_at(&work, block + regions__REGION_SHARE)) * (*cspan_at(&work, block + regions__REGION_CARRIED));
+    }
+    return total;
+}
+
+/* What a side that is laid down at ``height`` lacks of the height at which it carries ``force`` [m]; 1 if it is carried
+ * there, else 0; and the outcome.
+ *
+ * The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height``
+ * tells whether that is too low or too high, and the lack counts as the whole depth.
+ */
+static OUT_OF_LINE int64_t elastic__lay_side(double* lack, int64_t* met, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
+{
+    int64_t support;
+    double sink;
+    int64_t count;
+    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
+    (*status) = elastic__carry_side(tables, work, state, index, force, height);
+    (*lack) = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - height;
+    (*met) = INT64_C(1);
+    if ((*status) == layout__NOT_CONVERGED)
+    {
+        (*met) = INT64_C(0);
+        sink = height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+        if (sink > elastic__DEEPEST)
+        {
+            sink = elastic__DEEPEST;
+        }
+        if (sink < elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST)))
+        {
+            sink = elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
+        }
+        (*status) = side__press_side(tables, work, state, index, sink);
+        if ((*status) == layout__VALID)
+        {
+            side__load_side(&count, status, tables, work, state, index, 0.0, (*cspan_at(&work, contact_plane__FRAME_DEPTH)));
+            (*lack) = sink;
+            if (elastic__carried_load(work, count) > force)
+            {
+                (*lack) = -sink;
+            }
+            (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = height + (*lack);
+        }
+    }
+    return 0;
+}
+
 /* Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
  *
  * Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
- * a region comes or goes, the height of the jump is taken, with the regions just below it.
+ * a region comes or goes, the height of the jump is taken, with the regions just below it, or just above where those cannot
+ * carry the force.  Where DEEPEST is too high the height is what it would be with regions as they are there.
  */
 static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
     int64_t support;
     double best;
     double low;
-    int64_t status;
     double lack_low;
+    int64_t met;
     double high;
     double lack_high;
     int64_t i;
     double height;
     double lack;
-    int64_t result;
+    int64_t status;
     support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
     best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
     if (!(force > 0.0))
     {
-        result = elastic__carry_side(tables, work, state, index, force, best);
-        return result;
+        status = elastic__carry_side(tables, work, state, index, force, best);
+        return status;
     }
     low = best + elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
-    status = elastic__carry_side(tables, work, state, index, force, low);
-    lack_low = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - low;
-    if ((status > layout__UNLOADED) || (lack_low <= 0.0))
+    elastic__lay_side(&lack_low, &met, &status, tables, work, state, index, force, low);
+    if (status > layout__UNLOADED)
     {
+        return status;
+    }
+    if (lack_low <= 0.0)
+    {
+        if (met == INT64_C(0))
+        {
+            status = layout__NOT_CONVERGED;
+        }
         return status;
     }
     high = low;
     lack_high = lack_low;
     while(lack_high > 0.0)
     {
+        if (high >= best + elastic__DEEPEST)
+        {
+            return status;
+        }
         low = high;
         lack_low = lack_high;
         high = best + 1.5 * (high - best);
-        if (high - best > elastic__DEEPEST)
+        if (high > best + elastic__DEEPEST)
         {
-            return layout__OFF_PROFILE;
+            high = best + elastic__DEEPEST;
         }
-        status = elastic__carry_side(tables, work, state, index, force, high);
+        elastic__lay_side(&lack_high, &met, &status, tables, work, state, index, force, high);
         if (status > layout__UNLOADED)
         {
             return status;
         }
-        lack_high = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - high;
     }
     for (i = INT64_C(0); i < elastic__BRACKETINGS; i += INT64_C(1))
     {
         height = elastic__within_bracket(low, high, lack_low, lack_high, i);
-        status = elastic__carry_side(tables, work, state, index, force, height);
+        elastic__lay_side(&lack, &met, &status, tables, work, state, index, force, height);
         if (status > layout__UNLOADED)
         {
             return status;
         }
-        lack = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - height;
         if (fabs(lack) < elastic__BRACKET_SHARP)
         {
             return status;
@@ -362,43 +429,85 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
         }
     }
     status = elastic__carry_side(tables, work, state, index, force, high);
+    if (status == layout__NOT_CONVERGED)
+    {
+        status = elastic__carry_side(tables, work, state, index, force, low);
+    }
     (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = high;
     return status;
 }
 
-/* Let both sides carry their loads at ``roll``; by how much the right one is lower [m], and the outcome. */
-static OUT_OF_LINE int64_t elastic__stand_at(double* difference, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
+/* The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal. */
+static OUT_OF_LINE int64_t elastic__flatter_side(array_double_1d work)
 {
+    int64_t flat;
+    flat = INT64_C(0);
+    if (fabs((*cspan_at(&work, side__side_outputs(INT64_C(1)) + layout__SIDE_CONTACT_ANGLE))) < fabs((*cspan_at(&work, side__side_outputs(INT64_C(0)) + layout__SIDE_CONTACT_ANGLE))))
+    {
+        flat = INT64_C(1);
+    }
+    return flat;
+}
+
+/* Let side ``flat`` carry its load at ``roll``, and lay down the other one at this height; how much lower the right one
+ * would stand than the left one [m], 1 if either load is carried, else 0, and the outcome.
+ */
+static OUT_OF_LINE int64_t elastic__stand_at(double* lack, int64_t* met, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
+{
+    double flat_force;
+    double steep_force;
     int64_t status;
+    double height;
     int64_t outcome;
     if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
     {
-        (*difference) = 0.0;
-        (*result_1) = layout__OFF_PROFILE;
+        (*lack) = 0.0;
+        (*met) = INT64_C(0);
+        (*result_2) = layout__OFF_PROFILE;
         return 0;
     }
     (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
-    status = elastic__bracket_height(tables, work, state, INT64_C(0), left);
-    if (status <= layout__UNLOADED)
+    flat_force = left;
+    steep_force = right;
+    if (flat == INT64_C(1))
     {
-        outcome = elastic__bracket_height(tables, work, state, INT64_C(1), right);
-        if (outcome > status)
-        {
-            status = outcome;
-        }
+        flat_force = right;
+        steep_force = left;
     }
-    (*difference) = (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT)) - (*cspan_at(&work, layout__WORK_SUPPORT + side__SUPPORT_HEIGHT));
-    (*result_1) = status;
+    status = elastic__bracket_height(tables, work, state, flat, flat_force);
+    if (status > layout__UNLOADED)
+    {
+        (*lack) = 0.0;
+        (*met) = INT64_C(0);
+        (*result_2) = status;
+        return 0;
+    }
+    height = (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * flat + side__SUPPORT_HEIGHT));
+    elastic__lay_side(lack, met, &outcome, tables, work, state, INT64_C(1) - flat, steep_force, height);
+    (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * (INT64_C(1) - flat) + side__SUPPORT_HEIGHT)) = height;
+    if (outcome > status)
+    {
+        status = outcome;
+    }
+    if (flat == INT64_C(1))
+    {
+        (*lack) = -(*lack);
+    }
+    (*result_2) = status;
     return 0;
 }
 
-/* ``solve_elastic`` by brackets around brackets: slow, and it cannot fail while both heights exist.
+/* ``solve_elastic`` by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
  *
- * Where the difference of the heights jumps across zero, since a region comes or goes, the roll of the jump is taken.
+ * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+ * height of the other wheel its load has one value at every roll.  Where that jumps past the force, since a region comes or
+ * goes, the roll of the jump is taken.
  */
 static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
+    int64_t flat;
     double difference;
+    int64_t met;
     int64_t status;
     double low;
     double high;
@@ -406,7 +515,9 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
     double at_high;
     double reach;
     int64_t i;
-    elastic__stand_at(&difference, &status, tables, work, state, roll, left, right);
+    double other;
+    flat = elastic__flatter_side(work);
+    elastic__stand_at(&difference, &met, &status, tables, work, state, roll, left, right, flat);
     if (status > layout__UNLOADED)
     {
         (*result_0) = roll;
@@ -431,14 +542,14 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
             low = high;
             at_low = at_high;
             high = roll + reach;
-            elastic__stand_at(&at_high, &status, tables, work, state, high, left, right);
+            elastic__stand_at(&at_high, &met, &status, tables, work, state, high, left, right, flat);
         }
         else
         {
             high = low;
             at_high = at_low;
             low = roll - reach;
-            elastic__stand_at(&at_low, &status, tables, work, state, low, left, right);
+            elastic__stand_at(&at_low, &met, &status, tables, work, state, low, left, right, flat);
         }
         if (status > layout__UNLOADED)
         {
@@ -451,8 +562,8 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
     for (i = INT64_C(0); i < elastic__BRACKETINGS; i += INT64_C(1))
     {
         roll = elastic__within_bracket(low, high, at_low, at_high, i);
-        elastic__stand_at(&difference, &status, tables, work, state, roll, left, right);
-        if ((status > layout__UNLOADED) || (fabs(difference) < elastic__BRACKET_SHARP) || (high - low < elastic__BRACKET_SHARP))
+        elastic__stand_at(&difference, &met, &status, tables, work, state, roll, left, right, flat);
+        if (status > layout__UNLOADED)
         {
             (*result_0) = roll;
             (*result_1) = status;
@@ -467,6 +578,32 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
         {
             high = roll;
             at_high = difference;
+        }
+        if ((fabs(difference) < elastic__BRACKET_SHARP) || (high - low < elastic__BRACKET_SHARP))
+        {
+            break;
+        }
+    }
+    if (met == INT64_C(0))
+    {
+        /* of both ends of a jump, the one whose nodes can carry the force */
+        other = low;
+        if (roll == low)
+        {
+            other = high;
+        }
+        roll = other;
+        elastic__stand_at(&difference, &met, &status, tables, work, state, roll, left, right, flat);
+    }
+    if (status <= layout__UNLOADED)
+    {
+        if (met == INT64_C(0))
+        {
+            status = layout__NOT_CONVERGED;
+        }
+        if ((elastic__too_deep(work, INT64_C(0)) == INT64_C(1)) || (elastic__too_deep(work, INT64_C(1)) == INT64_C(1)))
+        {
+            status = layout__OFF_PROFILE;
         }
     }
     (*result_0) = roll;

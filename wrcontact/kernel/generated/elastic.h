@@ -24,6 +24,7 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "normal_contact.h"
+#include "regions.h"
 #include "roll.h"
 #include "side.h"
 #include "touching.h"
@@ -45,9 +46,12 @@ static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_dou
 static OUT_OF_LINE int64_t elastic__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll);
 static OUT_OF_LINE int64_t elastic__carry_both(array_double_1d tables, array_double_1d work, array_double_1d state, double left, double right, double height);
 static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index);
+static OUT_OF_LINE int64_t elastic__flatter_side(array_double_1d work);
+static OUT_OF_LINE double elastic__carried_load(array_double_1d work, int64_t count);
+static OUT_OF_LINE int64_t elastic__lay_side(double* lack, int64_t* met, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height);
 static OUT_OF_LINE double elastic__within_bracket(double low, double high, double at_low, double at_high, int64_t i);
 static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
-static OUT_OF_LINE int64_t elastic__stand_at(double* difference, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
+static OUT_OF_LINE int64_t elastic__stand_at(double* lack, int64_t* met, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat);
 static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right);
 static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height);
