@@ -9,11 +9,11 @@ A failure prints the line of Python that is its pose.
 
 import numpy as np
 import pytest
-from fuzzing import Cut, Poses, Scene, batches
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import wrcontact
+from tests.fuzzing import RAILS, Cut, Poses, Scene, batches
 from wrcontact import Status
 from wrcontact.profiles import Profile, standard_profile
 from wrcontact.profiles.zones import Arc
@@ -450,3 +450,21 @@ def test_a_shallow_minimum_is_found_wherever_the_scan_has_its_nodes(rail, side, 
         # the same places by Newton's method from other starts
         assert other.penetration == pytest.approx(found[0].penetration, rel=1e-8)
         assert other.max_pressure == pytest.approx(found[0].max_pressure, rel=1e-8)
+
+
+@pytest.mark.parametrize("count", [200, pytest.param(20_000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("rail", RAILS)
+def test_many_patches_do_not_depend_on_where_the_scan_has_its_nodes(rail, count):
+    """Half of the poses beside the jump to the flange.  The same places by Newton's method from other starts, known to 1e-11 m."""
+    rng = np.random.default_rng(5)
+    shift = np.where(np.arange(count) % 2, rng.uniform(-8e-3, 8e-3, count),
+                     rng.choice([-1.0, 1.0], count) * rng.uniform(5.5e-3, 6.8e-3, count))
+    pose = {"lateral_shift": shift, "yaw": rng.uniform(-0.05, 0.05, count), "load_transfer": rng.uniform(-0.5, 0.5, count),
+            "normal_force": np.exp(rng.uniform(np.log(1e3), np.log(2e5), count))}
+    tables = [wrcontact.ContactSystem(Cut("S1002", stop=stop).profile(), rail).evaluate_many(**pose)
+              for stop in (60.0, 59.7, 59.3, 59.13)]
+    for other in tables[1:]:
+        assert not other.status.any()
+        off = differences(tables[0], other)
+        worst = int(np.argmax(off))
+        assert off[worst] < 1e-6, {name: values[worst] for name, values in pose.items()}
