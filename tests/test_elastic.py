@@ -778,3 +778,19 @@ def test_bad_heights_and_rolls_are_told_and_forgotten():
     for change in (dict(roll_input=0.5), dict(vertical_shift_input=5e-3)):
         assert pair.evaluate(**{**good, **change}).status == wrcontact.Status.OFF_PROFILE
     np.testing.assert_array_equal(pair.evaluate(**good).values, first.values)
+
+
+def test_a_stand_on_a_jump_of_the_load_is_always_the_same_end_of_it():
+    """Two places of the right wheel are equally deep where it stands, one carries more than the load and the other less; once they
+    took turns from one nanometre to the next."""
+    pair = wrcontact.ContactSystem(
+        rail="54E1", rail_inclination=1 / 30, gauge=1.4452408348436032, nominal_radius=0.4724724783139843,
+        contact_mode="elastic", normal_model="hertz", separation="equidistant_chord", longitudinal_curvature="basic",
+        lateral_curvature="rough")
+    shift, yaw, force, transfer = 0.008346254944846863, -0.07552726543349111, 150e3, 0.01602679187811673
+    table = pair.evaluate_many(shift + 1e-9 * np.arange(-20, 21), yaw, force, load_transfer=transfer)
+    mirrored = pair.evaluate_many(-shift - 1e-9 * np.arange(-20, 21), -yaw, force, load_transfer=-transfer)
+    assert not table.status.any() and not mirrored.status.any()
+    # 20 nm move the place by 1e-7 m, and to the other one it is 14 mm
+    assert np.ptp(table.right.contact.y_wheel) < 1e-6
+    assert np.abs(table.right.contact.y_wheel - mirrored.left.contact.y_wheel).max() < 1e-6

@@ -374,8 +374,16 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
             at_high = difference
         if fabs(difference) < BRACKET_SHARP or high - low < BRACKET_SHARP:
             break
+    if fabs(difference) >= BRACKET_SHARP:
+        # of both ends of a jump always the same, at which the steeper wheel carries no less than its load
+        end = high
+        if flat == 1:
+            end = low
+        if roll != end:
+            roll = end
+            difference, met, status = stand_at(tables, work, state, roll, left, right, flat)
     if met == 0:
-        # of both ends of a jump, the one whose nodes can carry the force
+        # or the one whose nodes can carry the force
         other = low
         if roll == low:
             other = high

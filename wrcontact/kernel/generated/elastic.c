@@ -515,6 +515,7 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
     double at_high;
     double reach;
     int64_t i;
+    double end;
     double other;
     flat = elastic__flatter_side(work);
     elastic__stand_at(&difference, &met, &status, tables, work, state, roll, left, right, flat);
@@ -584,9 +585,23 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
             break;
         }
     }
+    if (fabs(difference) >= elastic__BRACKET_SHARP)
+    {
+        /* of both ends of a jump always the same, at which the steeper wheel carries no less than its load */
+        end = high;
+        if (flat == INT64_C(1))
+        {
+            end = low;
+        }
+        if (roll != end)
+        {
+            roll = end;
+            elastic__stand_at(&difference, &met, &status, tables, work, state, roll, left, right, flat);
+        }
+    }
     if (met == INT64_C(0))
     {
-        /* of both ends of a jump, the one whose nodes can carry the force */
+        /* or the one whose nodes can carry the force */
         other = low;
         if (roll == low)
         {
