@@ -20,6 +20,7 @@ import numpy as np
 
 import wrcontact
 from wrcontact.profiles import Profile, standard_profile
+from wrcontact.system import CHOICES
 
 RAILS = ("UIC60", "60E1", "54E1")
 INCLINATIONS = (0.0, 1 / 40, 1 / 30, 1 / 20)
@@ -32,14 +33,6 @@ FORCES = (1e-3, 1e6)            # [N]
 GUESSES = (-0.1, 0.1)           # [rad]
 OFFSETS = (1e-12, 1e-4)         # [m] from a jump or an end
 
-METHODS = {
-    "contact_mode": ("rigid", "elastic", "compliant"),
-    "load": ("normal", "vertical"),
-    "normal_model": ("analyn", "analyn_strip", "hertz"),
-    "separation": ("normal", "vertical", "equidistant", "equidistant_chord"),
-    "longitudinal_curvature": ("effective", "basic"),
-    "lateral_curvature": ("adaptive", "smooth", "rough"),
-}
 #: The cheapest system of a scene: where wheels and rails touch, and no normal contact.
 GEOMETRY = {"contact_mode": "rigid", "load": "normal", "normal_model": "hertz"}
 
@@ -175,7 +168,7 @@ def draw_scene(rng, cuts=0.2, **fixed):
         "gauge_depth": float(0.014 if rng.random() < 0.7 else rng.uniform(*DEPTHS)),
         "nominal_radius": float(0.46 if rng.random() < 0.3 else rng.uniform(*RADII)),
     }
-    methods = {name: str(rng.choice(choices)) for name, choices in METHODS.items()}
+    methods = {name: str(rng.choice(choices)) for name, choices in CHOICES.items()}
     if methods["contact_mode"] == "compliant":
         methods["load"] = "normal"
     arguments.update(methods)

@@ -2,7 +2,6 @@
 
 import csv
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,10 +9,11 @@ import pytest
 
 import wrcontact
 from benchmarks.profile_noise import noisy_points
+from tests.fuzzing import cut
 from tests.numpy_tables import build_tables
 from tests.surface_witness import Surfaces
 from wrcontact.kernel import gap, layout, locus, profile_table, roll, search
-from wrcontact.profiles import Profile, standard_profile
+from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.resolution import resolve
@@ -391,13 +391,6 @@ def test_the_same_inputs_give_the_same_roll_at_large_yaw(system):
     assert np.abs(plain.roll - guessed.roll).max() < 1e-12
 
 
-def cut_wheel(start, stop):
-    """S1002 between two abscissae [mm]."""
-    whole = standard_profile("S1002")
-    return Profile("S1002", "wheel", tuple(replace(zone, start=max(zone.start, start), stop=min(zone.stop, stop))
-                                           for zone in whole.zones if zone.stop > start and zone.start < stop))
-
-
 #: Arguments of the system, lateral shift [m] and yaw [rad], and why the answer once hung on where the search started.
 SEVERAL_ANSWERS = {
     "flank above the rail again": (dict(rail="54E1", rail_inclination=1 / 30, gauge=1.4347667900382095),
@@ -430,7 +423,7 @@ def test_there_is_one_answer(name):
 @pytest.mark.parametrize("shift", [8.133158769028561e-05, 8.132284882685428e-05])
 def test_a_start_that_finds_no_roll_does_not_decide(shift):
     """Beyond its end a wheel's smallest gap jumps: from 4 mrad on the search ended there, with status 2."""
-    system = wrcontact.ContactSystem(cut_wheel(-70.0, 1.149722310560055), gauge=1.4262290727589113,
+    system = wrcontact.ContactSystem(cut("S1002", stop=1.149722310560055), gauge=1.4262290727589113,
                                      gauge_depth=0.011519422829102665, nominal_radius=0.6543992887310359)
     table = system.evaluate_many(shift, 0.04903556557466748, roll_guess=np.linspace(-0.1, 0.1, 81), outputs="geometry")
     assert not table.status.any()
@@ -447,7 +440,7 @@ def test_a_printed_joint_is_no_end():
 
 def test_a_wheel_that_ends_on_the_tread_is_off_the_profile():
     """Not "not converged": the smallest gap lies at its end, from wherever the search starts."""
-    system = wrcontact.ContactSystem(wheel=cut_wheel(-70.0, 6.7))
+    system = wrcontact.ContactSystem(wheel=cut("S1002", stop=6.7))
     guesses = np.linspace(-0.1, 0.1, 21)
     for shift in (0.0, 1e-3, 4e-3, 8e-3):
         statuses = set(system.evaluate_many(shift, 0.01, roll_guess=guesses, outputs="geometry").status)
@@ -460,13 +453,13 @@ def test_a_wheel_is_searched_to_its_last_millimetre():
     """Contact 0.2 mm from the end, which lay beyond the last node of the search."""
     whole = wrcontact.ContactSystem().evaluate(2e-3, 0.01)
     stop = whole.left.contact.y_wheel * 1e3 + 0.2
-    state = wrcontact.ContactSystem(wheel=cut_wheel(-70.0, stop)).evaluate(2e-3, 0.01)
+    state = wrcontact.ContactSystem(wheel=cut("S1002", stop=stop)).evaluate(2e-3, 0.01)
     assert state.status == 0 and state.roll == pytest.approx(whole.roll, abs=1e-12)
 
 
 @pytest.mark.parametrize("start, stop", [(-70.0, 28.481727808186925), (-35.19681944545982, 60.0), (-44.1, 0.7)])
 def test_a_profile_has_a_height_at_both_its_ends(start, stop):
-    profile = cut_wheel(start, stop)
+    profile = cut("S1002", start, stop)
     for name in ("UIC60", "60E1", "54E1"):
         ends = standard_profile(name)
         assert np.isfinite(ends.height([ends.start, ends.stop])).all()
