@@ -1,8 +1,9 @@
-"""How much work a pose is, counted by the kernel itself (STATE_... in wrcontact/kernel/layout.py)."""
+"""How much work a pose is, counted by the kernel itself (STATE_... in wrcontact/kernel/layout/records.py)."""
 
 import numpy as np
 
-from wrcontact.kernel import layout, search
+from wrcontact.kernel import layout
+from wrcontact.kernel.search import search
 
 from . import runs
 from .rows import system

@@ -18,8 +18,9 @@ import numpy as np
 from scipy.interpolate import CubicSpline, make_smoothing_spline
 
 import wrcontact
-from wrcontact.kernel import contact_plane, layout
-from wrcontact.kernel.library import default_kernel
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import contact_plane
+from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.profiles.files import profile_from_points
 from wrcontact.profiles.placement import readable_wheel
 

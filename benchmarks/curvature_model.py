@@ -1,6 +1,6 @@
 """ANALYN on dense gap curves, with the lateral curvature left open: what the curvature study varies.
 
-The recipe is that of wrcontact/kernel/normal_contact.py (docs/method.md, section 7)::
+The recipe is that of wrcontact/kernel/normal/normal_contact.py (docs/method.md, section 7)::
 
     force  ->  estimated penetration  ->  regions, their half-widths  ->  curvatures (the scheme)  ->  levels  ->  patch
 
@@ -15,7 +15,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
-from wrcontact.hertz_table import coefficients
+from wrcontact.kernel.binding.hertz_table import coefficients
 
 from .curvature_cases import halfspace_reference
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from wrcontact.kernel.library import default_kernel
+from wrcontact.kernel.binding.library import default_kernel
 
 _VALUES = np.linspace(1.0, 2.0, 2000)
 

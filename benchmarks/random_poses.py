@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 import wrcontact
-from wrcontact.resolution import COUNTS, LADDERS, USERS
+from wrcontact.methods.resolution import COUNTS, LADDERS, USERS
 
 from .table import markdown, percent
 

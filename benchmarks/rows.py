@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 
 import wrcontact
-from wrcontact.resolution import LADDERS
+from wrcontact.methods.resolution import LADDERS
 
 from . import errors, runs
 from .machine import Cost, cost

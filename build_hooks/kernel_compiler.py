@@ -15,10 +15,10 @@ import tempfile
 from pathlib import Path
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
-_NAMES = runpy.run_path(str(KERNEL / "platforms.py"))
+_NAMES = runpy.run_path(str(KERNEL / "binding" / "platforms.py"))
 PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
 LIBRARY_NAME = library_name(host_platform())
-write_whole = runpy.run_path(str(KERNEL.parent / "whole_file.py"))["write_whole"]
+write_whole = runpy.run_path(str(KERNEL.parent / "files" / "whole_file.py"))["write_whole"]
 
 #: What steps, what prepares and what differentiates: units of their own, so that no other takes from the optimising of the first.
 SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]

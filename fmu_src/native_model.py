@@ -1,15 +1,16 @@
 """What the native FMU's C must know, from the one table of variables: sizes, variables, profiles and fixed tables as C text."""
 
-from ..hertz_table import hertz_table
-from ..influence_table import influence_table
+from ..kernel.binding.hertz_table import hertz_table
+from ..kernel.binding.influence_table import influence_table
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
-from ..kernel import layout, prepare_tables
-from ..kernel.elastic import DEEPEST
-from ..kernel.prepare_scan import FINE_STEP
-from ..kernel.prepare_tables import LATERAL_LIMIT, YAW_LIMIT
-from ..kernel.roll import ROLL_LIMIT
+from ..kernel import layout
+from ..kernel.prepare import tables as prepare_tables
+from ..kernel.wheelset.elastic import DEEPEST
+from ..kernel.prepare.scan import FINE_STEP
+from ..kernel.prepare.tables import LATERAL_LIMIT, YAW_LIMIT
+from ..kernel.search.roll import ROLL_LIMIT
 from ..profiles.definition import definition
-from ..resolution import FINEST, LADDERS, ANALYN
+from ..methods.resolution import FINEST, LADDERS, ANALYN
 from ..system import METHOD_NUMBERS
 from ..tables import SETUP, SETUP_METHODS
 

@@ -1,14 +1,14 @@
-"""Lateral curvature of a profile all along it by numpy, as a witness of kernel/prepare_curvatures.py.
+"""Lateral curvature of a profile all along it by numpy, as a witness of kernel/prepare/curvatures.py.
 
-Layout in wrcontact/kernel/lateral_curvature.py.  Curvatures here are d(angle)/d(arc length) with z down, positive where
+Layout in wrcontact/kernel/surface/lateral_curvature.py.  Curvatures here are d(angle)/d(arc length) with z down, positive where
 the profile is hollow upwards; the kernel's table has them positive where the profile bulges towards the other body, which is
 this sign on a rail and the other one on a wheel.
 """
 
 import numpy as np
 
-from wrcontact.kernel import lateral_curvature as layout
-from wrcontact.kernel import profile_table
+from wrcontact.kernel.surface import lateral_curvature as layout
+from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles.compiled import evaluate_table
 
 #: Distance of the values: this share of the arc length or reach they are averaged over, and between these [m].

@@ -1,9 +1,9 @@
-"""The search's raster over the wheel by numpy, with the bounds that certify it, as a witness of kernel/prepare_scan.py."""
+"""The search's raster over the wheel by numpy, with the bounds that certify it, as a witness of kernel/prepare/scan.py."""
 
 import numpy as np
 
-from wrcontact.kernel import profile_table
-from wrcontact.kernel import search as layout
+from wrcontact.kernel.surface import profile_table
+from wrcontact.kernel.search import search as layout
 from wrcontact.kernel.layout import SCAN_LIMIT
 from wrcontact.profiles.compiled import evaluate_table
 

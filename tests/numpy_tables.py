@@ -1,14 +1,15 @@
-"""The kernel's tables by numpy from exact profiles: the witness of the kernel's own preparation (kernel/prepare_tables.py)."""
+"""The kernel's tables by numpy from exact profiles: the witness of the kernel's own preparation (kernel/prepare/tables.py)."""
 
 import numpy as np
 
 from tests.numpy_curvatures import empty_curvature_table, rough_curvature_table, smooth_curvature_table
 from tests.numpy_scan import scan_table
-from wrcontact.hertz_table import hertz_table
-from wrcontact.influence_table import influence_table
-from wrcontact.kernel import layout, starts
-from wrcontact.kernel.library import default_kernel
-from wrcontact.kernel.prepare_tables import LATERAL_LIMIT, START_STEP, YAW_LIMIT
+from wrcontact.kernel.binding.hertz_table import hertz_table
+from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel import layout
+from wrcontact.kernel.search import starts
+from wrcontact.kernel.binding.library import default_kernel
+from wrcontact.kernel.prepare.tables import LATERAL_LIMIT, START_STEP, YAW_LIMIT
 from wrcontact.profiles.compiled import compile_profile
 
 #: Where the kernel keeps the number of each method.
@@ -70,7 +71,7 @@ def curvature_table(profile, sign, kind, step, reach):
 
 
 def empty_starts():
-    """Table of starts with nothing known; layout in wrcontact/kernel/starts.py."""
+    """Table of starts with nothing known; layout in wrcontact/kernel/search/starts.py."""
     count = 2 * round(LATERAL_LIMIT / START_STEP) + 1
     table = np.zeros(starts.START_ROWS + starts.START_ROW * count)
     table[starts.START_COUNT] = count

@@ -114,25 +114,30 @@ def planted(text, error):
 
 
 def source_of(module, root=ROOT):
-    return root / "wrcontact" / "kernel" / f"{module}.py"
+    from transpile_kernel import FILES, flat_name
+
+    kernel = root / "wrcontact" / "kernel"
+    return next(path for path in FILES["kernel_modules"](kernel) if flat_name(path) == module)
 
 
 def random_errors(count, seed):
     """Errors at random places of the kernel's functions: another operator, comparison or constant."""
+    from transpile_kernel import flat_name
+
     places = [(path, *place) for path in kernel_modules() for place in changes(path.read_text(encoding="utf-8"))]
     for number, (path, at, old, new, line) in enumerate(random.Random(seed).sample(places, count)):
         text = path.read_text(encoding="utf-8")
         # so much around the place that it is there once
         reach = next(reach for reach in range(len(text)) if text.count(text[max(at - reach, 0):at + len(old) + reach]) == 1)
         before, after = text[max(at - reach, 0):at], text[at + len(old):at + len(old) + reach]
-        yield Error(f"random_{seed}_{number}", path.stem, before + old + after, before + new + after,
+        yield Error(f"random_{seed}_{number}", flat_name(path), before + old + after, before + new + after,
                     f"line {line}: {old} -> {new} in {text.splitlines()[line - 1].strip()}", "test_normal_contact")
 
 
 def kernel_modules():
     from transpile_kernel import FILES, KERNEL
 
-    return [path for path in FILES["kernel_modules"](KERNEL) if path.name != "layout.py"]
+    return [path for path in FILES["kernel_modules"](KERNEL) if path.parent.name != "layout"]
 
 
 def changes(text):

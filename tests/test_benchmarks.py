@@ -20,7 +20,7 @@ from benchmarks import (
 )
 from benchmarks.table import figure, markdown
 from wrcontact.plots import style
-from wrcontact.resolution import LADDERS
+from wrcontact.methods.resolution import LADDERS
 
 LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 
@@ -163,7 +163,7 @@ def test_answers_are_those_of_the_named_track():
 
 
 def test_tolerances_are_kept():
-    """95 of 100 poses keep the tolerance in all three, as wrcontact/resolution.py says; here of few poses, with a margin."""
+    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/resolution.py says; here of few poses, with a margin."""
     for line in random_poses.numerics(200).splitlines()[4:]:
         name, _, kept, *_ = (cell.strip() for cell in line.strip("|").split("|"))
         assert max(map(float, kept.split(" / "))) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, line

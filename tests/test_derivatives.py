@@ -2,7 +2,6 @@
 
 import importlib
 import re
-import shutil
 import sys
 from pathlib import Path
 
@@ -11,10 +10,10 @@ import pytest
 
 import wrcontact
 from tools.tangent import tangent_modules
-from tools.transpile_kernel import FILES, Module
+from tools.transpile_kernel import source_modules
 from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
 from wrcontact.kernel import layout
-from wrcontact.kernel.library import default_kernel
+from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL, IN_ROLL_GUESS,
                                      IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUTPUT_COUNT, SIDE_SIZE,
                                      SIDE_Y_TRACK)
@@ -274,10 +273,10 @@ def differentiated(tmp_path_factory):
     folder = tmp_path_factory.mktemp("differentiated") / "differentiated_kernel"
     folder.mkdir()
     (folder / "__init__.py").touch()
-    paths = FILES["kernel_modules"]()
-    for path in paths:
-        shutil.copy(path, folder)
-    for name, text in tangent_modules([Module(path) for path in paths]).items():
+    modules = source_modules()
+    for module in modules:
+        Path(folder, f"{module.name}.py").write_bytes(module.text)
+    for name, text in tangent_modules(modules).items():
         Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
     sys.path.insert(0, str(folder.parent))
     yield importlib.import_module("differentiated_kernel.tangent_implicit"), importlib.import_module("differentiated_kernel.step")

@@ -17,7 +17,8 @@ from scipy.optimize import brentq, root
 import wrcontact
 from test_native_library import bits, needs_library, run_steps
 from test_normal_contact import MODULUS, hertz
-from wrcontact.kernel import layout, overlaps
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import overlaps
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.compiled import compile_profile, evaluate_table
 from wrcontact.profiles.placement import place_rail

@@ -39,9 +39,9 @@ from wrcontact.fmu.compilers import zig_cache
 from wrcontact.interface.session import Refused as StateRefused
 from wrcontact.interface.session import Session
 from wrcontact.interface.variables import REFERENCE
-from wrcontact.kernel.library import LIBRARY_NAME, LibraryUnusable, open_library
+from wrcontact.kernel.binding.library import LIBRARY_NAME, LibraryUnusable, open_library
 from wrcontact.profiles import files, standard_profile
-from wrcontact.whole_file import ABANDONED, write_whole
+from wrcontact.files.whole_file import ABANDONED, write_whole
 
 WRITER = Path(whole_file.__file__)
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="signals, limits and devices are those of Linux")

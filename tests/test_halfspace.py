@@ -14,14 +14,16 @@ from scipy.integrate import dblquad
 from scipy.interpolate import CubicSpline
 
 import wrcontact
-from wrcontact import Status, halfspace, true_gap
+from wrcontact import Status
+from wrcontact.reference import halfspace, true_gap
 from wrcontact.conventions import MIRROR
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
-from wrcontact.kernel import layout, planes
-from wrcontact.kernel.library import Kernel
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import planes
+from wrcontact.kernel.binding.library import Kernel
 from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.resolution import FINEST
+from wrcontact.methods.resolution import FINEST
 from wrcontact.system import CHOICES
 
 sys.path.insert(0, str(Path(__file__).parent))

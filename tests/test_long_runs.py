@@ -17,7 +17,7 @@ from tests.walker import HOME, RETURN, Walker
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu
 from wrcontact.interface.variables import FIRST_OUTPUT, REAL, STATUS, VARIABLES
-from wrcontact.kernel.library import default_kernel
+from wrcontact.kernel.binding.library import default_kernel
 
 HERE = Path(__file__).resolve().parent
 SEED = 7

@@ -31,8 +31,8 @@ from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
-from wrcontact.kernel.library import default_kernel
-from wrcontact.kernel.platforms import PLATFORMS, host_platform
+from wrcontact.kernel.binding.library import default_kernel
+from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.state import WheelsetState
 

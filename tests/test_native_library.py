@@ -15,11 +15,11 @@ import pytest
 import wrcontact
 from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
 from tools.transpile_kernel import Module, Refused
-from wrcontact.kernel import library
-from wrcontact.kernel.files import fingerprint
+from wrcontact.kernel.binding import library
+from wrcontact.kernel.binding.files import fingerprint
 from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUTPUT_COUNT,
                                      SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE)
-from wrcontact.kernel.platforms import LIBRARY_NAME
+from wrcontact.kernel.binding.platforms import LIBRARY_NAME
 
 PACKAGE = Path(wrcontact.__file__).parent
 KERNEL = PACKAGE / "kernel"
@@ -194,7 +194,7 @@ def test_generated_c_is_of_this_source():
 
 def test_missing_library_warns_once(tmp_path):
     package = copy_package(tmp_path, "renamed_wheelset", with_library=False)
-    code = "from renamed_wheelset.kernel.library import default_kernel as k; print(k().compiled, k().compiled)"
+    code = "from renamed_wheelset.kernel.binding.library import default_kernel as k; print(k().compiled, k().compiled)"
     child = run_python(code, tmp_path, "auto")
     assert child.stdout.split() == ["False", "False"], child.stderr
     assert child.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
@@ -205,7 +205,7 @@ def test_missing_library_warns_once(tmp_path):
 def test_library_of_other_sources_is_refused(tmp_path):
     folder = copy_package(tmp_path, "edited_wheelset", with_library=True) / "kernel"
     assert library.open_library(folder).wrcontact_abi() == fingerprint(folder)
-    with open(folder / "layout.py", "a") as source:
+    with open(folder / "layout" / "records.py", "a") as source:
         source.write("# edited\n")
     with pytest.raises(library.LibraryUnusable, match="another version of the kernel"):
         library.open_library(folder)

@@ -11,10 +11,13 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipkm1
 
 import wrcontact
-from wrcontact.hertz_table import coefficients, hertz_table
-from wrcontact.influence_table import influence_table
-from wrcontact.kernel import analyn, layout, nodes, patches, regions
-from wrcontact.kernel.hertz import hertz_coefficients, hertz_stiffness
+from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
+from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import regions
+from wrcontact.kernel.normal import analyn, nodes
+from wrcontact.kernel.patch import patches
+from wrcontact.kernel.normal.hertz import hertz_coefficients, hertz_stiffness
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 

@@ -27,9 +27,9 @@ from wrcontact.fmu import build_fmu, native, online
 from wrcontact.fmu.compilers import CompilerProblem, compile_kernel, compiler_for
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 from wrcontact.kernel import layout
-from wrcontact.kernel.files import HERE as KERNEL
-from wrcontact.kernel.files import fingerprint
-from wrcontact.kernel.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
+from wrcontact.kernel.binding.files import HERE as KERNEL
+from wrcontact.kernel.binding.files import fingerprint
+from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
@@ -433,7 +433,7 @@ def install(wheel, folder):
 
 EVALUATE = """
 import wrcontact
-from wrcontact.kernel import library
+from wrcontact.kernel.binding import library
 kernel = library.default_kernel()
 state = wrcontact.ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3)
 print(library.__file__, kernel.compiled, state.right.penetration.hex())
@@ -484,4 +484,4 @@ def test_source_archive_has_no_library(sources, tmp_path):
     with tarfile.open(next(tmp_path.iterdir())) as archive:
         names = archive.getnames()
     assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []
-    assert [name for name in names if name.endswith("wrcontact/kernel/platforms.py")]
+    assert [name for name in names if name.endswith("wrcontact/kernel/binding/platforms.py")]

@@ -6,10 +6,12 @@ import pytest
 import wrcontact
 from tests import numpy_curvatures, numpy_scan
 from tests.numpy_tables import build_tables
-from wrcontact.hertz_table import hertz_table
-from wrcontact.influence_table import influence_table
-from wrcontact.kernel import layout, library, prepare_tables
-from wrcontact.kernel.library import Kernel, default_kernel
+from wrcontact.kernel.binding.hertz_table import hertz_table
+from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel import layout
+from wrcontact.kernel.binding import library
+from wrcontact.kernel.prepare import tables as prepare_tables
+from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.profiles import Profile
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.definition import definition
@@ -129,7 +131,7 @@ def test_setup_that_is_no_array_is_refused():
 
 
 def test_constants_are_those_of_the_witness():
-    from wrcontact.kernel import prepare_curvatures, prepare_pieces, prepare_placement, prepare_scan
+    from wrcontact.kernel.prepare import curvatures as prepare_curvatures, pieces as prepare_pieces, placement as prepare_placement, scan as prepare_scan
     from wrcontact.profiles import compiled, placement
 
     pairs = [(prepare_pieces, compiled, ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE", "REPAIR_WIDTH",

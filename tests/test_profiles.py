@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from wrcontact.kernel import profile_table
+from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
 from wrcontact.profiles.compiled import REPAIR_WIDTH, compile_profile, evaluate_table
 from wrcontact.profiles.files import find_profile, prepared_text, profile_from_points, read_profile

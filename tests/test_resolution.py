@@ -10,7 +10,7 @@ import wrcontact
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
-from wrcontact.resolution import ANALYN, ANALYN_STRIP, COUNTS, DEFAULT, FINEST, LADDERS, Resolution, resolve
+from wrcontact.methods.resolution import ANALYN, ANALYN_STRIP, COUNTS, DEFAULT, FINEST, LADDERS, Resolution, resolve
 
 NAMES = ("penetration", "area", "max_pressure")
 SIDES = ("left", "right")
@@ -18,7 +18,7 @@ FINEST_COUNTS = {"analyn": dict(nodes=38), "analyn_strip": dict(nodes=38, strips
 
 
 def random_poses(count, seed):
-    """Lateral shift, yaw, force (count,): as wrcontact/resolution.py describes them."""
+    """Lateral shift, yaw, force (count,): as wrcontact/methods/resolution.py describes them."""
     rng = np.random.default_rng(seed)
     return (rng.uniform(-6.6e-3, 6.6e-3, count), np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
             np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)))

@@ -12,11 +12,13 @@ from benchmarks.profile_noise import noisy_points
 from tests.fuzzing import cut
 from tests.numpy_tables import build_tables
 from tests.surface_witness import Surfaces
-from wrcontact.kernel import gap, layout, locus, profile_table, roll, search
+from wrcontact.kernel import layout
+from wrcontact.kernel.search import roll, search
+from wrcontact.kernel.surface import gap, locus, profile_table
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel
-from wrcontact.resolution import resolve
+from wrcontact.methods.resolution import resolve
 
 REFERENCE = Path(__file__).parent / "reference"
 sys.path.insert(0, str(REFERENCE))

@@ -9,7 +9,9 @@ from scipy.optimize import brentq, least_squares
 
 import wrcontact
 from tests.numpy_curvatures import fitted_curvature, smooth_curvature_table, turned_curvature
-from wrcontact.kernel import contact_plane, layout, profile_table, separation
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import contact_plane, separation
+from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles.catalogue import RAILS
 from wrcontact.profiles.compiled import compile_profile, evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel

@@ -7,7 +7,7 @@ import pytest
 
 from wrcontact import ContactSystem, Status
 from wrcontact.kernel import layout
-from wrcontact.kernel.library import Kernel, default_kernel
+from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.state import WheelsetState
 
 MODELS = ("analyn", "analyn_strip", "hertz")

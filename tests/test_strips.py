@@ -11,10 +11,12 @@ from scipy.integrate import quad
 
 import wrcontact
 from wrcontact import Status
-from wrcontact.hertz_table import hertz_table
-from wrcontact.influence_table import RANGE, influence, influence_table
-from wrcontact.kernel import analyn, layout, patches, strip_patches, strips
-from wrcontact.kernel.hertz import STEEPEST, hertz_coefficients, skewed_coefficients, upright_coefficients
+from wrcontact.kernel.binding.hertz_table import hertz_table
+from wrcontact.kernel.binding.influence_table import RANGE, influence, influence_table
+from wrcontact.kernel import layout
+from wrcontact.kernel.normal import analyn, strips
+from wrcontact.kernel.patch import patches, strip_patches
+from wrcontact.kernel.normal.hertz import STEEPEST, hertz_coefficients, skewed_coefficients, upright_coefficients
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 

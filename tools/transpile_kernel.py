@@ -16,7 +16,7 @@ What Pyccel writes is tidied like this:
   the kernel is one translation unit; the modules prepare_*.py, which lay out its tables once, are another, and its
   tangents, which tools/tangent.py writes (implicit.py is an input of that one only), a third.  Those of the modules in SELDOM
   are not inlined.  Locals that Pyccel adds and nobody reads are dropped.
-* ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/files.py).
+* ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
 Before that, the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the loop might change
 it: C reads it anew in each turn, Python once.
@@ -46,7 +46,7 @@ from tangent import RULE_MODULE, tangent_modules  # noqa: E402  found through th
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version may write other C
-FILES = runpy.run_path(str(KERNEL / "files.py"))
+FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
 
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
 #: Modules that a usual step does not enter, and the function of each that decides it.  All others of theirs are kept out of
@@ -90,9 +90,14 @@ def translate(kernel):
     return assemble(kernel, modules, run_pyccel(modules))
 
 
+def source_modules(kernel=KERNEL):
+    """The modules in the rooms of the folder ``kernel``, each with the text that stands in one folder with all others."""
+    return [Module(path) for path in FILES["kernel_modules"](kernel)]
+
+
 def read_modules(kernel):
     """What Pyccel translates: the modules in the folder ``kernel``, and their tangents."""
-    sources = [Module(path) for path in FILES["kernel_modules"](kernel)]
+    sources = source_modules(kernel)
     with tempfile.TemporaryDirectory() as folder:
         for name, text in tangent_modules(sources).items():
             Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
@@ -126,8 +131,9 @@ class Module:
 
     def __init__(self, path):
         self.path = path
-        self.name = path.stem
-        self.text = path.read_bytes()
+        self.name = flat_name(path)
+        self.place = path.name if self.name.startswith("tangent_") else f"{path.parent.name}/{path.name}"
+        self.text = flat_imports(path)
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
         self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
@@ -192,6 +198,28 @@ class Module:
         return b"\n".join(lines) + b"\n"
 
 
+def flat_name(path):
+    """The name of a module among all others, which Pyccel and C see in one folder."""
+    room = path.parent.name
+    if "layout" in (room, path.name):
+        return "layout"
+    return f"prepare_{path.stem}" if room == "prepare" else path.stem
+
+
+def flat_imports(path):
+    """The text of a module as it is where all modules are in one folder (bytes, each import still in its line)."""
+    folder = path.parent
+
+    lines = path.read_bytes().split(b"\n")
+    for number, line in enumerate(lines):
+        found = re.match(rb"from (\.+)([\w.]*) import", line)
+        if found:
+            target = folder if len(found[1]) == 1 else folder.parent
+            target = target.joinpath(*found[2].decode().split("."))
+            lines[number] = b"from ." + flat_name(target).encode() + line[found.end(2):]
+    return b"\n".join(lines)
+
+
 def is_number(node):
     """Whether the expression is a number as written, like 2 or -0.5 (and not like 1.0 / 3.0)."""
     return isinstance(node.operand if isinstance(node, ast.UnaryOp) else node, ast.Constant)
@@ -210,9 +238,9 @@ def run_pyccel(modules):
         raise Refused(f"it needs Pyccel {PYCCEL_VERSION}, and here is {found}; pip install \".[dev]\"")
     with tempfile.TemporaryDirectory() as folder:
         for module in modules:
-            Path(folder, module.path.name).write_bytes(module.source())
+            Path(folder, f"{module.name}.py").write_bytes(module.source())
         command = [sys.executable, "-c", "from pyccel.commands.console import pyccel_command; pyccel_command()", "make",
-                   "--language", "C", "--convert-only", "--output", "out", "--files", *(module.path.name for module in modules)]
+                   "--language", "C", "--convert-only", "--output", "out", "--files", *(f"{module.name}.py" for module in modules)]
         run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              env={**os.environ, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})
         if run.returncode:
@@ -238,7 +266,8 @@ def constant_values(kernel, modules):
         del sys.modules[name]                                   # those of another folder
     sys.modules[package.__name__] = package
     sys.dont_write_bytecode = True
-    loaded = {module.name: importlib.import_module(f"{package.__name__}.{module.name}") for module in modules}
+    loaded = {module.name: importlib.import_module(f"{package.__name__}.{module.path.parent.name}.{module.path.stem}")
+              for module in modules}
     return {module.name: {name: getattr(loaded[module.name], name) for name in module.constants} for module in modules}
 
 
@@ -311,7 +340,7 @@ def comment(text):
 
 def banner(module):
     """First lines of a generated file."""
-    origin = f"Generated from {module.path.name} by tools/transpile_kernel.py; change that one."
+    origin = f"Generated from {module.place} by tools/transpile_kernel.py; change that one."
     return comment(f"{origin}\n\n{ast.get_docstring(module.tree) or ''}".rstrip()).rstrip()
 
 

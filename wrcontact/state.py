@@ -57,7 +57,7 @@ def outline_of(values, first):
 
 
 def outline_offset(values, first):
-    """Where the outline of the side whose outputs begin at ``first`` lies, as told in kernel/outline.py."""
+    """Where the outline of the side whose outputs begin at ``first`` lies, as told in kernel/patch/outline.py."""
     if values.shape[-1] == layout.OUTPUT_COUNT:
         return first + layout.SIDE_STATION
     return layout.OUTPUT_COUNT + (3 * station_count(values) if first == layout.OUT_RIGHT else 0)

@@ -4,9 +4,9 @@ import math
 from enum import IntEnum
 
 from .kernel import layout
-from .kernel.elastic import DEEPEST
-from .kernel.roll import ROLL_LIMIT
-from .kernel.prepare_tables import LATERAL_LIMIT, YAW_LIMIT
+from .kernel.wheelset.elastic import DEEPEST
+from .kernel.search.roll import ROLL_LIMIT
+from .kernel.prepare.tables import LATERAL_LIMIT, YAW_LIMIT
 
 
 class Status(IntEnum):

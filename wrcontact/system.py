@@ -15,13 +15,13 @@ from numbers import Integral
 import numpy as np
 
 from .kernel import layout
-from .kernel.library import default_kernel
-from .kernel.outline import row_size
+from .kernel.binding.library import default_kernel
+from .kernel.patch.outline import row_size
 from .profiles.files import find_profile
-from .resolution import resolve
+from .methods.resolution import resolve
 from .state import WheelsetState
 from .status import Status
-from .tables import prepare_tables_of
+from .kernel.binding.setup import prepare_tables_of
 
 #: Permitted range and unit of every numeric parameter; ends included.
 RANGES = {
@@ -87,25 +87,25 @@ class ContactSystem:
     nominal_radius : wheel radius at the running circle [m].
     youngs_modulus, poisson_ratio : of wheel and rail [Pa, 1].
     contact_mode : "rigid", contact where the undeformed profiles first touch; "elastic", the wheels sink in until each
-        carries its load, and height and roll follow from that (wrcontact/kernel/elastic.py); or "compliant", height and
+        carries its load, and height and roll follow from that (wrcontact/kernel/wheelset/elastic.py); or "compliant", height and
         roll are inputs, and the loads follow.
     load : what ``normal_force`` is: "normal", the total over a wheel's patches, or "vertical", the vertical component of
         their resultant.
     normal_model : "analyn" (Sichani et al. 2014), "analyn_strip" (the same, put right by strips on one half-space), "hertz"
         (curvatures at the contact point), or "halfspace" (complete theory on the true three-dimensional gap,
-        wrcontact/halfspace.py; in Python only, some hundredths of a second a wheel,
+        wrcontact/reference/halfspace.py; in Python only, some hundredths of a second a wheel,
         seconds where narrow patches lie far apart).
     separation : how the undeformed distance is measured that ANALYN starts from: "normal" (along the normal of the contact
         plane), "vertical" (at common lateral coordinate), "equidistant" (between points at equal arc length from the contact
         on wheel and rail, along the mean of their normals), or "equidistant_chord" (the same with nodes stepped off by a
-        circle, as in the degree project); see wrcontact/kernel/separation.py.
+        circle, as in the degree project); see wrcontact/kernel/contact/separation.py.
     longitudinal_curvature : "effective" (cut along the contact normal) or "basic" (1 / rolling radius).
-    lateral_curvature : "adaptive" (window in proportion to the patch, see wrcontact/kernel/nodes.py), or as in the degree
+    lateral_curvature : "adaptive" (window in proportion to the patch, see wrcontact/kernel/normal/nodes.py), or as in the degree
         project "smooth" (of a circle fitted to each profile over +- ``curvature_reach``) or "rough" (change of each
         profile's angle over ``curvature_step``).
     curvature_step : arc length from node to node of the "rough" lateral curvature [m].
     curvature_reach : half the width over which the "smooth" one fits its circle [m].
-    tolerance : relative error of the numerics in penetration, area and peak pressure, as told in wrcontact/resolution.py;
+    tolerance : relative error of the numerics in penetration, area and peak pressure, as told in wrcontact/methods/resolution.py;
         None is each model's own, 0.01, and 0.005 for "halfspace".  "analyn" reaches 0.0015, "analyn_strip" 0.004,
         "halfspace" 0.0003.
     stations : of a patch's outline, 3 ... 201.
@@ -179,7 +179,7 @@ class ContactSystem:
 
     def _new_stepper(self):
         if self.parameters["normal_model"] == "halfspace":
-            from .true_gap import HalfspaceStepper  # scipy is not needed before
+            from .reference.true_gap import HalfspaceStepper  # scipy is not needed before
 
             return HalfspaceStepper(self._tables, self.parameters["tolerance"])
         return Stepper(self._tables)
@@ -245,8 +245,8 @@ class Stepper:
     ----------
     inputs : (7,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1],
         vertical_shift_input [m], roll_input [rad].
-    outputs : (276,) in the order of wrcontact/kernel/layout.py; SI.  Zero until the first valid step.  With n stations other
-        than 31 the outlines follow behind them, (276 + 6 n,), as told in wrcontact/kernel/outline.py.
+    outputs : (276,) in the order of wrcontact/kernel/layout/records.py; SI.  Zero until the first valid step.  With n stations other
+        than 31 the outlines follow behind them, (276 + 6 n,), as told in wrcontact/kernel/patch/outline.py.
     state : (11,) where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is at work.
     """

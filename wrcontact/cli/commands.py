@@ -10,7 +10,7 @@ import typer
 from .. import ContactSystem
 from ..profiles.remarks import remarks_in_lines
 from ..status import Status
-from ..whole_file import write_whole
+from ..files.whole_file import write_whole
 from .door import Door, Refused, sentences
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
 from .report import (columns_of, is_compliant, print_state, print_sweep, sentence, state_text, sweep_remark,

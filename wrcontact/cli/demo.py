@@ -44,7 +44,7 @@ TOLERANCES = (
 LARGEST = {"penetration": 16.0, "area": 18.0, "largest pressure": 30.0}
 LEAST_WITHIN = 0.97
 #: They lie in one plane, the contact point's.  A patch that leans away from it by more than this [rad] has a plane and a
-#: pressure of its own (wrcontact/kernel/planes.py), so such a wheel's largest pressure is no question to the stored run.
+#: pressure of its own (wrcontact/kernel/contact/planes.py), so such a wheel's largest pressure is no question to the stored run.
 LEANING = radians(15)
 
 

@@ -6,7 +6,7 @@ from rich import box
 from rich.table import Table
 
 from ..study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
-from ..whole_file import write_whole
+from ..files.whole_file import write_whole
 from .report import console
 
 INDEX = "figures.md"

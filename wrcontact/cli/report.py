@@ -14,7 +14,7 @@ from ..conventions import SIDES
 from ..interface.variables import INPUT, INTEGER, OUTLINE_TABLE, OUTPUT, PATCH_TABLE, SIDE_TABLE, UNITS, VARIABLES
 from ..kernel import layout
 from ..status import INPUT_NAMES, Status, explain
-from ..whole_file import whole_file
+from ..files.whole_file import whole_file
 
 #: Digits after the point by display unit.
 DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}

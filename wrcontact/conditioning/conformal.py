@@ -18,7 +18,7 @@ from ..profiles.compiled import evaluate_table, places
 NEAR = 0.1e-3
 #: [m] Twice what a patch is long in the rolling direction under such loads, 10 to 13 mm.
 WIDE = 25e-3
-#: [rad] Regions that lean apart by more have planes of their own in this package (kernel/planes.py).
+#: [rad] Regions that lean apart by more have planes of their own in this package (kernel/contact/planes.py).
 TURN = math.radians(15.0)
 #: [m] Shifts no farther apart than this belong to one zone.
 ONE = 0.21e-3

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..kernel import profile_table
+from ..kernel.surface import profile_table
 from ..profiles.compiled import evaluate_table, places
 from ..profiles.reading import Reading
 

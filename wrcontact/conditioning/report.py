@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..conventions import SIDES
-from ..kernel.prepare_tables import LATERAL_LIMIT
+from ..kernel.prepare.tables import LATERAL_LIMIT
 from ..status import Status
 from ..system import GEOMETRY, ContactSystem
 from .conformal import conformal_zones, near_stretches

@@ -17,11 +17,11 @@ import pythonfmu
 
 from .. import ContactSystem, __version__
 from ..interface.variables import VARIABLES
-from ..kernel.platforms import PLATFORMS
+from ..kernel.binding.platforms import PLATFORMS
 from ..profiles.catalogue import BUILDERS
 from ..profiles.files import prepared_text
 from ..profiles.remarks import remarks_in_lines
-from ..whole_file import sentence_of, write_whole
+from ..files.whole_file import sentence_of, write_whole
 from . import SOURCES
 from .compilers import has_zig
 from .description import MODEL, model_description
@@ -35,7 +35,8 @@ RUNTIME = Path(pythonfmu.__file__).parent
 LOADER = b'''"""wrcontact as packed in an FMU, loaded whole: the folder may be gone when the next instance is made."""
 
 from .interface import session
-from .kernel import library, step
+from .kernel.binding import library
+from .kernel.wheelset import step
 
 library.default_kernel()
 '''

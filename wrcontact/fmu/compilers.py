@@ -17,9 +17,9 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from pathlib import Path
 
-from ..kernel.files import HERE, fingerprint
-from ..kernel.platforms import PLATFORMS, host_platform, library_name
-from ..whole_file import write_whole
+from ..kernel.binding.files import HERE, fingerprint
+from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
+from ..files.whole_file import write_whole
 
 #: No fused a*b + c: the results are those of the kernel's Python source, to the last bit.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",

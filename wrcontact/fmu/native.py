@@ -8,9 +8,9 @@ import fmpy
 
 from .. import __version__
 from ..interface.variables import VARIABLES
-from ..kernel.platforms import PLATFORMS, host_platform
+from ..kernel.binding.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
-from ..whole_file import write_whole
+from ..files.whole_file import write_whole
 from . import SOURCES, description, description3, native_model
 from .build import archive, chosen_profiles, fingerprint, licence, problems_of
 from .compilers import compile_platform

@@ -4,19 +4,19 @@ import ast
 import sys
 from pathlib import Path
 
-from ..kernel.library import HERE, LibraryUnusable, open_library
-from ..kernel.platforms import LIBRARY_NAME, library_name
+from ..kernel.binding.library import HERE, LibraryUnusable, open_library
+from ..kernel.binding.platforms import LIBRARY_NAME, library_name
 from .compilers import CompilerProblem, compile_kernel, has_zig
 
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "interface/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "halfspace", "true_gap"})
+OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference"})
 
 
 def online_files():
     """Contents of the needed files by their path in the package."""
-    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").glob("*.py"))
+    files = imported_from(PACKAGE / ENTRANCE) | set((PACKAGE / "kernel").rglob("*.py"))
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 

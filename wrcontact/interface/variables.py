@@ -9,8 +9,8 @@ import re
 from dataclasses import dataclass
 
 from ..kernel import layout
-from ..kernel.prepare_tables import LATERAL_LIMIT, YAW_LIMIT
-from ..kernel.roll import ROLL_LIMIT
+from ..kernel.prepare.tables import LATERAL_LIMIT, YAW_LIMIT
+from ..kernel.search.roll import ROLL_LIMIT
 from ..system import CHOICES, RANGES
 from .starts import STARTS
 

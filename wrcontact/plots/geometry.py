@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..conventions import MIRROR
-from ..kernel.locus import PLACE_SIZE, outline_point, place_wheelset
+from ..kernel.surface.locus import PLACE_SIZE, outline_point, place_wheelset
 from ..profiles.placement import place_rail, readable_wheel
 
 #: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C and D/E).
@@ -15,7 +15,7 @@ POINTS = 1200  # of a drawn outline
 def wheel_outline(system, state, side):
     """The wheel's outline at a pose as seen along the track: track coordinates y, z (down) [m], two arrays (n,).
 
-    It is the curve of the points that can touch the rail (wrcontact/kernel/locus.py); without yaw, the profile.
+    It is the curve of the points that can touch the rail (wrcontact/kernel/surface/locus.py); without yaw, the profile.
     """
     profile = readable_wheel(system.wheel)
     y = np.linspace(profile.start, profile.stop, POINTS)[1:-1]

@@ -12,7 +12,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from ..conventions import MILLIMETRE as MM  # noqa: F401  beside the other units
-from ..whole_file import whole_file
+from ..files.whole_file import whole_file
 
 DEGREE = radians(1)
 KILONEWTON = 1e3  #: [N]

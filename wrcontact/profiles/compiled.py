@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
-from ..kernel import profile_table as layout
+from ..kernel.surface import profile_table as layout
 
 #: Height error allowed for a piece between its ends [mm]; far below the 1e-9 rad that a roll angle is asked for.
 PIECE_ERROR = 1e-9

@@ -1,8 +1,8 @@
-"""A profile's zones as one array of numbers, as the kernel's preparation reads them; layout in kernel/prepare_zones.py."""
+"""A profile's zones as one array of numbers, as the kernel's preparation reads them; layout in kernel/prepare/zones.py."""
 
 import numpy as np
 
-from ..kernel import prepare_zones as layout
+from ..kernel.prepare import zones as layout
 from .zones import Arc
 
 

@@ -2,7 +2,7 @@
 
     python -m wrcontact.study.compare [--quick]
 
-prints Markdown.  Errors are against the exact search (wrcontact/kernel/search.py), which a brute-force search confirms.  The
+prints Markdown.  Errors are against the exact search (wrcontact/kernel/search/search.py), which a brute-force search confirms.  The
 unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
 """
 

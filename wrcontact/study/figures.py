@@ -24,7 +24,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..system import ContactSystem
-from ..whole_file import whole_file
+from ..files.whole_file import whole_file
 from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]

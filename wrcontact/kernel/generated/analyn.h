@@ -1,4 +1,4 @@
-/* Generated from analyn.py by tools/transpile_kernel.py; change that one.
+/* Generated from normal/analyn.py by tools/transpile_kernel.py; change that one.
  *
  * ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
  *

@@ -1,4 +1,4 @@
-/* Generated from contact_plane.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/contact_plane.py by tools/transpile_kernel.py; change that one.
  *
  * The geometry that a normal contact model needs, in the plane of the rigid contact point.
  *

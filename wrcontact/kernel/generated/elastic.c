@@ -1,4 +1,4 @@
-/* Generated from elastic.py by tools/transpile_kernel.py; change that one.
+/* Generated from wheelset/elastic.py by tools/transpile_kernel.py; change that one.
  *
  * Elastic equilibrium: the height and roll at which both wheels carry their loads.
  *

@@ -1,4 +1,4 @@
-/* Generated from gap.py by tools/transpile_kernel.py; change that one.
+/* Generated from surface/gap.py by tools/transpile_kernel.py; change that one.
  *
  * The vertical gap between a placed right wheel and its rail, along the contact locus.
  *

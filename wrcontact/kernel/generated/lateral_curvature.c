@@ -1,4 +1,4 @@
-/* Generated from lateral_curvature.py by tools/transpile_kernel.py; change that one.
+/* Generated from surface/lateral_curvature.py by tools/transpile_kernel.py; change that one.
  *
  * Lateral curvatures of wheel and rail profile, prepared once (prepare_curvatures.py) and read off along them.
  *

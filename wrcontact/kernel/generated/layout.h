@@ -1,4 +1,4 @@
-/* Generated from layout.py by tools/transpile_kernel.py; change that one.
+/* Generated from layout/records.py by tools/transpile_kernel.py; change that one.
  *
  * Named offsets into the kernel's arrays; the only place where they are numbers.
  *

@@ -1,4 +1,4 @@
-/* Generated from level.py by tools/transpile_kernel.py; change that one.
+/* Generated from search/level.py by tools/transpile_kernel.py; change that one.
  *
  * Where the wheels could stand at several rolls: the first one from level.
  *

@@ -1,4 +1,4 @@
-/* Generated from locus.py by tools/transpile_kernel.py; change that one.
+/* Generated from surface/locus.py by tools/transpile_kernel.py; change that one.
  *
  * The contact locus: where a yawed wheel can touch a rail that is the same all along the track.
  *

@@ -1,4 +1,4 @@
-/* Generated from nodes.py by tools/transpile_kernel.py; change that one.
+/* Generated from normal/nodes.py by tools/transpile_kernel.py; change that one.
  *
  * Nodes across a region: gap, longitudinal and lateral curvature, and from them ANALYN's coefficients.
  *

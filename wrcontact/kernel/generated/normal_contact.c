@@ -1,4 +1,4 @@
-/* Generated from normal_contact.py by tools/transpile_kernel.py; change that one.
+/* Generated from normal/normal_contact.py by tools/transpile_kernel.py; change that one.
  *
  * The normal contact of one side: estimate, regions, nodes, levels, patches.
  *

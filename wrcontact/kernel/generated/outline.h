@@ -1,4 +1,4 @@
-/* Generated from outline.py by tools/transpile_kernel.py; change that one.
+/* Generated from patch/outline.py by tools/transpile_kernel.py; change that one.
  *
  * Where the outline of a side lies: three runs of equal length, its stations, half-lengths and pressures.
  *

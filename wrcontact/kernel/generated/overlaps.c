@@ -1,4 +1,4 @@
-/* Generated from overlaps.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/overlaps.py by tools/transpile_kernel.py; change that one.
  *
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the humps between them.
  *

@@ -1,4 +1,4 @@
-/* Generated from patches.py by tools/transpile_kernel.py; change that one.
+/* Generated from patch/patches.py by tools/transpile_kernel.py; change that one.
  *
  * From solved regions to contact patches: loads, areas, pressures, centroids, and the outline at evenly spaced stations.
  *

@@ -1,4 +1,4 @@
-/* Generated from planes.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/planes.py by tools/transpile_kernel.py; change that one.
  *
  * Planes of their own for regions of a rigid contact that lean away from the contact point's: a flange beside a tread.
  *

@@ -1,4 +1,4 @@
-/* Generated from prepare_curvatures.py by tools/transpile_kernel.py; change that one.
+/* Generated from prepare/curvatures.py by tools/transpile_kernel.py; change that one.
  *
  * Lateral curvature of a profile all along it, as the source takes it.
  *

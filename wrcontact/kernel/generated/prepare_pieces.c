@@ -1,4 +1,4 @@
-/* Generated from prepare_pieces.py by tools/transpile_kernel.py; change that one.
+/* Generated from prepare/pieces.py by tools/transpile_kernel.py; change that one.
  *
  * From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
  *

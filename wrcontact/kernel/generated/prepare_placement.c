@@ -1,4 +1,4 @@
-/* Generated from prepare_placement.py by tools/transpile_kernel.py; change that one.
+/* Generated from prepare/placement.py by tools/transpile_kernel.py; change that one.
  *
  * The rail on the track, and the readable part of a wheel: wrcontact/profiles/placement.py for definitions.
  *

@@ -1,4 +1,4 @@
-/* Generated from prepare_scan.py by tools/transpile_kernel.py; change that one.
+/* Generated from prepare/scan.py by tools/transpile_kernel.py; change that one.
  *
  * The search's raster over the wheel, with the bounds that certify it.
  *

@@ -1,4 +1,4 @@
-/* Generated from prepare_tables.py by tools/transpile_kernel.py; change that one.
+/* Generated from prepare/tables.py by tools/transpile_kernel.py; change that one.
  *
  * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
  * do at the start, outside the hot unit.

@@ -1,4 +1,4 @@
-/* Generated from prepare_zones.py by tools/transpile_kernel.py; change that one.
+/* Generated from prepare/zones.py by tools/transpile_kernel.py; change that one.
  *
  * The zones that a profile is defined with, as numbers: polynomials and circular arcs, upright or turned; in millimetres.
  *

@@ -1,4 +1,4 @@
-/* Generated from pressed.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/pressed.py by tools/transpile_kernel.py; change that one.
  *
  * The overlap of a wheel that is pressed into its rail, along the rail's own normals.
  *

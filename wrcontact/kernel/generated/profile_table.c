@@ -1,4 +1,4 @@
-/* Generated from profile_table.py by tools/transpile_kernel.py; change that one.
+/* Generated from surface/profile_table.py by tools/transpile_kernel.py; change that one.
  *
  * A profile as the kernel reads it: quintic pieces found through uniform bins.
  *

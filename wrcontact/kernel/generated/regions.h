@@ -1,4 +1,4 @@
-/* Generated from regions.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/regions.py by tools/transpile_kernel.py; change that one.
  *
  * Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
  *

@@ -1,4 +1,4 @@
-/* Generated from resultant.py by tools/transpile_kernel.py; change that one.
+/* Generated from wheelset/resultant.py by tools/transpile_kernel.py; change that one.
  *
  * The resultant of the contact forces on the wheelset, in the track's axes.
  *

@@ -1,4 +1,4 @@
-/* Generated from roll.py by tools/transpile_kernel.py; change that one.
+/* Generated from search/roll.py by tools/transpile_kernel.py; change that one.
  *
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
  *

@@ -1,4 +1,4 @@
-/* Generated from search.py by tools/transpile_kernel.py; change that one.
+/* Generated from search/search.py by tools/transpile_kernel.py; change that one.
  *
  * The smallest vertical gap of one side: march, bound, refine.
  *

@@ -1,4 +1,4 @@
-/* Generated from separation.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/separation.py by tools/transpile_kernel.py; change that one.
  *
  * The undeformed distance over a region's stations, measured in one of four ways.
  *

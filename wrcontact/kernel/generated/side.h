@@ -1,4 +1,4 @@
-/* Generated from side.py by tools/transpile_kernel.py; change that one.
+/* Generated from wheelset/side.py by tools/transpile_kernel.py; change that one.
  *
  * One side of a wheelset, from where its wheel stands to its outputs: contact, patches, and its share of the resultant.
  */

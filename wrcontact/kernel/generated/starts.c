@@ -1,4 +1,4 @@
-/* Generated from starts.py by tools/transpile_kernel.py; change that one.
+/* Generated from search/starts.py by tools/transpile_kernel.py; change that one.
  *
  * Where the roll search starts without a near pose before: contacts without yaw, known for a row of lateral shifts.
  *

@@ -1,4 +1,4 @@
-/* Generated from step.py by tools/transpile_kernel.py; change that one.
+/* Generated from wheelset/step.py by tools/transpile_kernel.py; change that one.
  *
  * One step of a wheelset: from pose and load to contact positions, roll and patches.
  *

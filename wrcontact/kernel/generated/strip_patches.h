@@ -1,4 +1,4 @@
-/* Generated from strip_patches.py by tools/transpile_kernel.py; change that one.
+/* Generated from patch/strip_patches.py by tools/transpile_kernel.py; change that one.
  *
  * From corrected strips to contact patches: edges, loads, areas, pressures, and the outline at evenly spaced stations.
  *

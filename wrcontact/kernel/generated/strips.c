@@ -1,4 +1,4 @@
-/* Generated from strips.py by tools/transpile_kernel.py; change that one.
+/* Generated from normal/strips.py by tools/transpile_kernel.py; change that one.
  *
  * The strip correction: ANALYN's patch, put right by the elastic half-space.
  *

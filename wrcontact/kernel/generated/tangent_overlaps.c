@@ -5,76 +5,6 @@
 
 #include "tangent_overlaps.h"
 
-/* Tangent of ``turning_rule``. */
-static inline int64_t tangent_overlaps__turning_rule_t(double* place, double* place_t, double* result_2, double* result_3, double* overlap, double* overlap_t, int64_t* found, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double x, double x_t, double y, double y_t, double height, double height_t)
-{
-    double rise;
-    double rise_t;
-    double turn;
-    double turn_t;
-    double curvature;
-    double curvature_t;
-    double more;
-    double more_t;
-    double bend;
-    double v1;
-    x_t = 0.0;
-    (*place_t) = x_t;
-    (*place) = x;
-    tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &rise, &rise_t, &turn, &turn_t, &curvature, &curvature_t, found, tables, work, work_t, at, x, x_t, y, 0.0, height, height_t);
-    if ((*found) == INT64_C(1))
-    {
-        tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &turn, &turn_t, &curvature, &curvature_t, found, tables, work, work_t, at, x, 1.0, y, 0.0, height, height_t);
-        bend = more_t - rise_t;
-        if (bend != 0.0)
-        {
-            v1 = -rise;
-            (*place_t) = (-rise_t) / bend;
-            (*place) = x;
-        }
-        tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &turn, &turn_t, &curvature, &curvature_t, found, tables, work, work_t, at, (*place), (*place_t), y, 0.0, height, height_t);
-    }
-    (*result_2) = y;
-    (*result_3) = y_t;
-    return 0;
-}
-
-/* Tangent of ``overlaps_rule``. */
-static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t at, double height, double height_t)
-{
-    int64_t n1;
-    int64_t entry;
-    int64_t block;
-    double x;
-    double x_t;
-    double y;
-    double y_t;
-    double overlap;
-    double overlap_t;
-    int64_t found;
-    double v2;
-    int64_t count;
-    n1 = overlaps__find_overlaps(tables, work, state, side, at, height);
-    count = n1;
-    for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
-    {
-        block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * entry;
-        tangent_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &overlap, &overlap_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, block + overlaps__DEEP_RAIL)), (*cspan_at(&work, block + overlaps__DEEP_WHEEL)), (*cspan_at(&work_t, block + overlaps__DEEP_WHEEL)), height, height_t);
-        (*cspan_at(&work_t, block + overlaps__DEEP_RAIL)) = x_t;
-        (*cspan_at(&work_t, block + overlaps__DEEP_WHEEL)) = y_t;
-        (*cspan_at(&work_t, block + overlaps__DEEP_DEPTH)) = overlap_t;
-    }
-    for (entry = INT64_C(0); entry < count - INT64_C(1); entry += INT64_C(1))
-    {
-        block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * entry;
-        v2 = (*cspan_at(&work, block + overlaps__DEEP_WHEEL)) + (*cspan_at(&work, block + overlaps__DEEP_SIZE + overlaps__DEEP_WHEEL));
-        tangent_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &overlap, &overlap_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + overlaps__DEEP_HUMP)), (*cspan_at(&work_t, block + overlaps__DEEP_HUMP)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, block + overlaps__DEEP_WHEEL)) + (*cspan_at(&work_t, block + overlaps__DEEP_SIZE + overlaps__DEEP_WHEEL))), height, height_t);
-        (*cspan_at(&work_t, block + overlaps__DEEP_HUMP)) = x_t;
-        (*cspan_at(&work_t, block + overlaps__DEEP_BETWEEN)) = overlap_t;
-    }
-    return count;
-}
-
 /* Tangent of ``keep_deepest``. */
 static inline int64_t tangent_overlaps__keep_deepest_t(array_double_1d work, array_double_1d work_t)
 {
@@ -272,6 +202,76 @@ static inline int64_t tangent_overlaps__gather_overlaps_t(array_double_1d tables
     if (count > INT64_C(1))
     {
         tangent_planes__line_up_t(tables, work, work_t, count);
+    }
+    return count;
+}
+
+/* Tangent of ``turning_rule``. */
+static inline int64_t tangent_overlaps__turning_rule_t(double* place, double* place_t, double* result_2, double* result_3, double* overlap, double* overlap_t, int64_t* found, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double x, double x_t, double y, double y_t, double height, double height_t)
+{
+    double rise;
+    double rise_t;
+    double turn;
+    double turn_t;
+    double curvature;
+    double curvature_t;
+    double more;
+    double more_t;
+    double bend;
+    double v1;
+    x_t = 0.0;
+    (*place_t) = x_t;
+    (*place) = x;
+    tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &rise, &rise_t, &turn, &turn_t, &curvature, &curvature_t, found, tables, work, work_t, at, x, x_t, y, 0.0, height, height_t);
+    if ((*found) == INT64_C(1))
+    {
+        tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &turn, &turn_t, &curvature, &curvature_t, found, tables, work, work_t, at, x, 1.0, y, 0.0, height, height_t);
+        bend = more_t - rise_t;
+        if (bend != 0.0)
+        {
+            v1 = -rise;
+            (*place_t) = (-rise_t) / bend;
+            (*place) = x;
+        }
+        tangent_pressed__line_rule_t(&y, &y_t, overlap, overlap_t, &more, &more_t, &turn, &turn_t, &curvature, &curvature_t, found, tables, work, work_t, at, (*place), (*place_t), y, 0.0, height, height_t);
+    }
+    (*result_2) = y;
+    (*result_3) = y_t;
+    return 0;
+}
+
+/* Tangent of ``overlaps_rule``. */
+static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t at, double height, double height_t)
+{
+    int64_t n1;
+    int64_t entry;
+    int64_t block;
+    double x;
+    double x_t;
+    double y;
+    double y_t;
+    double overlap;
+    double overlap_t;
+    int64_t found;
+    double v2;
+    int64_t count;
+    n1 = overlaps__find_overlaps(tables, work, state, side, at, height);
+    count = n1;
+    for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
+    {
+        block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * entry;
+        tangent_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &overlap, &overlap_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, block + overlaps__DEEP_RAIL)), (*cspan_at(&work, block + overlaps__DEEP_WHEEL)), (*cspan_at(&work_t, block + overlaps__DEEP_WHEEL)), height, height_t);
+        (*cspan_at(&work_t, block + overlaps__DEEP_RAIL)) = x_t;
+        (*cspan_at(&work_t, block + overlaps__DEEP_WHEEL)) = y_t;
+        (*cspan_at(&work_t, block + overlaps__DEEP_DEPTH)) = overlap_t;
+    }
+    for (entry = INT64_C(0); entry < count - INT64_C(1); entry += INT64_C(1))
+    {
+        block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * entry;
+        v2 = (*cspan_at(&work, block + overlaps__DEEP_WHEEL)) + (*cspan_at(&work, block + overlaps__DEEP_SIZE + overlaps__DEEP_WHEEL));
+        tangent_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &overlap, &overlap_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + overlaps__DEEP_HUMP)), (*cspan_at(&work_t, block + overlaps__DEEP_HUMP)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, block + overlaps__DEEP_WHEEL)) + (*cspan_at(&work_t, block + overlaps__DEEP_SIZE + overlaps__DEEP_WHEEL))), height, height_t);
+        (*cspan_at(&work_t, block + overlaps__DEEP_HUMP)) = x_t;
+        (*cspan_at(&work_t, block + overlaps__DEEP_BETWEEN)) = overlap_t;
     }
     return count;
 }

@@ -5,60 +5,6 @@
 
 #include "tangent_pressed.h"
 
-/* Tangent of ``line_rule``. */
-static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* tangent, double* tangent_t, double* turn, double* turn_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
-{
-    double z_rail;
-    double z_rail_t;
-    double m;
-    double m_t;
-    double rail_bend;
-    double rail_bend_t;
-    double z;
-    double z_t;
-    double slope;
-    double slope_t;
-    double bend;
-    double bend_t;
-    double y_track;
-    double y_track_t;
-    double z_track;
-    double z_track_t;
-    double outline_slope;
-    double outline_slope_t;
-    double stretch;
-    double stretch_t;
-    double rate;
-    double rate_t;
-    double v1;
-    double rest_t;
-    double rest;
-    double v2;
-    double v3;
-    pressed__normal_line(&y, overlap, tangent, turn, curvature, found, tables, work, at, abscissa, y, height);
-    y_t = 0.0;
-    (*overlap_t) = 0.0;
-    (*tangent_t) = 0.0;
-    (*turn_t) = 0.0;
-    (*curvature_t) = 0.0;
-    if ((*found) == INT64_C(1))
-    {
-        tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
-        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-        v1 = z_track + height - z_rail;
-        rest_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
-        rest = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa + v1 * m;
-        v2 = -rest;
-        v3 = stretch * (1.0 + m * outline_slope);
-        y_t = (-rest_t) / v3;
-        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, tangent, tangent_t, turn, turn_t, curvature, curvature_t, found, tables, work, work_t, at, abscissa, abscissa_t, y, y_t, height, height_t);
-    }
-    (*result_0) = y;
-    (*result_1) = y_t;
-    return 0;
-}
-
 /* Tangent of ``normal_line``. */
 static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, int64_t* result_10_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
 {
@@ -579,5 +525,59 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
             (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
         }
     }
+    return 0;
+}
+
+/* Tangent of ``line_rule``. */
+static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* tangent, double* tangent_t, double* turn, double* turn_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
+{
+    double z_rail;
+    double z_rail_t;
+    double m;
+    double m_t;
+    double rail_bend;
+    double rail_bend_t;
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double bend;
+    double bend_t;
+    double y_track;
+    double y_track_t;
+    double z_track;
+    double z_track_t;
+    double outline_slope;
+    double outline_slope_t;
+    double stretch;
+    double stretch_t;
+    double rate;
+    double rate_t;
+    double v1;
+    double rest_t;
+    double rest;
+    double v2;
+    double v3;
+    pressed__normal_line(&y, overlap, tangent, turn, curvature, found, tables, work, at, abscissa, y, height);
+    y_t = 0.0;
+    (*overlap_t) = 0.0;
+    (*tangent_t) = 0.0;
+    (*turn_t) = 0.0;
+    (*curvature_t) = 0.0;
+    if ((*found) == INT64_C(1))
+    {
+        tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
+        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+        v1 = z_track + height - z_rail;
+        rest_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
+        rest = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa + v1 * m;
+        v2 = -rest;
+        v3 = stretch * (1.0 + m * outline_slope);
+        y_t = (-rest_t) / v3;
+        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, tangent, tangent_t, turn, turn_t, curvature, curvature_t, found, tables, work, work_t, at, abscissa, abscissa_t, y, y_t, height, height_t);
+    }
+    (*result_0) = y;
+    (*result_1) = y_t;
     return 0;
 }

@@ -5,168 +5,6 @@
 
 #include "tangent_regions.h"
 
-/* Tangent of ``minimum_rule``. */
-static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
-{
-    double n1;
-    double place_t;
-    double place;
-    double gap;
-    double gap_t;
-    double rate;
-    double rate_t;
-    double bend;
-    double bend_t;
-    double curvature;
-    double curvature_t;
-    double v2;
-    double v3;
-    double v3_t;
-    n1 = regions__open_region(tables, work, state, index, station);
-    (*found_t) = 0.0;
-    (*found) = n1;
-    if ((*found) < regions__FAR)
-    {
-        place_t = 0.0;
-        place = (*cspan_at(&work, regions__region_block(index) + regions__REGION_STATION));
-        tangent_contact_plane__start_tracer_t(work, work_t, place, place_t, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, place, place_t, regions__TRACE, 0.0);
-        v2 = -rate;
-        place_t = (-rate_t) / bend;
-        tangent_regions__open_region_t(&v3, &v3_t, tables, work, work_t, state, index, place, place_t);
-        (*found_t) = v3_t;
-        (*found) = v3;
-    }
-    return 0;
-}
-
-/* Tangent of ``hump_rule``. */
-static inline int64_t tangent_regions__hump_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t low, int64_t high)
-{
-    double way_t;
-    double way;
-    double v1;
-    double place_t;
-    double place;
-    double hump;
-    double hump_t;
-    double rate;
-    double rate_t;
-    double bend;
-    double bend_t;
-    double curvature;
-    double curvature_t;
-    double v2;
-    regions__find_hump(station, gap, tables, work, state, low, high);
-    (*station_t) = 0.0;
-    way_t = (*cspan_at(&work_t, high + regions__REGION_STATION)) - (*cspan_at(&work_t, low + regions__REGION_STATION));
-    way = (*cspan_at(&work, high + regions__REGION_STATION)) - (*cspan_at(&work, low + regions__REGION_STATION));
-    v1 = ((*station) - (*cspan_at(&work, low + regions__REGION_STATION))) / way;
-    place_t = (*cspan_at(&work_t, low + regions__REGION_STATION)) + way_t * v1;
-    place = (*cspan_at(&work, low + regions__REGION_STATION)) + way * v1;
-    if ((*cspan_at(&work, contact_plane__TRACER_STATION)) == (*station))
-    {
-        tangent_contact_plane__start_tracer_t(work, work_t, (*station), 0.0, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
-        tangent_contact_plane__normal_gap_t(&hump, &hump_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*station), 0.0, regions__TRACE, 0.0);
-        if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
-        {
-            v2 = -rate;
-            place_t = (-rate_t) / bend;
-            place = v2 / bend;
-        }
-    }
-    (*station_t) = place_t;
-    (*result_3) = 0.0;
-    return 0;
-}
-
-/* Tangent of ``width_rule``. */
-static inline int64_t tangent_regions__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
-{
-    double v1;
-    double v1_t;
-    double limit_t;
-    double limit;
-    double inner;
-    double tolerance;
-    double gap;
-    double gap_t;
-    double rate;
-    double rate_t;
-    double rail_rate;
-    double wheel_rate;
-    double lack;
-    double moved;
-    int64_t rail;
-    int64_t wheel;
-    double x_t;
-    double x;
-    double y_t;
-    double y;
-    double out;
-    tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
-    (*width_t) = v1_t;
-    (*width) = v1;
-    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
-    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
-    if (direction < 0.0)
-    {
-        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
-        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
-    }
-    if (((*width) < limit) && ((*cspan_at(&work, block + regions__REGION_REACHED)) != level))
-    {
-        inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
-        tolerance = 0.001 * guess;
-        if (tolerance > regions__WIDTH_TRACE)
-        {
-            tolerance = regions__WIDTH_TRACE;
-        }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
-        rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-        wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-        lack = level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP));
-        moved = 0.0;
-        if (rate * direction > 0.0)
-        {
-            moved = lack / (rate * direction);
-        }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
-        rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-        x_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-        x = (*cspan_at(&work, contact_plane__TRACER_RAIL));
-        y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-        y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
-        out = x_t - rail_rate;
-        if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE)))
-        {
-            moved = (-rail_rate) / out;
-        }
-        out = y_t - wheel_rate;
-        if ((out != 0.0) && ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE)))
-        {
-            moved = (-wheel_rate) / out;
-        }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
-        (*width_t) = moved;
-        (*cspan_at(&work_t, block + regions__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
-    }
-    return 0;
-}
-
-/* Tangent of ``width_jet``. */
-static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
-{
-    double bend;
-    double bend_t;
-    double curvature;
-    double curvature_t;
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
-    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
-    return 0;
-}
-
 /* Tangent of ``open_region``. */
 static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
 {
@@ -674,5 +512,167 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
     }
     (*result_0_0001) = width;
     (*result_1_0001) = width_t;
+    return 0;
+}
+
+/* Tangent of ``minimum_rule``. */
+static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
+{
+    double n1;
+    double place_t;
+    double place;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double v2;
+    double v3;
+    double v3_t;
+    n1 = regions__open_region(tables, work, state, index, station);
+    (*found_t) = 0.0;
+    (*found) = n1;
+    if ((*found) < regions__FAR)
+    {
+        place_t = 0.0;
+        place = (*cspan_at(&work, regions__region_block(index) + regions__REGION_STATION));
+        tangent_contact_plane__start_tracer_t(work, work_t, place, place_t, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, place, place_t, regions__TRACE, 0.0);
+        v2 = -rate;
+        place_t = (-rate_t) / bend;
+        tangent_regions__open_region_t(&v3, &v3_t, tables, work, work_t, state, index, place, place_t);
+        (*found_t) = v3_t;
+        (*found) = v3;
+    }
+    return 0;
+}
+
+/* Tangent of ``hump_rule``. */
+static inline int64_t tangent_regions__hump_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t low, int64_t high)
+{
+    double way_t;
+    double way;
+    double v1;
+    double place_t;
+    double place;
+    double hump;
+    double hump_t;
+    double rate;
+    double rate_t;
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    double v2;
+    regions__find_hump(station, gap, tables, work, state, low, high);
+    (*station_t) = 0.0;
+    way_t = (*cspan_at(&work_t, high + regions__REGION_STATION)) - (*cspan_at(&work_t, low + regions__REGION_STATION));
+    way = (*cspan_at(&work, high + regions__REGION_STATION)) - (*cspan_at(&work, low + regions__REGION_STATION));
+    v1 = ((*station) - (*cspan_at(&work, low + regions__REGION_STATION))) / way;
+    place_t = (*cspan_at(&work_t, low + regions__REGION_STATION)) + way_t * v1;
+    place = (*cspan_at(&work, low + regions__REGION_STATION)) + way * v1;
+    if ((*cspan_at(&work, contact_plane__TRACER_STATION)) == (*station))
+    {
+        tangent_contact_plane__start_tracer_t(work, work_t, (*station), 0.0, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
+        tangent_contact_plane__normal_gap_t(&hump, &hump_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*station), 0.0, regions__TRACE, 0.0);
+        if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
+        {
+            v2 = -rate;
+            place_t = (-rate_t) / bend;
+            place = v2 / bend;
+        }
+    }
+    (*station_t) = place_t;
+    (*result_3) = 0.0;
+    return 0;
+}
+
+/* Tangent of ``width_rule``. */
+static inline int64_t tangent_regions__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
+{
+    double v1;
+    double v1_t;
+    double limit_t;
+    double limit;
+    double inner;
+    double tolerance;
+    double gap;
+    double gap_t;
+    double rate;
+    double rate_t;
+    double rail_rate;
+    double wheel_rate;
+    double lack;
+    double moved;
+    int64_t rail;
+    int64_t wheel;
+    double x_t;
+    double x;
+    double y_t;
+    double y;
+    double out;
+    tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
+    (*width_t) = v1_t;
+    (*width) = v1;
+    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
+    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    if (direction < 0.0)
+    {
+        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
+        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+    }
+    if (((*width) < limit) && ((*cspan_at(&work, block + regions__REGION_REACHED)) != level))
+    {
+        inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
+        tolerance = 0.001 * guess;
+        if (tolerance > regions__WIDTH_TRACE)
+        {
+            tolerance = regions__WIDTH_TRACE;
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
+        rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+        wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+        lack = level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP));
+        moved = 0.0;
+        if (rate * direction > 0.0)
+        {
+            moved = lack / (rate * direction);
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
+        rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+        x_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
+        x = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+        y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
+        y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+        out = x_t - rail_rate;
+        if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE)))
+        {
+            moved = (-rail_rate) / out;
+        }
+        out = y_t - wheel_rate;
+        if ((out != 0.0) && ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE)))
+        {
+            moved = (-wheel_rate) / out;
+        }
+        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
+        (*width_t) = moved;
+        (*cspan_at(&work_t, block + regions__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
+    }
+    return 0;
+}
+
+/* Tangent of ``width_jet``. */
+static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+{
+    double bend;
+    double bend_t;
+    double curvature;
+    double curvature_t;
+    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }

@@ -5,133 +5,6 @@
 
 #include "tangent_separation.h"
 
-/* Tangent of ``arc_rule``. */
-static inline int64_t tangent_separation__arc_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t tracer, double length, double length_t)
-{
-    double start_t;
-    double start;
-    int64_t n1;
-    double u;
-    double v2;
-    double place_t;
-    double place;
-    double v3;
-    double v3_t;
-    double v4;
-    int64_t exists;
-    start_t = (*cspan_at(&work_t, tracer));
-    start = (*cspan_at(&work, tracer));
-    n1 = separation__move_arc(tables, work, tracer, length);
-    exists = n1;
-    if (exists == INT64_C(1))
-    {
-        u = (*cspan_at(&work, tracer));
-        v2 = separation__curve_speed(tables, work, tracer, u);
-        place_t = length_t / v2;
-        place = length / v2;
-        if (u == start)
-        {
-            place_t = start_t + place_t;
-            place = start + place;
-        }
-        else
-        {
-            tangent_separation__arc_length_t(&v3, &v3_t, tables, work, work_t, tracer, start, start_t, u, 0.0);
-            v4 = separation__curve_speed(tables, work, tracer, u);
-            place_t = place_t - v3_t / v4;
-            place = place - v3 / v4;
-        }
-        (*cspan_at(&work_t, tracer)) = place_t;
-        (*cspan_at(&work, tracer)) = u;
-    }
-    return exists;
-}
-
-/* Tangent of ``chord_rule``. */
-static inline int64_t tangent_separation__chord_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t tracer, double chord, double chord_t)
-{
-    double from_across;
-    double from_across_t;
-    double from_down;
-    double from_down_t;
-    double slope;
-    double slope_t;
-    double stretch;
-    double stretch_t;
-    double bend;
-    double bend_t;
-    int64_t n1;
-    double u;
-    double across;
-    double across_t;
-    double down;
-    double down_t;
-    double v2;
-    double v3;
-    double length_t;
-    double length;
-    double v4;
-    double along_t;
-    double along;
-    double v5;
-    double v6;
-    int64_t exists;
-    tangent_separation__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, tracer, (*cspan_at(&work, tracer)), (*cspan_at(&work_t, tracer)));
-    n1 = separation__move_chord(tables, work, tracer, chord);
-    exists = n1;
-    if (exists == INT64_C(1))
-    {
-        u = (*cspan_at(&work, tracer));
-        tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, tracer, u, 0.0);
-        across_t = across_t - from_across_t;
-        across = across - from_across;
-        down_t = down_t - from_down_t;
-        down = down - from_down;
-        v2 = across * across + down * down;
-        v3 = sqrt(v2);
-        length_t = tangent_rates__root_rate(v3, across_t * across + across * across_t + (down_t * down + down * down_t));
-        length = v3;
-        v4 = across + slope * down;
-        along_t = (across_t + (slope_t * down + slope * down_t)) * stretch + v4 * stretch_t;
-        along = v4 * stretch;
-        v5 = -(length - fabs(chord));
-        v6 = length / along;
-        (*cspan_at(&work_t, tracer)) = (-(length_t - tangent_rates__size_rate(chord, chord_t))) * v6;
-        (*cspan_at(&work, tracer)) = u;
-    }
-    return exists;
-}
-
-/* Tangent of ``across_rule``. */
-static inline int64_t tangent_separation__across_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double lateral, double lateral_t)
-{
-    int64_t n1;
-    double u;
-    double across;
-    double across_t;
-    double down;
-    double down_t;
-    double slope;
-    double slope_t;
-    double stretch;
-    double stretch_t;
-    double bend;
-    double bend_t;
-    double v2;
-    int64_t exists;
-    n1 = separation__move_across(tables, work, lateral);
-    exists = n1;
-    if (exists == INT64_C(1))
-    {
-        u = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
-        tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, u, 0.0);
-        v2 = -(across - lateral);
-        (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) = (-(across_t - lateral_t)) / stretch;
-        (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = u;
-    }
-    return exists;
-}
-
 /* Tangent of ``curve_jet``. */
 static inline int64_t tangent_separation__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t tracer, double u, double u_t)
 {
@@ -726,4 +599,131 @@ static inline int64_t tangent_separation__separation_t(double* gap, double* gap_
         tangent_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, state, station, station_t, kind);
     }
     return 0;
+}
+
+/* Tangent of ``arc_rule``. */
+static inline int64_t tangent_separation__arc_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t tracer, double length, double length_t)
+{
+    double start_t;
+    double start;
+    int64_t n1;
+    double u;
+    double v2;
+    double place_t;
+    double place;
+    double v3;
+    double v3_t;
+    double v4;
+    int64_t exists;
+    start_t = (*cspan_at(&work_t, tracer));
+    start = (*cspan_at(&work, tracer));
+    n1 = separation__move_arc(tables, work, tracer, length);
+    exists = n1;
+    if (exists == INT64_C(1))
+    {
+        u = (*cspan_at(&work, tracer));
+        v2 = separation__curve_speed(tables, work, tracer, u);
+        place_t = length_t / v2;
+        place = length / v2;
+        if (u == start)
+        {
+            place_t = start_t + place_t;
+            place = start + place;
+        }
+        else
+        {
+            tangent_separation__arc_length_t(&v3, &v3_t, tables, work, work_t, tracer, start, start_t, u, 0.0);
+            v4 = separation__curve_speed(tables, work, tracer, u);
+            place_t = place_t - v3_t / v4;
+            place = place - v3 / v4;
+        }
+        (*cspan_at(&work_t, tracer)) = place_t;
+        (*cspan_at(&work, tracer)) = u;
+    }
+    return exists;
+}
+
+/* Tangent of ``chord_rule``. */
+static inline int64_t tangent_separation__chord_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t tracer, double chord, double chord_t)
+{
+    double from_across;
+    double from_across_t;
+    double from_down;
+    double from_down_t;
+    double slope;
+    double slope_t;
+    double stretch;
+    double stretch_t;
+    double bend;
+    double bend_t;
+    int64_t n1;
+    double u;
+    double across;
+    double across_t;
+    double down;
+    double down_t;
+    double v2;
+    double v3;
+    double length_t;
+    double length;
+    double v4;
+    double along_t;
+    double along;
+    double v5;
+    double v6;
+    int64_t exists;
+    tangent_separation__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, tracer, (*cspan_at(&work, tracer)), (*cspan_at(&work_t, tracer)));
+    n1 = separation__move_chord(tables, work, tracer, chord);
+    exists = n1;
+    if (exists == INT64_C(1))
+    {
+        u = (*cspan_at(&work, tracer));
+        tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, tracer, u, 0.0);
+        across_t = across_t - from_across_t;
+        across = across - from_across;
+        down_t = down_t - from_down_t;
+        down = down - from_down;
+        v2 = across * across + down * down;
+        v3 = sqrt(v2);
+        length_t = tangent_rates__root_rate(v3, across_t * across + across * across_t + (down_t * down + down * down_t));
+        length = v3;
+        v4 = across + slope * down;
+        along_t = (across_t + (slope_t * down + slope * down_t)) * stretch + v4 * stretch_t;
+        along = v4 * stretch;
+        v5 = -(length - fabs(chord));
+        v6 = length / along;
+        (*cspan_at(&work_t, tracer)) = (-(length_t - tangent_rates__size_rate(chord, chord_t))) * v6;
+        (*cspan_at(&work, tracer)) = u;
+    }
+    return exists;
+}
+
+/* Tangent of ``across_rule``. */
+static inline int64_t tangent_separation__across_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double lateral, double lateral_t)
+{
+    int64_t n1;
+    double u;
+    double across;
+    double across_t;
+    double down;
+    double down_t;
+    double slope;
+    double slope_t;
+    double stretch;
+    double stretch_t;
+    double bend;
+    double bend_t;
+    double v2;
+    int64_t exists;
+    n1 = separation__move_across(tables, work, lateral);
+    exists = n1;
+    if (exists == INT64_C(1))
+    {
+        u = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+        tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, u, 0.0);
+        v2 = -(across - lateral);
+        (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) = (-(across_t - lateral_t)) / stretch;
+        (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = u;
+    }
+    return exists;
 }

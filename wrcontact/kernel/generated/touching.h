@@ -1,4 +1,4 @@
-/* Generated from touching.py by tools/transpile_kernel.py; change that one.
+/* Generated from contact/touching.py by tools/transpile_kernel.py; change that one.
  *
  * Where a wheel that overlaps its rail would touch it, if it were drawn back along their common normal.
  *

@@ -33,7 +33,7 @@ WRCONTACT_EXPORT int wrcontact_step(const wrcontact_handle *handle);
 WRCONTACT_EXPORT int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *inputs, double *outputs,
                                          double *statuses);
 
-/* The fingerprint of the sources this was compiled from; see wrcontact/kernel/files.py. */
+/* The fingerprint of the sources this was compiled from; see wrcontact/kernel/binding/files.py. */
 WRCONTACT_EXPORT int64_t wrcontact_abi(void);
 
 #endif

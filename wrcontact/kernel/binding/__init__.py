@@ -1,0 +1,1 @@
+"""How ordinary Python reaches the kernel: its files, its compiled library, its tables."""

@@ -1,0 +1,31 @@
+"""The files of the kernel: which are its source, and which version they are.
+
+Standard library only and no imports from the package, so that build tools can run this file by its path.
+"""
+
+import hashlib
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parents[1]
+#: The rooms of the kernel, from upstream to downstream; a module imports from its own room and from those before it.
+ROOMS = ("layout", "surface", "search", "contact", "patch", "normal", "wheelset", "prepare", "tangent")
+HANDLE_VERSION = 4      # raise when the functions or the handle in native/*.h change
+
+
+def kernel_modules(folder=HERE):
+    """Paths of the kernel's Python modules in the rooms of ``folder``, sorted by room and name."""
+    return [path for room in ROOMS for path in sorted(Path(folder, room).glob("*.py")) if path.name != "__init__.py"]
+
+
+def fingerprint(folder=HERE):
+    """One positive 60-bit integer that tells one kernel source from another.
+
+    It is written into the generated C and answered by ``wrcontact_abi()``, so a library compiled from other sources than
+    the ones beside it is recognised.  Line ends do not count: a checkout may change them.
+    """
+    digest = hashlib.sha256(b"handle %d" % HANDLE_VERSION)
+    for path in kernel_modules(folder):
+        text = path.read_bytes().replace(b"\r\n", b"\n")
+        digest.update(b"\0%s\0%d\0" % (path.relative_to(folder).as_posix().encode(), len(text)))
+        digest.update(text)
+    return int(digest.hexdigest()[:15], 16)

@@ -1,0 +1,228 @@
+"""The kernel as Python calls it: compiled where it can be, the Python source otherwise, with the same bits either way.
+
+    kernel = default_kernel()
+    bound = kernel.bind(tables, state, workspace, inputs, outputs)      # once
+    inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
+    status = bound.step()                                               # writes outputs and state
+
+The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.2 us a call, during which other
+threads run.  The environment variable ``WRCONTACT_KERNEL`` chooses: ``auto`` (default: the library, or a warning and the
+source), ``compiled`` (the library or an error), ``python`` (the source: for a debugger, and as the library's witness).
+"""
+
+import ctypes
+import os
+import warnings
+from functools import lru_cache, partial
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+
+from .files import HERE, fingerprint
+from ..layout import INPUT_COUNT, IN_LATERAL_SHIFT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
+from ..patch.outline import row_size
+from .platforms import LIBRARY_NAME
+from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
+from ..search.starts import START_ROW
+
+#: How many numbers the tables get room for at first, and at most.
+TABLE_ROOM, MOST_ROOM = 100_000, 10_000_000
+
+CHOICES = ("auto", "compiled", "python")
+
+
+class LibraryUnusable(Exception):
+    """There is no compiled library to use; the message says why."""
+
+
+@lru_cache(maxsize=None)
+def default_kernel():
+    """The kernel of this process, as ``WRCONTACT_KERNEL`` chooses; warns once where the library should be and is not."""
+    choice = os.environ.get("WRCONTACT_KERNEL") or "auto"
+    if choice not in CHOICES:
+        raise ValueError(f"WRCONTACT_KERNEL is {choice!r}; it may be {', '.join(CHOICES)}")
+    if choice == "python":
+        return Kernel()
+    try:
+        return Kernel(open_library())
+    except LibraryUnusable as reason:
+        if choice == "compiled":
+            raise
+        warnings.warn(f"The contact kernel runs uncompiled, about 100 times slower: {reason}.", RuntimeWarning, stacklevel=2)
+        return Kernel()
+
+
+class Kernel:
+    """The kernel; ``library`` is what ``open_library`` returns, or None for the Python source."""
+
+    def __init__(self, library=None):
+        self.library = library
+
+    @property
+    def compiled(self):
+        return self.library is not None
+
+    def bind(self, tables, state, workspace, inputs, outputs):
+        """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
+        arrays = (checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
+                  checked("workspace", workspace, WORK_SIZE, written=True), checked("inputs", inputs, INPUT_COUNT),
+                  checked("outputs", outputs, row_size(tables), written=True))
+        return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
+
+    def prepare(self, setup, wheel, rail, hertz, influence):
+        """Outcome, tables and report of prepare_tables.py for these arrays: a setup, two definitions, two tables."""
+        given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
+                                                          ("hertz", hertz), ("influence", influence))]
+        outcome, room = TABLES_FULL, TABLE_ROOM
+        while outcome == TABLES_FULL and room <= MOST_ROOM:
+            tables, report = np.zeros(room), np.zeros(REPORT_COUNT)
+            work = np.zeros(max(WORK_SIZE + 4 * OUTPUT_COUNT, len(wheel) + len(rail) + room + 1000))
+            outcome = self._prepare([*given, tables, work, report])
+            room *= 4
+        return outcome, tables[:int(report[REPORT_SIZE])].copy(), report
+
+    def _prepare(self, arrays):
+        """One attempt with arrays of this size; the outcome."""
+        if self.compiled:
+            return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
+        source = import_module("..prepare.tables", __package__)
+        views = list(map(view, arrays))
+        outcome = source.prepare(*views)
+        if outcome == source.PREPARED:
+            fill_starts(source, view(arrays[-3][:int(arrays[-1][REPORT_SIZE])]))
+            source.write_methods(views[0], views[-3])
+        return outcome
+
+
+def fill_starts(source, tables):
+    """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
+    step = import_module("..wheelset.step", __package__).step
+    state, workspace, inputs, outputs = ([0.0] * size for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
+    rows = [0.0] * (START_ROW * source.START_ROW_COUNT)
+    for row in range(source.START_ROW_COUNT):
+        inputs[IN_LATERAL_SHIFT] = source.start_shift(tables, row)
+        source.note_start(rows, row, step(tables, state, workspace, inputs, outputs), outputs)
+    source.keep_starts(tables, rows)
+
+
+class CompiledKernel:
+    """The library with its arrays.  ``step()`` makes one step and returns the status."""
+
+    compiled = True
+
+    def __init__(self, library, arrays):
+        self._library, self._size = library, row_size(arrays[0])
+        handle = Handle(*map(span, arrays))
+        handle.arrays = arrays                      # it holds bare addresses: they live as long as it, or a bare ``step``, does
+        self._handle = ctypes.byref(handle)
+        self._room = None
+        self.step = partial(library.wrcontact_step, self._handle)       # no method: a third of the cost is the look-up
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses`` each."""
+        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
+        return self._library.wrcontact_step_many(self._handle, count, *(block.ctypes.data for block in blocks))
+
+    def tangent(self, seed):
+        """Status of the step at the inputs, and how its outputs move where the inputs move at the rates in ``seed``."""
+        if self._room is None:
+            self._room = np.empty(self._library.wrcontact_tangent_room())
+        rates = np.empty(self._size)
+        seed = checked("seed", seed, INPUT_COUNT)
+        status = self._library.wrcontact_tangent(self._handle, seed.ctypes.data, rates.ctypes.data, self._room.ctypes.data)
+        return status, rates
+
+
+class PythonKernel:
+    """The Python source with the same arrays and calls."""
+
+    compiled = False
+
+    def __init__(self, arrays):
+        self._source = import_module("..wheelset.step", __package__)      # not before it is needed
+        self._size = row_size(arrays[0])
+        self._views = [view(array) for array in arrays]
+        self.step = partial(self._source.step, *self._views)
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """As CompiledKernel.step_many."""
+        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
+        return self._source.step_many(count, *self._views[:3], *map(view, blocks))
+
+
+class Span(ctypes.Structure):
+    """array_double_1d in native/spans.h."""
+
+    _fields_ = [("data", ctypes.c_void_p), ("length", ctypes.c_int64)]
+
+
+class Preparation(ctypes.Structure):
+    """wrcontact_preparation in native/wrcontact_prepare.h."""
+
+    _fields_ = [(name, Span) for name in ("setup", "wheel", "rail", "hertz", "influence", "tables", "work", "report")]
+
+
+class Handle(ctypes.Structure):
+    """wrcontact_handle in native/wrcontact_kernel.h."""
+
+    _fields_ = [(name, Span) for name in ("tables", "state", "workspace", "inputs", "outputs")]
+
+
+def open_library(folder=HERE):
+    """The compiled library in ``folder``, made from the kernel source in ``folder``."""
+    path = Path(folder, LIBRARY_NAME)
+    if not path.exists():
+        raise LibraryUnusable(f"there is no {LIBRARY_NAME} in {folder}")
+    try:
+        library = ctypes.CDLL(str(path))
+        declare(library)
+    except (OSError, AttributeError) as error:
+        raise LibraryUnusable(f"{path} cannot be loaded ({error})") from error
+    if library.wrcontact_abi() != fingerprint(folder):
+        raise LibraryUnusable(f"{path} was compiled from another version of the kernel")
+    return library
+
+
+def declare(library):
+    """Tell ctypes the functions of native/wrcontact_kernel.h."""
+    address = ctypes.c_void_p
+    library.wrcontact_abi.argtypes, library.wrcontact_abi.restype = [], ctypes.c_int64
+    library.wrcontact_step.argtypes, library.wrcontact_step.restype = [address], ctypes.c_int
+    library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
+    library.wrcontact_step_many.restype = ctypes.c_int
+    library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
+    library.wrcontact_tangent.argtypes, library.wrcontact_tangent.restype = [address] * 4, ctypes.c_int
+    library.wrcontact_tangent_room.argtypes, library.wrcontact_tangent_room.restype = [], ctypes.c_int64
+
+
+def span(array):
+    """Where the flat ``array`` is and how long."""
+    return Span(array.ctypes.data, array.size)
+
+
+def view(array):
+    """The memory of the flat ``array`` as the Python source reads and writes it: faster than numpy, and plain floats."""
+    return memoryview(array)
+
+
+def checked_blocks(count, size, inputs, outputs, statuses):
+    """The flat arrays of ``count`` steps that give ``size`` numbers each."""
+    if count < 0:
+        raise ValueError(f"count is {count}; it cannot be negative")
+    return (checked("inputs", inputs, count * INPUT_COUNT), checked("outputs", outputs, count * size, written=True),
+            checked("statuses", statuses, count, written=True))
+
+
+def checked(name, array, least=0, written=False):
+    """``array`` as a flat view, if the kernel can use its memory as it is."""
+    if not isinstance(array, np.ndarray) or array.dtype != np.float64:
+        found = f"{array.dtype}" if isinstance(array, np.ndarray) else type(array).__name__
+        raise TypeError(f"{name} must be a numpy array of float64, not {found}")
+    if not (array.flags.c_contiguous and array.flags.aligned):
+        raise ValueError(f"{name} must be C-contiguous and aligned; numpy.ascontiguousarray makes it so")
+    if written and not array.flags.writeable:
+        raise ValueError(f"{name} is read-only, and the kernel writes to it")
+    if array.size < least:
+        raise ValueError(f"{name} has {array.size} values and needs {least}")
+    return array.reshape(-1)

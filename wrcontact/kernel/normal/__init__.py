@@ -1,0 +1,1 @@
+"""Models of the normal contact: Hertz, ANALYN, strip correction."""

@@ -1,0 +1,305 @@
+"""ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
+
+Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+
+    d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E*/pi) d / (n r a)
+
+(the source's eq. 2.25 prints E*/(2 pi), which integrates to a quarter of the force), so the line load
+(pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
+
+Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
+of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
+have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
+the angle between the two.
+"""
+
+from math import fabs, pi, sqrt
+from typing import Final
+
+from ..layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
+from .nodes import NODE_LINE, NODE_RISE, node_field
+from ..contact.regions import (REGION_ALONG, REGION_COS, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
+                      REGION_LOAD, REGION_LOW, REGION_MIDDLE, REGION_MOVE, REGION_OFFSET, REGION_OWN, REGION_RESIDUAL,
+                      REGION_SHARE, REGION_SIN, REGION_SLOPE, REGION_SPACING, REGION_SQUARE, REGION_STATION,
+                      REGION_STIFFNESS, REGION_TURN, region_block)
+
+FORCE_ITERATIONS: Final[int] = 60
+#: The force is met to this, relative; rounding of the sums is 1e-14.
+FORCE_SHARP: Final[float] = 1e-12
+#: Change of the load, relative, that tells the slope; and how far that may be from the slope's own estimate.
+ROUNDING: Final[float] = 1e-10
+SLOPE_ERROR: Final[float] = 0.1
+#: Missed by less, relative, the force is met by one more move, Newton's method squaring what is missed.
+NEARLY_SHARP: Final[float] = 1e-9
+#: Missed by more, relative, the power 2/3 of the load is taken for linear in the penetration.
+NEARLY: Final[float] = 1e-3
+#: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
+CLOSED: Final[float] = 1e-10
+#: Share of the squares of two regions' half-lengths that counts as distance between them.
+ELONGATED: Final[float] = 0.3
+#: Cosine of the angle between two planes from which on it counts how far one region lies ahead of the other: 15 deg.
+LEANING: Final[float] = 0.9659258262890683
+#: The penetration is sought up to this multiple of the first value.
+HIGHEST: Final[float] = 1e3
+
+
+def bend_of(before: float, low: float, high: float):
+    """Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
+
+    Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
+    """
+    bend = 0.5 * (before - 2.0 * low + high)
+    limit = 0.5 * (fabs(low) + fabs(high))
+    if bend > limit:
+        bend = limit
+    if bend < -limit:
+        bend = -limit
+    return bend
+
+
+def cell_part(d_before: float, d_low: float, d_high: float):
+    """The loaded part [from, to] of a cell, as shares of it counted from its inner node."""
+    start = 0.0
+    stop = 1.0
+    if d_low <= 0.0 and d_high <= 0.0:
+        stop = 0.0
+    elif d_low <= 0.0 or d_high <= 0.0:
+        bend = bend_of(d_before, d_low, d_high)
+        slope = d_high - d_low - bend
+        # the root between two values of opposite sign, in the form that does not cancel
+        spread = slope * slope - 4.0 * bend * d_low
+        if spread < 0.0:
+            spread = 0.0
+        spread = sqrt(spread)
+        root = 0.0
+        if d_low > 0.0:
+            root = 2.0 * d_low / (spread - slope)
+            stop = root
+        else:
+            root = -2.0 * d_low / (spread + slope)
+            start = root
+    return start, stop
+
+
+def quadratic_integral(before: float, low: float, high: float, start: float, stop: float):
+    """Integral over [start, stop] of the quadratic of ``bend_of``."""
+    bend = bend_of(before, low, high)
+    slope = high - low - bend
+    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
+    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0))
+    return upper - lower
+
+
+def clip_to_bound(work: 'float[:]', block: int, k: int, outward: int, stop: float):
+    """``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell."""
+    spacing = work[block + REGION_SPACING]
+    reach = (work[block + REGION_HIGH] - work[block + REGION_STATION]) / spacing - float(k)
+    if outward < 0:
+        reach = (work[block + REGION_STATION] - work[block + REGION_LOW]) / spacing + float(k)
+    if reach < stop:
+        stop = reach
+    if stop < 0.0:
+        stop = 0.0
+    return stop
+
+
+def region_load(work: 'float[:]', region: int, level: float):
+    """Load [N] of ``region`` at local penetration ``level`` [m], and its derivative [N/m] to a few per mille."""
+    block = region_block(region)
+    spacing = work[block + REGION_SPACING]
+    rises = node_field(region, NODE_RISE)
+    lines = node_field(region, NODE_LINE)
+    load = 0.0
+    stiffness = 0.0
+    if level > 0.0:
+        for outward in range(-1, 2, 2):
+            last = int(work[block + REGION_LAST])
+            if outward < 0:
+                last = -int(work[block + REGION_FIRST])
+            d_before = level - work[rises - outward]
+            c_before = work[lines - outward]
+            d_low = level - work[rises]
+            c_low = work[lines]
+            for k in range(last):
+                at = outward * (k + 1)
+                d_high = level - work[rises + at]
+                c_high = work[lines + at]
+                f_low = c_low * d_low
+                f_high = c_high * d_high
+                if d_low > 0.0 and d_high > 0.0 and k < last - 1:
+                    # a fully loaded cell: quadratic_integral from 0 to 1
+                    load += 0.5 * (f_low + f_high) - bend_of(c_before * d_before, f_low, f_high) / 6.0
+                    stiffness += 0.5 * (c_low + c_high)
+                elif d_low > 0.0 or d_high > 0.0:
+                    start, stop = cell_part(d_before, d_low, d_high)
+                    if k == last - 1:
+                        stop = clip_to_bound(work, block, outward * k, outward, stop)
+                    if stop > start:
+                        load += quadratic_integral(c_before * d_before, f_low, f_high, start, stop)
+                        stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))
+                d_before = d_low
+                c_before = c_low
+                d_low = d_high
+                c_low = c_high
+    return load * spacing, stiffness * spacing
+
+
+def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
+    """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
+
+    Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one
+    lies ahead of the other.
+    """
+    result = 0.0
+    if first != second:
+        one = region_block(first)
+        other = region_block(second)
+        distance = work[one + REGION_OFFSET] + work[one + REGION_MIDDLE] - work[other + REGION_OFFSET] - work[
+            other + REGION_MIDDLE]
+        along = region_lead(work, first, second)
+        squares = work[one + REGION_SQUARE] + work[other + REGION_SQUARE]
+        apart = sqrt(distance * distance + along * along + ELONGATED * squares)
+        result = 1.0 / (pi * tables[SET_CONTACT_MODULUS] * apart)
+        result *= planes_cosine(work, first, second)
+    return result
+
+
+def region_lead(work: 'float[:]', first: int, second: int):
+    """How far one region of a yawed wheel lies ahead of another that leans away from it [m].
+
+    A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it
+    is left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
+    """
+    lead = 0.0
+    if planes_cosine(work, first, second) < LEANING:
+        lead = work[region_block(first) + REGION_ALONG] - work[region_block(second) + REGION_ALONG]
+    return lead
+
+
+def planes_cosine(work: 'float[:]', first: int, second: int):
+    """Cosine of the angle between the planes of two regions; 1 in one plane."""
+    one = region_block(first)
+    other = region_block(second)
+    cosine = 1.0
+    if work[one + REGION_OWN] == 1.0 or work[other + REGION_OWN] == 1.0:
+        cosine = work[one + REGION_COS] * work[other + REGION_COS] + work[one + REGION_SIN] * work[other + REGION_SIN]
+        if cosine < 0.0:
+            cosine = 0.0
+    return cosine
+
+
+def load_regions(tables: 'float[:]', work: 'float[:]', count: int):
+    """Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]."""
+    total = 0.0
+    for i in range(count):
+        block = region_block(i)
+        load, stiffness = region_load(work, i, work[block + REGION_LEVEL])
+        work[block + REGION_LOAD] = load
+        work[block + REGION_STIFFNESS] = stiffness
+        total += work[block + REGION_SHARE] * load
+    return total
+
+
+def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
+                 prescribed: int, sharp: float):
+    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
+    all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+    """
+    for i in range(count):
+        work[region_block(i) + REGION_LEVEL] = (work[region_block(i) + REGION_TURN] * penetration
+                                                - work[region_block(i) + REGION_GAP])
+    low = 0.0
+    high = HIGHEST * penetration
+    total_before = 0.0
+    slope_before = 0.0
+    move = 0.0
+    for iteration in range(FORCE_ITERATIONS):
+        state[STATE_SOLVE_COUNT] += 1.0
+        total = load_regions(tables, work, count)
+        residual, slope, rest = level_residuals(tables, work, count, penetration)
+        if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
+            # what the slopes of both ends made of the last move, against what came of it
+            share = (total - total_before) / (0.5 * (slope_before + slope) * move)
+            if fabs(share - 1.0) < SLOPE_ERROR:
+                slope *= share
+        total_before = total
+        slope_before = slope
+        move = 0.0
+        missed = 0.0
+        if prescribed == 0:
+            missed = fabs(force - total)
+            if residual <= CLOSED * penetration and missed > 10.0 * CLOSED * force:
+                if total < force:
+                    low = penetration
+                else:
+                    high = penetration
+            following = 0.5 * (low + high)
+            # the levels follow the penetration by their slopes, after closing their own residuals; the load's power 2/3
+            # is nearly linear
+            if slope > 0.0:
+                newton = penetration + (force - total - rest) / slope
+                if missed > NEARLY * force and total > 0.0:
+                    newton = penetration + (1.5 * total * ((force / total) ** (2.0 / 3.0) - 1.0) - rest) / slope
+                if newton > low and newton < high:
+                    following = newton
+            move = following - penetration
+        if missed <= sharp * force and residual <= sharp * penetration:
+            return penetration, 1
+        penetration += move
+        apply_moves(work, count, move)
+        if missed <= NEARLY_SHARP * force and residual <= NEARLY_SHARP * penetration:
+            return penetration, 1
+    return penetration, 0
+
+
+def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetration: float):
+    """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
+    level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+
+    Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
+    Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
+    """
+    largest = 0.0
+    for i in range(count):
+        block = region_block(i)
+        pushed = 0.0
+        for j in range(count):
+            pushed += influence(tables, work, i, j) * work[region_block(j) + REGION_LOAD]
+        turn = work[block + REGION_TURN]
+        residual = turn * penetration - work[block + REGION_GAP] - pushed - work[block + REGION_LEVEL]
+        work[block + REGION_RESIDUAL] = residual
+        work[block + REGION_SLOPE] = turn
+        work[block + REGION_MOVE] = residual
+        if fabs(residual) > largest:
+            largest = fabs(residual)
+    sweeps = 12
+    if count == 1:
+        sweeps = 0
+    for sweep in range(sweeps):
+        for i in range(count):
+            block = region_block(i)
+            slope = work[block + REGION_TURN]
+            move = work[block + REGION_RESIDUAL]
+            for j in range(count):
+                other = region_block(j)
+                coupling = influence(tables, work, i, j) * work[other + REGION_STIFFNESS]
+                slope -= coupling * work[other + REGION_SLOPE]
+                move -= coupling * work[other + REGION_MOVE]
+            work[block + REGION_SLOPE] = slope
+            work[block + REGION_MOVE] = move
+    slope = 0.0
+    rest = 0.0
+    for i in range(count):
+        block = region_block(i)
+        counted = work[block + REGION_SHARE] * work[block + REGION_STIFFNESS]
+        slope += counted * work[block + REGION_SLOPE]
+        rest += counted * work[block + REGION_MOVE]
+    return largest, slope, rest
+
+
+def apply_moves(work: 'float[:]', count: int, move: float):
+    """Move the levels with the penetration by ``move`` [m] and close their residuals."""
+    for i in range(count):
+        block = region_block(i)
+        work[block + REGION_LEVEL] += work[block + REGION_MOVE] + work[block + REGION_SLOPE] * move
+    return 0

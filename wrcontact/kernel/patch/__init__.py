@@ -1,0 +1,1 @@
+"""The solved contact patches, their totals and their outline."""

@@ -1,0 +1,326 @@
+"""From solved regions to contact patches: loads, areas, pressures, centroids, and the outline at evenly spaced stations.
+
+A patch is a connected run of loaded strips.  Between nodes the line load and the squares of half-length and pressure
+are the quadratics through the cell's nodes and its inner neighbour, so that an ellipse comes out exact.
+"""
+
+from math import atan, atan2, fabs, pi, sqrt
+from typing import Final
+
+from ..normal.analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
+from ..layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_LIMIT, PATCH_MAX_PRESSURE,
+                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SIDE_AREA, SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE,
+                     SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, WORK_ISLANDS)
+from ..normal.nodes import NODE_LENGTH, NODE_LINE, NODE_LOAD, NODE_PRESSURE, NODE_RISE, NODE_SQUARE, node_field
+from ..contact.regions import (REGION_CARRIED, REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEAN, REGION_LEVEL, REGION_LOW,
+                      REGION_MOMENT, REGION_OFFSET, REGION_SPACING, REGION_STATION, region_block)
+
+# an island: a run of loaded cells under construction
+ISLAND_SIZE: Final[int] = 10
+ISLAND_LIMIT: Final[int] = 8
+ISLAND_LOAD: Final[int] = 0
+ISLAND_AREA: Final[int] = 1
+ISLAND_MOMENT: Final[int] = 2        # integral of the line load times station [N m]
+ISLAND_PRESSURE: Final[int] = 3      # squares of the largest pressure and half-length
+ISLAND_HALF_LENGTH: Final[int] = 4
+ISLAND_START: Final[int] = 5
+ISLAND_STOP: Final[int] = 6
+ISLAND_ANGLE: Final[int] = 7
+
+#: Bend, as a share of the end values, below which a quadratic is expanded about its chord: leaves the square of it.
+STRAIGHT: Final[float] = 1e-4
+#: Loaded parts closer than this share of the spacing are one patch.
+JOINED: Final[float] = 1e-9
+
+
+def quadratic_moment(before: float, low: float, high: float, start: float, stop: float):
+    """Integral over [start, stop] of x times the quadratic of ``bend_of``."""
+    bend = bend_of(before, low, high)
+    slope = high - low - bend
+    upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0))
+    lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0))
+    return upper - lower
+
+
+def bent_integral(low: float, slope: float, bend: float, start: float, stop: float):
+    """Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
+
+    The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of a loaded
+    stretch the rounding of root and angle then cancels.
+    """
+    first = low + start * (slope + start * bend)
+    last = low + stop * (slope + stop * bend)
+    if first < 0.0:
+        first = 0.0
+    if last < 0.0:
+        last = 0.0
+    spread = slope * slope - 4.0 * bend * low
+    if not spread > 0.0:
+        return 0.0
+    first_root = sqrt(first)
+    last_root = sqrt(last)
+    first_rate = 2.0 * bend * start + slope
+    last_rate = 2.0 * bend * stop + slope
+    across = sqrt(-bend)
+    height = 2.0 * across * last_root
+    height_before = 2.0 * across * first_root
+    angle = atan2(height * first_rate - height_before * last_rate, height * height_before + last_rate * first_rate)
+    return ((last_rate * last_root - first_rate * first_root) / (4.0 * bend)
+            + spread / (8.0 * -bend * across) * angle)
+
+
+def root_integral(before: float, low: float, high: float, start: float, stop: float):
+    """Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
+
+    In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values and the
+    width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q + q^2)/(p + q)^3].
+    """
+    bend = bend_of(before, low, high)
+    slope = high - low - bend
+    if bend < -STRAIGHT * (fabs(low) + fabs(high)):
+        return bent_integral(low, slope, bend, start, stop)
+    first = low + start * (slope + start * bend)
+    last = low + stop * (slope + stop * bend)
+    if first < 0.0:
+        first = 0.0
+    if last < 0.0:
+        last = 0.0
+    p = sqrt(first)
+    q = sqrt(last)
+    total = p + q
+    if not total > 0.0:
+        return 0.0
+    width = stop - start
+    chord = 2.0 / 3.0 * (first + p * q + last) / total
+    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / (total * total * total))
+
+
+def load_nodes(work: 'float[:]', region: int, level: float):
+    """Line load, square of half-length and of pressure at the region's nodes for its ``level`` [m]."""
+    block = region_block(region)
+    rises = node_field(region, NODE_RISE)
+    lines = node_field(region, NODE_LINE)
+    lengths = node_field(region, NODE_LENGTH)
+    loads = node_field(region, NODE_LOAD)
+    squares = node_field(region, NODE_SQUARE)
+    pressures = node_field(region, NODE_PRESSURE)
+    for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
+        d = level - work[rises + k]
+        load = work[lines + k] * d
+        work[loads + k] = load
+        work[squares + k] = d / work[lengths + k]
+        # p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A)
+        work[pressures + k] = 4.0 / (pi * pi) * work[lines + k] * load * work[lengths + k]
+    return 0
+
+
+def peak_square(work: 'float[:]', field: int, k: int):
+    """Square of the largest value of the parabola through the roots at nodes ``k`` - 1, ``k``, ``k`` + 1 of a field of
+    squares, where node ``k`` is a peak and both neighbours are loaded; else the node's own."""
+    square = work[field + k]
+    before = work[field + k - 1]
+    after = work[field + k + 1]
+    if before > 0.0 and after > 0.0 and square >= before and square >= after:
+        top = sqrt(square)
+        left = sqrt(before)
+        right = sqrt(after)
+        bend = left - 2.0 * top + right
+        if bend < 0.0:
+            top -= (right - left) * (right - left) / (8.0 * bend)
+            square = top * top
+    return square
+
+
+def open_island(work: 'float[:]', count: int, start: float, angle: float):
+    """Begin island ``count`` at station ``start``."""
+    at = WORK_ISLANDS + ISLAND_SIZE * count
+    for i in range(ISLAND_SIZE):
+        work[at + i] = 0.0
+    work[at + ISLAND_START] = start
+    work[at + ISLAND_STOP] = start
+    work[at + ISLAND_ANGLE] = angle
+    return 0
+
+
+def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
+    """Walk over all regions by rising station and collect the islands; their number."""
+    islands = 0
+    for region in range(count):
+        block = region_block(region)
+        level = work[block + REGION_LEVEL]
+        work[block + REGION_CARRIED] = 0.0
+        work[block + REGION_MOMENT] = 0.0
+        if level > 0.0:
+            angle = -atan(work[block + REGION_LEAN])
+            load_nodes(work, region, level)
+            for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
+                islands = gather_cell(work, region, level, k, islands, angle)
+    return islands
+
+
+def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: int, angle: float):
+    """Add the cell between nodes ``k`` and ``k`` + 1 to the last island, or to a new one; the number of islands."""
+    block = region_block(region)
+    spacing = work[block + REGION_SPACING]
+    outward = 1
+    low = k
+    if k < 0:
+        outward = -1
+        low = k + 1
+    before = low - outward
+    high = low + outward
+    rises = node_field(region, NODE_RISE)
+    start, stop = cell_part(level - work[rises + before], level - work[rises + low], level - work[rises + high])
+    if k == int(work[block + REGION_FIRST]) or k == int(work[block + REGION_LAST]) - 1:
+        stop = clip_to_bound(work, block, low, outward, stop)
+    if stop > start:
+        inner = work[block + REGION_OFFSET] + work[block + REGION_STATION] + spacing * float(low)
+        begin = inner + spacing * start
+        end = inner + spacing * stop
+        if outward < 0:
+            begin = inner - spacing * stop
+            end = inner - spacing * start
+        joined = 0
+        if islands > 0:
+            if begin - work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP] < JOINED * spacing:
+                joined = 1
+        if joined == 0 and islands < ISLAND_LIMIT:
+            open_island(work, islands, begin, angle)
+            islands += 1
+        at = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
+        work[at + ISLAND_STOP] = end
+        add_cell(work, region, before, low, high, start, stop, at, inner, spacing * float(outward))
+    return islands
+
+
+def add_cell(work: 'float[:]', region: int, before: int, low: int, high: int, start: float, stop: float, at: int,
+             inner: float, step: float):
+    """Add load, moment and area of a cell's loaded part to the island at ``at``, and its inner node's extremes."""
+    loads = node_field(region, NODE_LOAD)
+    squares = node_field(region, NODE_SQUARE)
+    pressures = node_field(region, NODE_PRESSURE)
+    width = fabs(step)
+    load = width * quadratic_integral(work[loads + before], work[loads + low], work[loads + high], start, stop)
+    moment = quadratic_moment(work[loads + before], work[loads + low], work[loads + high], start, stop)
+    area = root_integral(work[squares + before], work[squares + low], work[squares + high], start, stop)
+    moment = inner * load + width * step * moment
+    work[region_block(region) + REGION_CARRIED] += load
+    work[region_block(region) + REGION_MOMENT] += moment
+    work[at + ISLAND_LOAD] += load
+    work[at + ISLAND_MOMENT] += moment
+    work[at + ISLAND_AREA] += 2.0 * width * area
+    if work[squares + low] > work[at + ISLAND_HALF_LENGTH]:
+        work[at + ISLAND_HALF_LENGTH] = peak_square(work, squares, low)
+    if work[pressures + low] > work[at + ISLAND_PRESSURE]:
+        work[at + ISLAND_PRESSURE] = peak_square(work, pressures, low)
+    return 0
+
+
+def write_patches(work: 'float[:]', side: int, islands: int):
+    """The side's totals and its heaviest patches, from the islands, into the outputs at ``side``."""
+    load = 0.0
+    area = 0.0
+    moment = 0.0
+    pressure = 0.0
+    half = 0.0
+    for i in range(islands):
+        at = WORK_ISLANDS + ISLAND_SIZE * i
+        load += work[at + ISLAND_LOAD]
+        area += work[at + ISLAND_AREA]
+        moment += work[at + ISLAND_MOMENT]
+        if work[at + ISLAND_PRESSURE] > pressure:
+            pressure = work[at + ISLAND_PRESSURE]
+        if work[at + ISLAND_HALF_LENGTH] > half:
+            half = work[at + ISLAND_HALF_LENGTH]
+    work[side + SIDE_PATCH_COUNT] = float(islands)
+    work[side + SIDE_NORMAL_FORCE] = load
+    work[side + SIDE_AREA] = area
+    work[side + SIDE_MAX_PRESSURE] = sqrt(pressure)
+    work[side + SIDE_PATCH_LENGTH] = 2.0 * sqrt(half)
+    if islands > 0:
+        last = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
+        work[side + SIDE_PATCH_WIDTH] = work[last + ISLAND_STOP] - work[WORK_ISLANDS + ISLAND_START]
+        work[side + SIDE_PATCH_CENTROID] = moment / load
+    for rank in range(PATCH_LIMIT):
+        heaviest = -1
+        for i in range(islands):
+            at = WORK_ISLANDS + ISLAND_SIZE * i
+            if work[at + ISLAND_LOAD] > 0.0:
+                if heaviest < 0:
+                    heaviest = at
+                elif work[at + ISLAND_LOAD] > work[heaviest + ISLAND_LOAD]:
+                    heaviest = at
+        if heaviest >= 0:
+            write_patch(work, side + SIDE_PATCH + PATCH_SIZE * rank, heaviest)
+            work[heaviest + ISLAND_LOAD] = 0.0
+    return 0
+
+
+def write_patch(work: 'float[:]', to: int, at: int):
+    """One patch from the island at ``at`` to the outputs at ``to``."""
+    work[to + PATCH_NORMAL_FORCE] = work[at + ISLAND_LOAD]
+    work[to + PATCH_AREA] = work[at + ISLAND_AREA]
+    work[to + PATCH_MAX_PRESSURE] = sqrt(work[at + ISLAND_PRESSURE])
+    work[to + PATCH_LENGTH] = 2.0 * sqrt(work[at + ISLAND_HALF_LENGTH])
+    work[to + PATCH_WIDTH] = work[at + ISLAND_STOP] - work[at + ISLAND_START]
+    work[to + PATCH_CENTROID] = work[at + ISLAND_MOMENT] / work[at + ISLAND_LOAD]
+    work[to + PATCH_CONTACT_ANGLE] = work[at + ISLAND_ANGLE]
+    return 0
+
+
+def write_outline(work: 'float[:]', side: int, place: int, stations: int, count: int, islands: int):
+    """Half-length and pressure at ``stations`` stations from the first loaded station to the last, to ``place``."""
+    if islands > 0:
+        start = work[WORK_ISLANDS + ISLAND_START]
+        stop = work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP]
+        for j in range(stations):
+            station = start + (stop - start) * float(j) / float(stations - 1)
+            half = 0.0
+            pressure = 0.0
+            if j > 0 and j < stations - 1:
+                for region in range(count):
+                    block = region_block(region)
+                    own = station - work[block + REGION_OFFSET]
+                    if own >= work[block + REGION_LOW] and own <= work[block + REGION_HIGH] and half == 0.0:
+                        half, pressure = strip_at(work, region, own)
+            # between nodes a root can overshoot at a kink
+            if half > 0.5 * work[side + SIDE_PATCH_LENGTH]:
+                half = 0.5 * work[side + SIDE_PATCH_LENGTH]
+            if pressure > work[side + SIDE_MAX_PRESSURE]:
+                pressure = work[side + SIDE_MAX_PRESSURE]
+            work[place + j] = station
+            work[place + stations + j] = half
+            work[place + 2 * stations + j] = pressure
+    return 0
+
+
+def strip_at(work: 'float[:]', region: int, station: float):
+    """Half-length [m] and pressure [Pa] of ``region`` at ``station``; zeros where it is not loaded."""
+    block = region_block(region)
+    level = work[block + REGION_LEVEL]
+    half = 0.0
+    pressure = 0.0
+    u = (station - work[block + REGION_STATION]) / work[block + REGION_SPACING]
+    inside = u > work[block + REGION_FIRST] and u < work[block + REGION_LAST]
+    if level > 0.0 and inside:
+        outward = 1
+        if u < 0.0:
+            outward = -1
+            u = -u
+        low = int(u)
+        x = u - float(low)
+        low = outward * low
+        squares = node_field(region, NODE_SQUARE) + low
+        pressures = node_field(region, NODE_PRESSURE) + low
+        length = quadratic_value(work[squares - outward], work[squares], work[squares + outward], x)
+        square = quadratic_value(work[pressures - outward], work[pressures], work[pressures + outward], x)
+        if length > 0.0 and square > 0.0:
+            half = sqrt(length)
+            pressure = sqrt(square)
+    return half, pressure
+
+
+def quadratic_value(before: float, low: float, high: float, x: float):
+    """The quadratic of ``bend_of`` at x."""
+    bend = bend_of(before, low, high)
+    return low + x * (high - low - bend + x * bend)

@@ -1,0 +1,201 @@
+"""From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
+
+Layout of the table in profile_table.py.
+"""
+
+from math import ceil, fabs
+from typing import Final
+
+from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
+from ..surface.profile_table import BINS, BINS_PER_METRE, BIN_COUNT, PIECE_OFFSET, PIECE_SIZE, START, STOP
+
+PIECE_ERROR: Final[float] = 1e-9          # height error allowed between a piece's ends [mm]
+PIECE_BEND_ERROR: Final[float] = 1e-7     # error of the second derivative allowed there [1/mm]
+LONGEST_PIECE: Final[float] = 1.0         # [mm]
+SHORTEST_PIECE: Final[float] = 1e-3       # [mm]
+REPAIR_WIDTH: Final[float] = 0.5          # [mm]
+REPAIRED_STEP: Final[float] = 1e-6        # [mm]
+BIN_WIDTH: Final[float] = 0.25            # [mm]
+BINS_EACH_METRE: Final[float] = 4000.0
+MM: Final[float] = 1e-3
+#: mm ** (1 - k) for the coefficients k = 2 ... 5, as computed from 1e-3.
+SCALE_2: Final[float] = 1000.0
+SCALE_3: Final[float] = 1000000.0
+SCALE_4: Final[float] = 999999999.9999999
+SCALE_5: Final[float] = 999999999999.9999
+#: Between the ends of a piece its error is seen at this many even parts.
+PARTS: Final[int] = 10
+HALVINGS: Final[int] = 24
+FULL: Final[int] = -1                # in place of an offset: the tables are full
+
+
+def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: float, slope_low: float, bend_low: float,
+                  z_high: float, slope_high: float, bend_high: float):
+    """The quintic with given height, slope and second derivative at both ends, into the piece at ``at`` [mm]."""
+    h = high - low
+    c2 = 0.5 * bend_low
+    rest = z_high - (z_low + h * (slope_low + h * c2))
+    slope = (slope_high - (slope_low + 2.0 * h * c2)) * h
+    bend = (bend_high - 2.0 * c2) * h * h
+    cube = h * h * h
+    tables[at] = low
+    tables[at + 1] = z_low
+    tables[at + 2] = slope_low
+    tables[at + 3] = c2
+    tables[at + 4] = (10.0 * rest - 4.0 * slope + 0.5 * bend) / cube
+    tables[at + 5] = (-15.0 * rest + 7.0 * slope - bend) / (cube * h)
+    tables[at + 6] = (6.0 * rest - 3.0 * slope + 0.5 * bend) / (cube * h * h)
+    return 0
+
+
+def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: float, high: float):
+    """1 if the piece at ``at`` follows the zone closely enough between ``low`` and ``high`` [mm], else 0."""
+    c0 = tables[at + 1]
+    c1 = tables[at + 2]
+    c2 = tables[at + 3]
+    c3 = tables[at + 4]
+    c4 = tables[at + 5]
+    c5 = tables[at + 6]
+    part = (high - low) / float(PARTS)
+    good = 1
+    for i in range(1, PARTS):
+        y = float(i) * part + low
+        u = y - low
+        z, slope, bend = zone_jet(zones, row, y)
+        height = ((((c5 * u + c4) * u + c3) * u + c2) * u + c1) * u + c0
+        own_bend = ((c5 * 20.0 * u + c4 * 12.0) * u + c3 * 6.0) * u + c2 * 2.0
+        if not fabs(height - z) <= PIECE_ERROR:
+            good = 0
+        if not fabs(own_bend - bend) / (1.0 + fabs(bend)) <= PIECE_BEND_ERROR:
+            good = 0
+    return good
+
+
+def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, start: float, stop: float, work: 'float[:]',
+                  scratch: int):
+    """Pieces between ``start`` and ``stop`` [mm], halved until they follow the zone; the offset after them, or FULL."""
+    low = start
+    waiting = 1
+    work[scratch] = stop
+    while waiting > 0:
+        high = work[scratch + waiting - 1]
+        if at + 2 * PIECE_SIZE > tables.shape[0]:
+            return FULL
+        z_low, slope_low, bend_low = zone_jet(zones, row, low)
+        z_high, slope_high, bend_high = zone_jet(zones, row, high)
+        write_quintic(tables, at, low, high, z_low, slope_low, bend_low, z_high, slope_high, bend_high)
+        if (high - low < 2.0 * SHORTEST_PIECE or waiting == HALVINGS
+                or follows_zone(tables, at, zones, row, low, high) == 1):
+            at += PIECE_SIZE
+            low = high
+            waiting -= 1
+        else:
+            work[scratch + waiting] = 0.5 * (low + high)
+            waiting += 1
+    return at
+
+
+def steps(zones: 'float[:]', before: int, after: int):
+    """1 if the heights of two zones differ where the second starts, else 0."""
+    y = zones[after + ZONE_START]
+    z_before, slope, bend = zone_jet(zones, before, y)
+    z_after, slope, bend = zone_jet(zones, after, y)
+    different = 0
+    if fabs(z_before - z_after) > REPAIRED_STEP:
+        different = 1
+    return different
+
+
+def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, after: int, low: float, high: float):
+    """A piece that leads from the mean of two zones into the second, or from the first into the mean; the offset after it,
+    or FULL."""
+    if at + 2 * PIECE_SIZE > tables.shape[0]:
+        return FULL
+    z_0, slope_0, bend_0 = zone_jet(zones, before, low)
+    z_1, slope_1, bend_1 = zone_jet(zones, before, high)
+    z_2, slope_2, bend_2 = zone_jet(zones, after, low)
+    z_3, slope_3, bend_3 = zone_jet(zones, after, high)
+    if low == zones[after + ZONE_START]:
+        write_quintic(tables, at, low, high, 0.5 * (z_0 + z_2), 0.5 * (slope_0 + slope_2), 0.5 * (bend_0 + bend_2),
+                      z_3, slope_3, bend_3)
+    else:
+        write_quintic(tables, at, low, high, z_0, slope_0, bend_0,
+                      0.5 * (z_1 + z_3), 0.5 * (slope_1 + slope_3), 0.5 * (bend_1 + bend_3))
+    return at + PIECE_SIZE
+
+
+def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index: int, work: 'float[:]', scratch: int):
+    """Pieces of zone ``index``; the offset after them, or FULL."""
+    size = int(zones[base + DEFINITION_ROW])
+    row = base + DEFINITION_ZONES + index * size
+    zone_start = zones[row + ZONE_START]
+    start = zone_start
+    stop = zones[row + ZONE_STOP]
+    if index > 0 and steps(zones, row - size, row) == 1:
+        inner = min(start + REPAIR_WIDTH, 0.5 * (start + stop))
+        at = write_repair(tables, at, zones, row - size, row, start, inner)
+        start = inner
+    last = stop
+    repaired = 0
+    if index + 1 < int(zones[base + DEFINITION_COUNT]) and steps(zones, row, row + size) == 1:
+        repaired = 1
+        last = max(stop - REPAIR_WIDTH, 0.5 * (zone_start + stop))
+    if last > start and at != FULL:
+        count = int(ceil((last - start) / LONGEST_PIECE))
+        length = (last - start) / float(count)
+        for i in range(count):
+            high = float(i + 1) * length + start
+            if i + 1 == count:
+                high = last
+            if at != FULL:
+                at = write_refined(tables, at, zones, row, float(i) * length + start, high, work, scratch)
+    if repaired == 1 and at != FULL:
+        at = write_repair(tables, at, zones, row, row + size, last, stop)
+    return at
+
+
+def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: int, nowhere: float, work: 'float[:]',
+                  scratch: int):
+    """The table of a definition at ``base``; the offset after it, or FULL.  ``nowhere`` is not a number."""
+    count = int(zones[definition + DEFINITION_COUNT])
+    start = zones[definition + DEFINITION_ZONES + ZONE_START]
+    stop = zones[definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW]) + ZONE_STOP]
+    bins = int(ceil((stop - start) / BIN_WIDTH))
+    first = base + BINS + bins
+    at = first
+    if first + PIECE_SIZE > tables.shape[0]:
+        return FULL
+    for index in range(count):
+        if at != FULL:
+            at = write_zone(tables, at, zones, definition, index, work, scratch)
+    if at == FULL:
+        return FULL
+    tables[base + START] = start * MM
+    tables[base + STOP] = stop * MM
+    tables[base + BINS_PER_METRE] = BINS_EACH_METRE
+    tables[base + BIN_COUNT] = float(bins)
+    tables[base + PIECE_OFFSET] = float(BINS + bins)
+    piece = first
+    for i in range(bins):
+        left = start + BIN_WIDTH * float(i)
+        while piece + PIECE_SIZE < at and tables[piece + PIECE_SIZE] <= left:
+            piece += PIECE_SIZE
+        tables[base + BINS + i] = float(piece - base)
+    to_metres(tables, first, at)
+    for k in range(PIECE_SIZE):
+        tables[at + k] = nowhere
+    return at + PIECE_SIZE
+
+
+def to_metres(tables: 'float[:]', first: int, end: int):
+    """Pieces from millimetres to metres."""
+    at = first
+    while at < end:
+        tables[at] = tables[at] * MM
+        tables[at + 1] = tables[at + 1] * MM
+        tables[at + 3] = tables[at + 3] * SCALE_2
+        tables[at + 4] = tables[at + 4] * SCALE_3
+        tables[at + 5] = tables[at + 5] * SCALE_4
+        tables[at + 6] = tables[at + 6] * SCALE_5
+        at += PIECE_SIZE
+    return 0

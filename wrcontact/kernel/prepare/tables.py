@@ -1,0 +1,223 @@
+"""The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
+do at the start, outside the hot unit.
+
+The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then the kernel itself fills
+the table of starts (``start_shift`` and ``keep_start``), and last come the methods (``write_methods``).
+"""
+
+from math import atan
+from typing import Final
+
+from ..layout import (DEPTH_ALL, OUT_LEFT, OUT_RIGHT, OUT_ROLL, SETTING_COUNT, SET_ABSENT, SET_ARM,
+                     SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_INFLUENCE, SET_LATERAL, SET_LATERAL_LIMIT, SET_LOAD,
+                     SET_LONGITUDINAL, SET_MODE, SET_NODES, SET_NORMAL_MODEL, SET_PENETRATION_LEFT, SET_PENETRATION_RIGHT,
+                     SET_RADIUS, SET_RAIL, SET_RAIL_CURVATURE, SET_RAIL_Y, SET_SCAN, SET_SEPARATION, SET_SIDES, SET_STARTS,
+                     SET_STATIONS, SET_STRIDE, SET_STRIPS, SET_SWEEPS, SET_WHEEL, SET_WHEEL_CURVATURE, SET_YAW_LIMIT,
+                     SIDES_BOTH, SIDE_Y_WHEEL, STATION_COUNT, UNLOADED)
+from .curvatures import write_curvatures
+from .pieces import FULL, MM, write_profile
+from .placement import highest_point, inner_face, keep_around_top, turn_zones
+from .scan import TOO_WIDE, write_scan
+from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES
+from ..surface.profile_table import START, STOP
+from ..search.starts import (START_COUNT, START_FIRST, START_KNOWN, START_LEFT, START_PER_METRE, START_RIGHT, START_ROLL, START_ROW,
+                     START_ROWS)
+
+# the setup: parameters as numbers, SI
+SETUP_INCLINATION: Final[int] = 0
+SETUP_GAUGE: Final[int] = 1
+SETUP_GAUGE_DEPTH: Final[int] = 2
+SETUP_CIRCLE_DISTANCE: Final[int] = 3
+SETUP_RADIUS: Final[int] = 4
+SETUP_YOUNGS_MODULUS: Final[int] = 5
+SETUP_POISSON_RATIO: Final[int] = 6
+SETUP_CURVATURE_STEP: Final[int] = 7
+SETUP_CURVATURE_REACH: Final[int] = 8
+SETUP_NODES: Final[int] = 9
+SETUP_STRIDE: Final[int] = 10
+SETUP_STRIPS: Final[int] = 11
+SETUP_SWEEPS: Final[int] = 12
+SETUP_MODE: Final[int] = 13
+SETUP_LOAD: Final[int] = 14
+SETUP_NORMAL_MODEL: Final[int] = 15
+SETUP_SEPARATION: Final[int] = 16
+SETUP_LONGITUDINAL: Final[int] = 17
+SETUP_LATERAL: Final[int] = 18
+SETUP_NAN: Final[int] = 19           # not a number
+SETUP_SIZE: Final[int] = 20
+
+# what became of it
+PREPARED: Final[int] = 0
+TABLES_FULL: Final[int] = 1          # more room is needed
+GAUGE_TOO_DEEP: Final[int] = 2       # the rail's inner side ends before the gauge depth
+WITHOUT_HEAD: Final[int] = 3         # a profile has nothing readable at its origin
+WHEEL_TOO_WIDE: Final[int] = 4
+
+# the report
+REPORT_SIZE: Final[int] = 0          # how much of the tables is used
+REPORT_DEEPEST: Final[int] = 1       # where the rail's inner side ends [m]
+REPORT_WIDTH: Final[int] = 2         # of the wheel [m]
+REPORT_DEPTH: Final[int] = 3         # how deep the gauge is measured, in the same frame [m]
+REPORT_COUNT: Final[int] = 4
+
+#: Range of the inputs; beyond it the contact leaves the profiles' running surfaces.
+LATERAL_LIMIT: Final[float] = 0.015  # [m]
+YAW_LIMIT: Final[float] = 0.12       # [rad]
+START_STEP: Final[float] = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
+START_ROW_COUNT: Final[int] = 61
+STARTS_EACH_METRE: Final[float] = 2000.0
+
+
+def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
+    """Copy a definition into the workspace; the offset after it."""
+    size = DEFINITION_ZONES + int(definition[DEFINITION_COUNT]) * int(definition[DEFINITION_ROW])
+    for i in range(size):
+        work[at + i] = definition[i]
+    return at + size
+
+
+def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tables: 'float[:]', report: 'float[:]'):
+    """Cut the wheel's and place the rail's definition in the workspace, and note where the rail stands; the outcome."""
+    angle = -atan(setup[SETUP_INCLINATION])
+    y_top, z_top = highest_point(work, rail, angle)
+    depth = z_top + setup[SETUP_GAUGE_DEPTH] / MM
+    y_gauge, reached = inner_face(work, rail, angle, depth)
+    if reached < depth:
+        report[REPORT_DEEPEST] = reached * MM
+        report[REPORT_DEPTH] = depth * MM
+        return GAUGE_TOO_DEEP
+    tables[SET_RAIL_Y] = setup[SETUP_GAUGE] / 2.0 + (y_top - y_gauge) * MM
+    turn_zones(work, rail, angle, -y_top, -z_top)
+    turn_zones(work, wheel, 0.0, 0.0, 0.0)
+    if keep_around_top(work, rail) == 0 or keep_around_top(work, wheel) == 0:
+        return WITHOUT_HEAD
+    return PREPARED
+
+
+def write_settings(setup: 'float[:]', tables: 'float[:]'):
+    """The settings that are known from the beginning, with each method's first choice."""
+    tables[SET_RADIUS] = setup[SETUP_RADIUS]
+    tables[SET_ARM] = 0.5 * setup[SETUP_CIRCLE_DISTANCE]
+    nu = setup[SETUP_POISSON_RATIO]
+    tables[SET_CONTACT_MODULUS] = setup[SETUP_YOUNGS_MODULUS] / (2.0 * (1.0 - nu * nu))
+    tables[SET_LATERAL_LIMIT] = LATERAL_LIMIT
+    tables[SET_YAW_LIMIT] = YAW_LIMIT
+    tables[SET_NODES] = setup[SETUP_NODES]
+    tables[SET_STRIDE] = setup[SETUP_STRIDE]
+    tables[SET_STRIPS] = setup[SETUP_STRIPS]
+    tables[SET_SWEEPS] = setup[SETUP_SWEEPS]
+    tables[SET_PENETRATION_LEFT] = setup[SETUP_NAN]
+    tables[SET_PENETRATION_RIGHT] = setup[SETUP_NAN]
+    tables[SET_SIDES] = float(SIDES_BOTH)
+    tables[SET_DEPTH] = float(DEPTH_ALL)
+    tables[SET_ABSENT] = setup[SETUP_NAN]
+    tables[SET_STATIONS] = float(STATION_COUNT)
+    return 0
+
+
+def write_methods(setup: 'float[:]', tables: 'float[:]'):
+    """The chosen methods."""
+    tables[SET_MODE] = setup[SETUP_MODE]
+    tables[SET_LOAD] = setup[SETUP_LOAD]
+    tables[SET_NORMAL_MODEL] = setup[SETUP_NORMAL_MODEL]
+    tables[SET_SEPARATION] = setup[SETUP_SEPARATION]
+    tables[SET_LONGITUDINAL] = setup[SETUP_LONGITUDINAL]
+    tables[SET_LATERAL] = setup[SETUP_LATERAL]
+    return 0
+
+
+def append(tables: 'float[:]', at: int, setting: int, table: 'float[:]'):
+    """Copy a whole table to ``at`` and note that; the offset after it, or FULL."""
+    size = table.shape[0]
+    if at + size > tables.shape[0]:
+        return FULL
+    tables[setting] = float(at)
+    for i in range(size):
+        tables[at + i] = table[i]
+    return at + size
+
+
+def append_starts(tables: 'float[:]', at: int):
+    """A table of starts with nothing known at ``at``; the offset after it, or FULL."""
+    size = START_ROWS + START_ROW * START_ROW_COUNT
+    if at + size > tables.shape[0]:
+        return FULL
+    tables[SET_STARTS] = float(at)
+    for i in range(size):
+        tables[at + i] = 0.0
+    tables[at + START_COUNT] = float(START_ROW_COUNT)
+    tables[at + START_FIRST] = -LATERAL_LIMIT
+    tables[at + START_PER_METRE] = STARTS_EACH_METRE
+    return at + size
+
+
+def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
+            influence: 'float[:]', tables: 'float[:]', work: 'float[:]', report: 'float[:]'):
+    """Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
+    as the tables."""
+    kind = int(setup[SETUP_LATERAL])
+    for i in range(SETTING_COUNT):
+        tables[i] = 0.0
+    rail_zones = copy_definition(wheel_definition, work, 0)
+    scratch = copy_definition(rail_definition, work, rail_zones)
+    outcome = place_zones(setup, work, 0, rail_zones, tables, report)
+    if outcome != PREPARED:
+        return outcome
+    write_settings(setup, tables)
+    wheel = SETTING_COUNT
+    tables[SET_WHEEL] = float(wheel)
+    rail = write_profile(tables, wheel, work, 0, setup[SETUP_NAN], work, scratch)
+    if rail == FULL:
+        return TABLES_FULL
+    tables[SET_RAIL] = float(rail)
+    at = write_profile(tables, rail, work, rail_zones, setup[SETUP_NAN], work, scratch)
+    if at == FULL:
+        return TABLES_FULL
+    tables[SET_SCAN] = float(at)
+    at = write_scan(tables, at, wheel, rail, work, scratch)
+    if at == TOO_WIDE:
+        report[REPORT_WIDTH] = tables[wheel + STOP] - tables[wheel + START]
+        return WHEEL_TOO_WIDE
+    if at != FULL:
+        at = append(tables, at, SET_HERTZ, hertz)
+    if at != FULL:
+        at = append(tables, at, SET_INFLUENCE, influence)
+    if at != FULL:
+        at = append_starts(tables, at)
+    if at != FULL:
+        tables[SET_WHEEL_CURVATURE] = float(at)
+        at = write_curvatures(tables, at, wheel, -1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
+                              work, scratch)
+    if at != FULL:
+        tables[SET_RAIL_CURVATURE] = float(at)
+        at = write_curvatures(tables, at, rail, 1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
+                              work, scratch)
+    if at == FULL:
+        return TABLES_FULL
+    report[REPORT_SIZE] = float(at)
+    return PREPARED
+
+
+def start_shift(tables: 'float[:]', row: int):
+    """Lateral shift [m] of a row of the table of starts."""
+    base = int(tables[SET_STARTS])
+    return tables[base + START_FIRST] + float(row) / tables[base + START_PER_METRE]
+
+
+def note_start(rows: 'float[:]', row: int, status: int, outputs: 'float[:]'):
+    """Note in ``rows`` where the wheelset of a row stands, if it does."""
+    at = START_ROW * row
+    if status <= UNLOADED:
+        rows[at + START_KNOWN] = 1.0
+        rows[at + START_ROLL] = outputs[OUT_ROLL]
+        rows[at + START_LEFT] = outputs[OUT_LEFT + SIDE_Y_WHEEL]
+        rows[at + START_RIGHT] = outputs[OUT_RIGHT + SIDE_Y_WHEEL]
+    return 0
+
+
+def keep_starts(tables: 'float[:]', rows: 'float[:]'):
+    """Put all rows in their place; not before the last one is known, as the kernel reads them."""
+    base = int(tables[SET_STARTS]) + START_ROWS
+    for i in range(START_ROW * START_ROW_COUNT):
+        tables[base + i] = rows[i]
+    return 0

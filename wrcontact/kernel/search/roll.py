@@ -1,0 +1,240 @@
+"""The roll of the wheelset: the angle at which both wheels have the same smallest gap.
+
+D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg for
+750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.  Where it has several zeros, level.py
+tells which is the roll.
+
+Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
+roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
+take over, within a bracket that every search narrows.
+"""
+
+from math import fabs
+from typing import Final
+
+from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
+from ..layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SET_RAIL_Y,
+                     SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT,
+                     VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE)
+from ..surface.locus import mirror_place, mirror_roll, outline_point, place_wheelset, turn_wheelset
+from ..surface.profile_table import START, STOP, height_slope
+from .search import SHARP, search_side
+
+#: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
+ROLL_LIMIT: Final[float] = 0.12
+#: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a lever of 0.2 m and more.
+ROLL_SHARP: Final[float] = 1e-14
+SEARCHES: Final[int] = 120
+#: Gaps that still differ by more than this when no roll is left between jump there [m].
+EQUAL: Final[float] = 1e-9
+NEWTON_STEPS: Final[int] = 25
+#: Largest move of the roll in one Newton step with followed minima [rad]; larger ones are searched anew.
+LONGEST_TURN: Final[float] = 5e-3
+#: A known minimum that moves by more than this in a Newton step is looked for anew [m].
+LONGEST_MOVE: Final[float] = 5e-3
+#: A smallest gap is followed to another roll in so many steps, and no farther than this [m].
+FOLLOW_STEPS: Final[int] = 8
+FOLLOW_REACH: Final[float] = 2e-3
+
+# the two sides' blocks and placed wheels in the workspace
+LEFT: Final[int] = WORK_SIDE
+RIGHT: Final[int] = WORK_SIDE + SIDE_BLOCK
+LEFT_PLACE: Final[int] = WORK_PLACE
+RIGHT_PLACE: Final[int] = WORK_PLACE + PLACE_BLOCK
+
+
+def place_both(tables: 'float[:]', work: 'float[:]', roll: float):
+    """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
+    place_wheelset(work, RIGHT_PLACE, work[WORK_INPUTS + IN_LATERAL_SHIFT], work[WORK_INPUTS + IN_YAW], roll,
+                   tables[SET_RADIUS], tables[SET_ARM])
+    mirror_place(work, RIGHT_PLACE, LEFT_PLACE)
+    return 0
+
+
+def turn_both(work: 'float[:]', roll: float):
+    """Both placed wheels at another ``roll``."""
+    turn_wheelset(work, RIGHT_PLACE, roll)
+    mirror_roll(work, RIGHT_PLACE, LEFT_PLACE)
+    return 0
+
+
+def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', known: int):
+    """Search both sides; 1 if both wheels are above their rails, else 0."""
+    left = search_side(tables, work, LEFT, work, LEFT_PLACE, state, known)
+    right = search_side(tables, work, RIGHT, work, RIGHT_PLACE, state, known)
+    return left * right
+
+
+def follow_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
+    """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
+    side = WORK_SIDE + SIDE_BLOCK * index
+    at = WORK_PLACE + PLACE_BLOCK * index
+    wheel = int(tables[SET_WHEEL])
+    y = work[side + SIDE_BEST_Y]
+    for i in range(FOLLOW_STEPS):
+        gap, mismatch, rate = vertical_gap(tables, work, at, y)
+        state[STATE_GAP_COUNT] += 1.0
+        if not rate > 0.0:
+            return 0
+        move = -mismatch / rate
+        if fabs(move) < SHARP:
+            z, slope = height_slope(tables, wheel, y)
+            y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
+            if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 0:
+                return 0
+            work[side + SIDE_BEST] = gap
+            work[side + SIDE_BEST_Y] = y
+            work[side + SIDE_BEST_RAIL] = y_track - tables[SET_RAIL_Y]
+            return 1
+        y += move
+        if fabs(y - work[side + SIDE_BEST_Y]) > FOLLOW_REACH or not (y > tables[wheel + START] and y < tables[wheel + STOP]):
+            return 0
+    return 0
+
+
+def newton_move(tables: 'float[:]', work: 'float[:]'):
+    """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
+    difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
+    rate = (gap_per_roll(tables, work, RIGHT_PLACE, work[RIGHT + SIDE_BEST_Y])
+            + gap_per_roll(tables, work, LEFT_PLACE, work[LEFT + SIDE_BEST_Y]))
+    move = 1.0
+    if rate < 0.0:
+        move = -difference / rate
+    return difference, move
+
+
+def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, low: float, high: float):
+    """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
+
+    Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
+    It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
+    a minimum can run away or vanish.
+    """
+    left = work[LEFT + SIDE_BEST_Y]
+    right = work[RIGHT + SIDE_BEST_Y]
+    for i in range(NEWTON_STEPS):
+        state[STATE_ROLL_COUNT] += 1.0
+        state[STATE_GAP_COUNT] += 2.0
+        turn_both(work, roll)
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work, LEFT_PLACE, left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work, RIGHT_PLACE,
+                                                                                             right)
+        if not (rate_left > 0.0 and rate_right > 0.0):
+            return roll, 0
+        move_left = -mismatch_left / rate_left
+        move_right = -mismatch_right / rate_right
+        # gaps and levers at the minima next to these places, to second and first order
+        difference = gap_right - gap_left + 0.5 * (mismatch_right * move_right - mismatch_left * move_left)
+        lever = lever_right + lever_left + turn_right * move_right + turn_left * move_left
+        if not lever < 0.0:
+            return roll, 0
+        move = -difference / lever
+        move_left += turn_left * move / rate_left
+        move_right -= turn_right * move / rate_right
+        if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
+            if on_profiles(tables, left, rail_left) == 0 or on_profiles(tables, right, rail_right) == 0:
+                return roll, 0
+            keep_known(work, LEFT, left, gap_left, rail_left)
+            keep_known(work, RIGHT, right, gap_right, rail_right)
+            return roll, 1
+        if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE and fabs(move_right) < LONGEST_MOVE):
+            return roll, 0
+        left += move_left
+        right += move_right
+        roll += move
+        if not (roll > low and roll < high):
+            return roll, 0
+    return roll, 0
+
+
+def on_profiles(tables: 'float[:]', y: float, abscissa: float):
+    """1 if there is a wheel at ``y`` and a rail at ``abscissa`` [m], else 0."""
+    wheel = int(tables[SET_WHEEL])
+    on = above_rail(tables, abscissa)
+    if y < tables[wheel + START] or y > tables[wheel + STOP]:
+        on = 0
+    return on
+
+
+def keep_known(work: 'float[:]', side: int, y: float, gap: float, abscissa: float):
+    """Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]."""
+    work[side + SIDE_BEST] = gap
+    work[side + SIDE_BEST_Y] = y
+    work[side + SIDE_BEST_RAIL] = abscissa
+    return 0
+
+
+def close_in(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, first: float, last: float, known: int):
+    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; these gaps stay in the
+    workspace.  D has to be positive at ``first`` and negative at ``last``.
+
+    With ``known`` = 1 the workspace holds local minima that are equal at ``roll``.
+    """
+    low = first
+    high = last
+    width = high - low
+    difference = 0.0
+    for i in range(SEARCHES):
+        if known == 0:
+            turn_both(work, roll)
+        before_left = work[LEFT + SIDE_BEST_Y]
+        before_right = work[RIGHT + SIDE_BEST_Y]
+        found = search_both(tables, work, state, known)
+        if known == 1 and before_left == work[LEFT + SIDE_BEST_Y] and before_right == work[RIGHT + SIDE_BEST_Y]:
+            return roll, VALID
+        known = 0
+        # a wheel beside its rail has a large gap
+        difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
+        if found == 0 and difference == 0.0:
+            return roll, OFF_PROFILE
+        move = 1.0
+        if found == 1:
+            difference, move = newton_move(tables, work)
+            if fabs(move) < ROLL_SHARP:
+                return roll, VALID
+        if difference > 0.0:
+            low = roll
+        else:
+            high = roll
+        if high - low < ROLL_SHARP:
+            break
+        # between flange and tread Newton can creep along one side: halve where it did not
+        slow = low > first and high < last and high - low > 0.5 * width
+        width = high - low
+        if slow or not (roll + move > low and roll + move < high):
+            roll = 0.5 * (low + high)
+        elif fabs(move) > LONGEST_TURN:
+            roll += move
+        else:
+            balanced, known = balance(tables, work, state, roll + move, low, high)
+            roll += move
+            if known == 1:
+                roll = balanced
+    status = NOT_CONVERGED
+    if high - low < ROLL_SHARP:
+        status = VALID
+        if fabs(difference) > EQUAL:
+            # an end of a profile comes above or leaves the rail there
+            status = OFF_PROFILE
+    return roll, status
+
+
+def some_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+    """A roll [rad] at which both smallest gaps are equal, and the outcome; these gaps stay in the workspace.
+
+    With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+    """
+    start = guess
+    if not (start > -ROLL_LIMIT and start < ROLL_LIMIT):
+        start = 0.0
+    known = 0
+    place_both(tables, work, start)
+    if warm == 1:
+        balanced, known = balance(tables, work, state, start, -ROLL_LIMIT, ROLL_LIMIT)
+        if known == 1:
+            start = balanced
+    roll, status = close_in(tables, work, state, start, -ROLL_LIMIT, ROLL_LIMIT, known)
+    if status != VALID and start != 0.0:
+        # far from level a wheel may be beside its rail, and D without a sign
+        roll, status = close_in(tables, work, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
+    return roll, status

@@ -1,0 +1,1 @@
+"""What a surface is: profile table, contact locus, gap, lateral curvature."""

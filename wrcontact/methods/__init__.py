@@ -1,0 +1,1 @@
+"""The methods that a system can be built with."""

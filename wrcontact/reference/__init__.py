@@ -1,0 +1,1 @@
+"""The complete theory: the elastic half-space on the true gap.  Python only; the models of the kernel are measured against it."""

@@ -1,0 +1,382 @@
+"""The true gap of wheel and rail over the plane of a rigid contact, and a half-space contact as a wheel's outputs.
+
+The plane is tangent to the rail at the rigid contact point: x along the track, s to the field side, heights t along its
+normal from rail to wheel.  Both surfaces are met along the normals, the wheel as the rolled and yawed surface of revolution
+that it is:
+
+    h(x, s) = t_wheel(x, s) - t_rail(s)                                                                          (H8)
+
+Everything is for a right wheel; the left one comes in mirrored (:func:`contact_plane`).
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy import ndimage
+
+from . import halfspace
+from ..conventions import MIRROR
+from ..kernel import layout
+from ..kernel.surface import profile_table
+from ..kernel.binding.library import default_kernel
+from ..profiles.compiled import evaluate_table
+from ..state import outline_of
+from ..status import Status
+from ..system import Stepper
+
+NEWTON_LIMIT = 15
+NEWTON_STEP = 1e-8       # [m]; the step after one this small is below 1e-14 m
+GUESSES = 600            # points of a profile from which Newton's method starts
+#: Half the extent of the domain along and across [m]: a rail head is 72 mm wide; with 4 deg of yaw a flange is 80 mm ahead.
+REACH_X, REACH_S = 0.15, 0.08
+#: Components of the loaded cells with less than this share of the load are no patches.
+STRAY_SHARE = 1e-6
+#: The mirror of a force and of a moment, which is an axial vector.
+MIRRORED_RESULTANT = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
+
+
+@dataclass(frozen=True)
+class ContactPlane:
+    """The plane of one wheel's rigid contact, as a right wheel, and the surfaces that face it.
+
+    Attributes
+    ----------
+    wheel, rail : compiled profile tables.
+    radius, arm, rail_y : nominal radius, half the distance of the running circles, track coordinate of the rail [m].
+    centre : of the wheelset in the track frame (3,) [m].
+    attitude : R = Rz(yaw) Rx(roll), wheelset to track (3, 3).
+    origin : the rigid contact point in the track frame (3,) [m].
+    angle : contact angle [rad], positive towards the flange.
+    around : angle around the wheel of the contact point [rad].
+    """
+
+    wheel: np.ndarray
+    rail: np.ndarray
+    radius: float
+    arm: float
+    rail_y: float
+    centre: np.ndarray
+    attitude: np.ndarray
+    origin: np.ndarray
+    angle: float
+    around: float
+
+    @property
+    def lateral(self):
+        """Direction of s in the track frame (3,)."""
+        return np.array([0.0, math.cos(self.angle), -math.sin(self.angle)])
+
+    @property
+    def normal(self):
+        """Direction of t in the track frame (3,), from the rail into the wheel."""
+        return np.array([0.0, -math.sin(self.angle), -math.cos(self.angle)])
+
+    def gap(self, x, s):
+        """Distance h of the surfaces at x (n,), s (m,) [m] beyond that at the origin: (n, m) [m], infinite without one."""
+        rail = self.rail_height(s)
+        there = np.isfinite(rail)
+        gap = np.full((len(x), len(s)), math.inf)
+        gap[:, there] = self.wheel_height(x, s[there]) - rail[there] - self._touching
+        return gap
+
+    @cached_property
+    def _touching(self):
+        """Distance of the surfaces at the rigid contact point [m], zero but for the kernel's tolerance."""
+        start = np.zeros(1)
+        return float((self.wheel_height(start, start) - self.rail_height(start))[0, 0])
+
+    def rail_height(self, s):
+        """Height t of the rail at s (m,) [m], infinite (negative) where there is none."""
+        y = _table_points(self.rail)
+        z = evaluate_table(self.rail, y)[0]
+        t, exists = _guess(s, *self._project(np.stack([np.full(len(y), self.origin[0]), y + self.rail_y, z], axis=-1)))
+        y_0, z_0 = self.origin[1] - self.rail_y + s * self.lateral[1], self.origin[2] + s * self.lateral[2]
+
+        def above(t):
+            height, slope, _ = evaluate_table(self.rail, _within(self.rail, y_0 + t * self.normal[1]))
+            return height - z_0 - t * self.normal[2], slope * self.normal[1] - self.normal[2]
+
+        t, met = _newton(above, t)
+        return np.where(exists & met & _inside(self.rail, y_0 + t * self.normal[1]), t, -math.inf)
+
+    def wheel_height(self, x, s):
+        """Height t of the wheel at x (n,), s (m,): (n, m) [m], infinite where there is none.
+
+        A point q in the wheelset frame lies on the wheel where its distance from the axle is the wheel's radius,
+        ``hypot(q_x, q_z) = R_0 + z(q_y)``; q is linear in x, s and t.
+        """
+        back = self.attitude.T
+        start = back @ (self.origin - self.centre)
+        across, up = back @ self.lateral, back @ self.normal
+        qx, qy, qz = (start[k] + back[k, 0] * x[:, None] + across[k] * s[None, :] for k in range(3))
+        y = _table_points(self.wheel)
+        r = self.radius + evaluate_table(self.wheel, y)[0]
+        ring = np.stack([r * math.sin(self.around), self.arm + y, r * math.cos(self.around)], axis=-1)
+        t, exists = _guess(s, *self._project(ring @ self.attitude.T + self.centre))
+        bow = 0.5 * x**2 * math.cos(self.angle) / self.radius
+
+        def inside(t):
+            x_wheel, z_wheel = qx + t * up[0], qz + t * up[2]
+            distance = np.hypot(x_wheel, z_wheel)
+            height, slope, _ = evaluate_table(self.wheel, _within(self.wheel, qy + t * up[1] - self.arm))
+            return (self.radius + height - distance,
+                    slope * up[1] - (x_wheel * up[0] + z_wheel * up[2]) / distance)
+
+        t, met = _newton(inside, t[None, :] + bow[:, None])
+        return np.where(exists & met & _inside(self.wheel, qy + t * up[1] - self.arm), t, math.inf)
+
+    def rail_angle(self, s):
+        """Contact angle of the rail at station ``s`` [m]: [rad], positive towards the flange."""
+        t = self.rail_height(np.atleast_1d(float(s)))[0]
+        y = self.origin[1] - self.rail_y + s * self.lateral[1] + t * self.normal[1]
+        return -math.atan(float(evaluate_table(self.rail, y)[1]))
+
+    def _project(self, points):
+        """Station s and height t of points (k, 3) of the track frame."""
+        away = points - self.origin
+        return away @ self.lateral, away @ self.normal
+
+
+def contact_plane(tables, outputs, inputs, index):
+    """The contact plane of side ``index`` (0 left, 1 right) as a right wheel; the one mirror of this file.
+
+    ``tables``, ``outputs`` (276,), ``inputs`` (7,) as the kernel holds them after a valid step.
+    """
+    shift, yaw, roll = inputs[layout.IN_LATERAL_SHIFT], inputs[layout.IN_YAW], outputs[layout.OUT_ROLL]
+    side = outputs[(layout.OUT_LEFT, layout.OUT_RIGHT)[index]:]
+    origin = np.array([side[layout.SIDE_X_TRACK], side[layout.SIDE_Y_TRACK], side[layout.SIDE_Z_TRACK]])
+    if index == 0:
+        shift, yaw, roll = (sign * value for sign, value in zip(MIRROR, (shift, yaw, roll)))
+        origin[1] = -origin[1]
+    radius = tables[layout.SET_RADIUS]
+    return ContactPlane(
+        wheel=tables[int(tables[layout.SET_WHEEL]):int(tables[layout.SET_RAIL])],
+        rail=tables[int(tables[layout.SET_RAIL]):int(tables[layout.SET_SCAN])],
+        radius=radius, arm=tables[layout.SET_ARM], rail_y=tables[layout.SET_RAIL_Y],
+        centre=np.array([0.0, shift, outputs[layout.OUT_VERTICAL_SHIFT] - radius]), attitude=_attitude(yaw, roll),
+        origin=origin, angle=side[layout.SIDE_CONTACT_ANGLE],
+        around=math.atan2(side[layout.SIDE_X_WHEEL], radius + side[layout.SIDE_Z_WHEEL]))
+
+
+def _attitude(yaw, roll):
+    """R = Rz(yaw) Rx(roll) (3, 3); wrcontact/conventions.py."""
+    about_z = np.array([[math.cos(yaw), -math.sin(yaw), 0.0], [math.sin(yaw), math.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
+    about_x = np.array([[1.0, 0.0, 0.0], [0.0, math.cos(roll), -math.sin(roll)], [0.0, math.sin(roll), math.cos(roll)]])
+    return about_z @ about_x
+
+
+# --- heights along the normals ------------------------------------------------------------------------------------------
+
+
+def _table_points(table):
+    """Abscissae over a whole profile table [m]."""
+    return np.linspace(table[profile_table.START], table[profile_table.STOP], GUESSES)
+
+
+def _within(table, y):
+    return np.clip(y, table[profile_table.START], table[profile_table.STOP])
+
+
+def _inside(table, y):
+    return (y >= table[profile_table.START]) & (y <= table[profile_table.STOP])
+
+
+def _guess(s, stations, heights):
+    """Heights (m,) at ``s`` on a curve given by points, and where it exists.
+
+    Only the run of the curve around s = 0 counts on which the station rises: beyond a fold the normals meet another run.
+    """
+    middle = int(np.argmin(np.hypot(stations, heights)))
+    falls = np.flatnonzero(np.diff(stations) <= 0.0)
+    first = falls[falls < middle].max(initial=-1) + 1
+    last = falls[falls >= middle].min(initial=len(stations) - 1)
+    run = slice(first, last + 1)
+    spare = np.diff(stations[run]).max(initial=0.0)
+    exists = (s >= stations[first] - spare) & (s <= stations[last] + spare)
+    return np.interp(s, stations[run], heights[run]), exists
+
+
+def _newton(function, t):
+    """Roots t of ``function``, which returns value and derivative, and where they are met."""
+    step = np.full(t.shape, math.inf)
+    for _ in range(NEWTON_LIMIT):
+        value, rate = function(t)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step = value / rate
+        step = np.clip(np.nan_to_num(step, posinf=0.0, neginf=0.0), -1e-2, 1e-2)
+        t = t - step
+        if np.max(np.abs(step)) < NEWTON_STEP:
+            break
+    return t, np.abs(step) < NEWTON_STEP
+
+
+# --- outputs of a wheel ---------------------------------------------------------------------------------------------------
+
+
+def write_side(side, plane, contact, outline=None):
+    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline``
+    (3, stations), if that is wanted."""
+    dx = contact.x[1] - contact.x[0]
+    patches = split_patches(contact)
+    line = contact.pressure.sum(axis=0)
+    edge = halfspace.edge_field(contact.pressure)
+    lengths, (low, high) = chords(edge) * dx, extent(edge)
+    side[layout.SIDE_PATCH_COUNT] = len(patches)
+    side[layout.SIDE_PENETRATION] = contact.penetration
+    side[layout.SIDE_NORMAL_FORCE] = contact.force
+    side[layout.SIDE_AREA] = contact.area
+    side[layout.SIDE_MAX_PRESSURE] = contact.max_pressure
+    side[layout.SIDE_PATCH_LENGTH] = lengths.max()
+    low, high = (_station(contact, place) for place in (low, high))
+    side[layout.SIDE_PATCH_WIDTH] = high - low
+    side[layout.SIDE_PATCH_CENTROID] = line @ contact.s / line.sum()
+    for number, pressure in enumerate(patches[:layout.PATCH_LIMIT]):
+        start = layout.SIDE_PATCH + number * layout.PATCH_SIZE
+        write_patch(side[start:start + layout.PATCH_SIZE], plane, contact, pressure)
+    if outline is not None:
+        write_outline(outline, contact, lengths, low, high)
+
+
+def split_patches(contact):
+    """Pressures (n, m) of each connected run of loaded cells, corners included, by falling load."""
+    labels, count = ndimage.label(contact.pressure > 0.0, np.ones((3, 3)))
+    loads = ndimage.sum_labels(contact.pressure, labels, np.arange(1, count + 1))
+    ranked = [int(k) + 1 for k in np.argsort(-loads, kind="stable") if loads[k] >= STRAY_SHARE * loads.sum()]
+    return [np.where(labels == number, contact.pressure, 0.0) for number in ranked]
+
+
+def write_patch(patch, plane, contact, pressure):
+    """One patch into its outputs (7,); its contact angle is the rail's at its centroid."""
+    dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
+    edge, line = halfspace.edge_field(pressure), pressure.sum(axis=0)
+    low, high = extent(edge)
+    centroid = float(line @ contact.s / line.sum())
+    patch[layout.PATCH_NORMAL_FORCE] = line.sum() * dx * ds
+    patch[layout.PATCH_AREA] = halfspace.edge_area(edge) * dx * ds
+    patch[layout.PATCH_MAX_PRESSURE] = halfspace.peak_pressure(pressure)
+    patch[layout.PATCH_LENGTH] = chords(edge).max() * dx
+    patch[layout.PATCH_WIDTH] = (high - low) * ds
+    patch[layout.PATCH_CENTROID] = centroid
+    patch[layout.PATCH_CONTACT_ANGLE] = plane.rail_angle(centroid)
+
+
+def write_outline(outline, contact, lengths, low, high):
+    """Stations from ``low`` to ``high`` [m], half the loaded length and the largest pressure there, into ``outline``."""
+    station = np.linspace(low, high, outline.shape[1])
+    # both are roots at the ends of a Hertzian patch: their squares are straight there
+    half = np.sqrt(np.interp(station, contact.s, (0.5 * lengths) ** 2))
+    pressure = np.sqrt(np.interp(station, contact.s, contact.pressure.max(axis=0) ** 2))
+    half[[0, -1]] = pressure[[0, -1]] = 0.0
+    outline[:] = station, half, pressure
+
+
+def chords(edge):
+    """Length of the positive part along x of each column of an edge field [cells], (m,): the sum over its runs."""
+    low, high = edge[:-1], edge[1:]
+    larger, smaller = np.maximum(low, high), np.minimum(low, high)
+    spread = np.where(larger > smaller, larger - smaller, 1.0)
+    share = np.where(smaller > 0.0, 1.0, np.where(larger > 0.0, larger / spread, 0.0))
+    ends = np.count_nonzero((larger > 0.0) & (smaller <= 0.0), axis=0)
+    pad = halfspace.EDGE_PAD
+    return np.maximum(share.sum(axis=0) - halfspace.EDGE_BIAS * ends, 0.0)[pad:-pad]
+
+
+def _station(contact, place):
+    """s [m] at ``place``, counted in cells: columns of grids far from each other follow with a jump."""
+    ds, near = contact.s[1] - contact.s[0], min(max(round(place), 0), len(contact.s) - 1)
+    return contact.s[near] + (place - near) * ds
+
+
+def extent(edge):
+    """First and last place along s where an edge field is positive [cells], from the centre of the first cell."""
+    start = _first_positive(edge) - halfspace.EDGE_PAD
+    stop = edge.shape[1] - 1 - _first_positive(edge[:, ::-1]) - halfspace.EDGE_PAD
+    return start + halfspace.EDGE_BIAS, stop - halfspace.EDGE_BIAS
+
+
+def _first_positive(edge):
+    """The lowest place along s where a row of ``edge`` becomes positive [cells]."""
+    first = np.argmax(edge > 0.0, axis=1)
+    rows = np.flatnonzero(first > 0)
+    inside, outside = edge[rows, first[rows]], edge[rows, first[rows] - 1]
+    return float(np.min(first[rows] - inside / (inside - outside)))
+
+
+def resultant(plane, contact, index):
+    """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the track's axes.
+
+    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its pressure.
+    """
+    total = np.zeros(6)
+    for pressure in split_patches(contact):
+        load = pressure.sum() * (contact.x[1] - contact.x[0]) * (contact.s[1] - contact.s[0])
+        x, s = pressure.sum(axis=1) @ contact.x / pressure.sum(), pressure.sum(axis=0) @ contact.s / pressure.sum()
+        height, angle = plane.rail_height(np.array([s]))[0], plane.rail_angle(s)
+        place = plane.origin - plane.centre + [x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
+        force = load * np.array([0.0, -math.sin(angle), -math.cos(angle)])
+        total += np.concatenate([force, np.cross(place, force)])
+    return total if index == 1 else total * MIRRORED_RESULTANT
+
+
+# --- a wheelset moved in time -----------------------------------------------------------------------------------------------
+
+
+class HalfspaceStepper(Stepper):
+    """As :class:`~wrcontact.system.Stepper`, with the half-space contact of both wheels; a few hundredths of a second a step.
+
+    The kernel finds roll and rigid contacts; each loaded wheel is then solved on its true gap.  A step in which a wheel does
+    not converge has status 3 and leaves the outputs as they are.
+    """
+
+    def __init__(self, tables, tolerance=None):
+        super().__init__(tables)
+        self.tolerance = halfspace.TOLERANCE if tolerance is None else tolerance
+        self._rigid = np.zeros_like(self.outputs)
+        self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self._rigid)
+        self.step = self._step
+        self._answer, self._status = None, None
+
+    def _step(self):
+        known = (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
+                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self.inputs))
+        if known:
+            self.outputs[:] = self._answer
+            return self._status
+        self._answer = None
+        status = self._bound.step()
+        if status > Status.UNLOADED:
+            return status
+        answer, total = self._rigid.copy(), np.zeros(len(MIRRORED_RESULTANT))
+        try:
+            for index, first in enumerate((layout.OUT_LEFT, layout.OUT_RIGHT)):
+                side = answer[first:first + layout.SIDE_SIZE]
+                if side[layout.SIDE_NORMAL_FORCE] > 0.0:
+                    total += self._solve(index, side, outline_of(answer, first))
+        except ArithmeticError:
+            return int(Status.NOT_CONVERGED)
+        if math.isfinite(answer[layout.OUT_FORCE]):     # both sides are wanted
+            answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
+        self.outputs[:] = answer
+        self._answer, self._status = answer, status
+        return status
+
+    def _solve(self, index, side, outline):
+        """Replace the normal contact and outline of one loaded side by the half-space's; its part of the resultant (6,)."""
+        plane = contact_plane(self._tables, self._rigid, self.inputs, index)
+        penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
+        load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
+        contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S), tolerance=self.tolerance,
+                                          contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
+        side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
+        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
+        return resultant(plane, contact, index)
+
+    def step_many(self, inputs, outputs, status):
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,)."""
+        for row, values in enumerate(inputs):
+            self.inputs[:] = values
+            status[row] = self.step()
+            if status[row] <= Status.UNLOADED:
+                outputs[row] = self.outputs
