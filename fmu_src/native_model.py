@@ -12,7 +12,7 @@ from ..kernel.search.roll import ROLL_LIMIT
 from ..profiles.definition import definition
 from ..methods.resolution import FINEST, LADDERS, ANALYN
 from ..system import METHOD_NUMBERS
-from ..tables import SETUP, SETUP_METHODS
+from ..kernel.binding.setup import SETUP, SETUP_METHODS
 
 TEXT = 256        #: bytes of a String, with the zero at its end
 SENTENCE = 1024   #: and of a sentence
