@@ -42,7 +42,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from tangent import RULE_MODULE, tangent_modules  # noqa: E402  found through the line above
+import lower_records  # noqa: E402  found through the line above
+from tangent import RULE_MODULE, tangent_modules  # noqa: E402
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version may write other C
@@ -91,8 +92,14 @@ def translate(kernel):
 
 
 def source_modules(kernel=KERNEL):
-    """The modules in the rooms of the folder ``kernel``, each with the text that stands in one folder with all others."""
-    return [Module(path) for path in FILES["kernel_modules"](kernel)]
+    """The modules in the rooms of the folder ``kernel`` with their records lowered to offsets, as they stand in one folder."""
+    paths = {flat_name(path): path for path in FILES["kernel_modules"](kernel)}
+    texts = {name: flat_imports(path) for name, path in paths.items()}
+    try:
+        lowered = lower_records.lower(texts, import_kernel(kernel, "layout"))
+    except lower_records.Refused as refusal:
+        raise Refused(refusal) from None
+    return [Module(path, lowered[name]) for name, path in paths.items()]
 
 
 def read_modules(kernel):
@@ -129,16 +136,19 @@ def assemble(kernel, modules, raw):
 class Module:
     """One Python module of the kernel, parsed."""
 
-    def __init__(self, path):
+    def __init__(self, path, text=None):
         self.path = path
         self.name = flat_name(path)
         self.place = path.name if self.name.startswith("tangent_") else f"{path.parent.name}/{path.name}"
-        self.text = flat_imports(path)
+        self.text = flat_imports(path) if text is None else text
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
         self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
         self.imports = {node.module: {alias.name for alias in node.names} for node in self.tree.body
                         if isinstance(node, ast.ImportFrom) and node.level}
+        #: Offsets and sizes of records, which only the lowered text has.
+        self.offsets = {node.target.id: ast.literal_eval(node.value) for node in self.tree.body
+                        if isinstance(node, ast.AnnAssign)} if self.name == "layout" else {}
         self.prepares = self.name.startswith("prepare_")
         self.tangent = self.name.startswith("tangent_")
 
@@ -258,17 +268,26 @@ def installed_pyccel():
         return "none"
 
 
-def constant_values(kernel, modules):
-    """Value of every constant, as Python computes it: {module: {constant: value}}."""
+def import_kernel(kernel, name):
+    """The module ``name``, such as "search.roll", of the kernel in the folder ``kernel``, imported on its own."""
     package = types.ModuleType("kernel_being_translated")       # the modules import each other relatively
     package.__path__ = [str(kernel)]
-    for name in [name for name in sys.modules if name.startswith(package.__name__)]:
-        del sys.modules[name]                                   # those of another folder
-    sys.modules[package.__name__] = package
+    if getattr(sys.modules.get(package.__name__), "__path__", None) != package.__path__:
+        for old in [old for old in sys.modules if old.startswith(package.__name__)]:
+            del sys.modules[old]                                # those of another folder
+        sys.modules[package.__name__] = package
     sys.dont_write_bytecode = True
-    loaded = {module.name: importlib.import_module(f"{package.__name__}.{module.path.parent.name}.{module.path.stem}")
-              for module in modules}
-    return {module.name: {name: getattr(loaded[module.name], name) for name in module.constants} for module in modules}
+    return importlib.import_module(f"{package.__name__}.{name}")
+
+
+def constant_values(kernel, modules):
+    """Value of every constant, as Python computes it: {module: {constant: value}}."""
+    values = {}
+    for module in modules:
+        source = import_kernel(kernel, f"{module.path.parent.name}.{module.path.stem}")
+        values[module.name] = {name: getattr(source, name) for name in module.constants if hasattr(source, name)}
+        values[module.name] |= module.offsets
+    return values
 
 
 def storage(module, function):

@@ -254,7 +254,7 @@ class Stepper:
     def __init__(self, tables):
         self._tables = tables.copy()
         self.inputs = np.zeros(layout.INPUT_COUNT)
-        self.outputs = np.zeros(row_size(self._tables))
+        self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
         self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)

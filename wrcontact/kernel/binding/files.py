@@ -14,7 +14,12 @@ HANDLE_VERSION = 4      # raise when the functions or the handle in native/*.h c
 
 def kernel_modules(folder=HERE):
     """Paths of the kernel's Python modules in the rooms of ``folder``, sorted by room and name."""
-    return [path for room in ROOMS for path in sorted(Path(folder, room).glob("*.py")) if path.name != "__init__.py"]
+    return [path for path in kernel_sources(folder) if path.name not in ("__init__.py", "record.py", "offsets.py")]
+
+
+def kernel_sources(folder=HERE):
+    """Paths of all that the generated C follows from."""
+    return [path for room in ROOMS for path in sorted(Path(folder, room).glob("*.py"))]
 
 
 def fingerprint(folder=HERE):
@@ -24,7 +29,7 @@ def fingerprint(folder=HERE):
     the ones beside it is recognised.  Line ends do not count: a checkout may change them.
     """
     digest = hashlib.sha256(b"handle %d" % HANDLE_VERSION)
-    for path in kernel_modules(folder):
+    for path in kernel_sources(folder):
         text = path.read_bytes().replace(b"\r\n", b"\n")
         digest.update(b"\0%s\0%d\0" % (path.relative_to(folder).as_posix().encode(), len(text)))
         digest.update(text)

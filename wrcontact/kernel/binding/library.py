@@ -20,7 +20,8 @@ from pathlib import Path
 import numpy as np
 
 from .files import HERE, fingerprint
-from ..layout import INPUT_COUNT, IN_LATERAL_SHIFT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE
+from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE, Inputs, State, Tables,
+                      Work)
 from ..patch.outline import row_size
 from .platforms import LIBRARY_NAME
 from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
@@ -67,7 +68,7 @@ class Kernel:
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
         arrays = (checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
                   checked("workspace", workspace, WORK_SIZE, written=True), checked("inputs", inputs, INPUT_COUNT),
-                  checked("outputs", outputs, row_size(tables), written=True))
+                  checked("outputs", outputs, row_size(Tables.at(tables)), written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, hertz, influence):
@@ -87,23 +88,25 @@ class Kernel:
         if self.compiled:
             return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
         source = import_module("..prepare.tables", __package__)
-        views = list(map(view, arrays))
-        outcome = source.prepare(*views)
+        setup, wheel, rail, hertz, influence, tables, work, report = map(view, arrays)
+        head = Tables.at(arrays[5])
+        outcome = source.prepare(setup, wheel, rail, hertz, influence, head, work, report)
         if outcome == source.PREPARED:
-            fill_starts(source, view(arrays[-3][:int(arrays[-1][REPORT_SIZE])]))
-            source.write_methods(views[0], views[-3])
+            fill_starts(source, Tables.at(arrays[5][:int(arrays[-1][REPORT_SIZE])]))
+            source.write_methods(setup, head)
         return outcome
 
 
 def fill_starts(source, tables):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
-    state, workspace, inputs, outputs = ([0.0] * size for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
-    rows = [0.0] * (START_ROW * source.START_ROW_COUNT)
+    state, workspace, inputs, outputs = (np.zeros(size) for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
+    rows = np.zeros(START_ROW * source.START_ROW_COUNT)
     for row in range(source.START_ROW_COUNT):
-        inputs[IN_LATERAL_SHIFT] = source.start_shift(tables, row)
-        source.note_start(rows, row, step(tables, state, workspace, inputs, outputs), outputs)
-    source.keep_starts(tables, rows)
+        Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
+        status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
+        source.note_start(view(rows), row, status, view(outputs))
+    source.keep_starts(tables, view(rows))
 
 
 class CompiledKernel:
@@ -112,7 +115,7 @@ class CompiledKernel:
     compiled = True
 
     def __init__(self, library, arrays):
-        self._library, self._size = library, row_size(arrays[0])
+        self._library, self._size = library, row_size(Tables.at(arrays[0]))
         handle = Handle(*map(span, arrays))
         handle.arrays = arrays                      # it holds bare addresses: they live as long as it, or a bare ``step``, does
         self._handle = ctypes.byref(handle)
@@ -141,14 +144,15 @@ class PythonKernel:
 
     def __init__(self, arrays):
         self._source = import_module("..wheelset.step", __package__)      # not before it is needed
-        self._size = row_size(arrays[0])
-        self._views = [view(array) for array in arrays]
-        self.step = partial(self._source.step, *self._views)
+        tables, state, workspace, inputs, outputs = arrays
+        self._size = row_size(Tables.at(tables))
+        self._records = Tables.at(tables), State.at(state), Work.at(workspace)
+        self.step = partial(self._source.step, *self._records, view(inputs), view(outputs))
 
     def step_many(self, count, inputs, outputs, statuses):
         """As CompiledKernel.step_many."""
         blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._source.step_many(count, *self._views[:3], *map(view, blocks))
+        return self._source.step_many(count, *self._records, *map(view, blocks))
 
 
 class Span(ctypes.Structure):

@@ -3,15 +3,12 @@
 from math import atan, fabs
 from typing import Final
 
-from .contact_plane import FRAME_ABSCISSA, FRAME_HEIGHT, open_frame
+from ..layout import LATERAL_ADAPTIVE, State, Tables, Work
 from ..surface.lateral_curvature import relative_curvature
-from ..layout import (LATERAL_ADAPTIVE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK, SET_LATERAL, SET_RADIUS, SET_RAIL, SET_WHEEL,
-                     SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_ROLLING_RADIUS, SIDE_X_TRACK,
-                     SIDE_X_WHEEL, SIDE_Y_RAIL, SIDE_Y_TRACK, SIDE_Y_WHEEL, SIDE_Z_RAIL, SIDE_Z_TRACK, SIDE_Z_WHEEL,
-                     WORK_OUTPUTS, WORK_PLACE)
-from ..surface.locus import PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_SIN_ROLL, PLACE_SIN_YAW, around_wheel
+from ..surface.locus import around_wheel
 from ..surface.profile_table import START, STOP
-from .regions import REGION_BEND, REGION_CURVATURE, open_contact_region, region_block
+from .contact_plane import open_frame
+from .regions import open_contact_region
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is none.  Within
 #: a profile they may differ by CORNER, as at the last digits of printed joints.
@@ -21,41 +18,41 @@ CORNER: Final[float] = 1e-3
 AT_END: Final[float] = 1e-8
 
 
-def describe_contact(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, y: float, aside: float,
+def describe_contact(tables: Tables, work: Work, state: State, index: int, y: float, aside: float,
                      shift: float):
     """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
     ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
 
     1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
     """
-    at = WORK_PLACE + PLACE_BLOCK * index
-    out = WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
+    at = work.places[index]
+    out = work.outputs.left[index]
     z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
     sin_phi, cos_phi = around_wheel(work, at, slope)
-    r = tables[SET_RADIUS] + z
-    lateral = (work[at + PLACE_ARM] + y) * work[at + PLACE_COS_ROLL] - r * cos_phi * work[at + PLACE_SIN_ROLL]
-    work[out + SIDE_X_WHEEL] = r * sin_phi
-    work[out + SIDE_Y_WHEEL] = y
-    work[out + SIDE_Z_WHEEL] = r * cos_phi - tables[SET_RADIUS]
-    work[out + SIDE_Y_RAIL] = work[FRAME_ABSCISSA]
-    work[out + SIDE_Z_RAIL] = work[FRAME_HEIGHT]
-    work[out + SIDE_X_TRACK] = work[at + PLACE_COS_YAW] * r * sin_phi - work[at + PLACE_SIN_YAW] * lateral
-    work[out + SIDE_Y_TRACK] = y_track
+    r = tables.radius + z
+    lateral = (at.arm + y) * at.cos_roll - r * cos_phi * at.sin_roll
+    out.x_wheel = r * sin_phi
+    out.y_wheel = y
+    out.z_wheel = r * cos_phi - tables.radius
+    out.y_rail = work.frame.abscissa
+    out.z_rail = work.frame.height
+    out.x_track = at.cos_yaw * r * sin_phi - at.sin_yaw * lateral
+    out.y_track = y_track
     if index == 0:
-        work[out + SIDE_Y_TRACK] = -y_track
-    work[out + SIDE_Z_TRACK] = work[FRAME_HEIGHT]
-    work[out + SIDE_CONTACT_ANGLE] = -atan(rail_slope)
-    work[out + SIDE_ROLLING_RADIUS] = r
+        out.y_track = -y_track
+    out.z_track = work.frame.height
+    out.contact_angle = -atan(rail_slope)
+    out.rolling_radius = r
     open_contact_region(tables, work, state)
-    work[out + SIDE_CURVATURE_X] = work[region_block(0) + REGION_CURVATURE]
-    work[out + SIDE_CURVATURE_Y] = work[region_block(0) + REGION_BEND]
-    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
-        work[out + SIDE_CURVATURE_Y] = 2.0 * relative_curvature(tables, y, work[FRAME_ABSCISSA])
+    out.curvature_x = work.regions[0].curvature
+    out.curvature_y = work.regions[0].bend
+    if int(tables.lateral) != LATERAL_ADAPTIVE:
+        out.curvature_y = 2.0 * relative_curvature(tables, y, work.frame.abscissa)
     touches = 1
     if fabs(mismatch) >= PARALLEL:
-        if fabs(mismatch) > CORNER or is_end(tables, int(tables[SET_WHEEL]), y) == 1:
+        if fabs(mismatch) > CORNER or is_end(tables.raw, int(tables.wheel), y) == 1:
             touches = 0
-        if is_end(tables, int(tables[SET_RAIL]), work[FRAME_ABSCISSA]) == 1:
+        if is_end(tables.raw, int(tables.rail), work.frame.abscissa) == 1:
             touches = 0
     return touches
 

@@ -8,19 +8,25 @@ between two samples where it turns from rising to falling lies a deepest point, 
 from math import fabs
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_PRESSED, FRAME_RAISE,
-                            open_frame, start_tracer)
+from ..layout import OVERLAP_LIMIT, REGION_LIMIT, WORK_OVERLAP, Place, SideSearch, State, Tables, Work
+from ..search.search import (
+    LEVELS,
+    ROW_HEIGHT,
+    ROW_SLOPE,
+    ROW_Y,
+    SCAN_COUNT,
+    SCAN_NODES,
+    SCAN_ROW,
+    clear_level,
+    node_below,
+)
 from ..surface.gap import above_rail
-from ..layout import (OVERLAP_LIMIT, REGION_LIMIT, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST_Y,
-                     STATE_GAP_COUNT, WORK_OVERLAP)
 from ..surface.locus import outline_point
+from ..surface.profile_table import START, STOP, height_slope, height_slope_bend
+from .contact_plane import open_frame, start_tracer
 from .planes import keep_frame, line_up, use_frame
 from .pressed import normal_line, pressed_gap, rail_length, rail_speed
-from ..surface.profile_table import START, STOP, height_slope, height_slope_bend
-from .regions import (MERGE, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
-                      REGION_OFFSET, REGION_OWN, REGION_RAIL, REGION_STATION, REGION_TURN, REGION_WHEEL, lean_region,
-                      region_block)
-from ..search.search import LEVELS, ROW_HEIGHT, ROW_SLOPE, ROW_Y, SCAN_COUNT, SCAN_NODES, SCAN_ROW, clear_level, node_below
+from .regions import MERGE, lean_region
 
 # deepest points, in the order of the rail
 DEEP_COUNT: Final[int] = WORK_OVERLAP
@@ -55,13 +61,13 @@ FAR_STEP: Final[float] = 1e-3
 WIDENINGS: Final[int] = 6
 
 
-def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, height: float, entry: int):
+def sample_overlap(tables: Tables, work: Work, at: Place, node: int, height: float, entry: int):
     """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]."""
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * node
     y = tables[row + ROW_Y]
     y_track, z_track, outline_slope = outline_point(work, at, y, tables[row + ROW_HEIGHT], tables[row + ROW_SLOPE])
-    abscissa = y_track - tables[SET_RAIL_Y]
-    z_rail, m, bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
+    abscissa = y_track - tables.rail_y
+    z_rail, m, bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
     gap = z_rail - z_track
     square = 1.0 / (1.0 + m * m)
     work[SAMPLE_RAIL + entry] = abscissa
@@ -74,12 +80,12 @@ def sample_overlap(tables: 'float[:]', work: 'float[:]', at: int, node: int, hei
     return gap, m - outline_slope, abscissa
 
 
-def sample_end(tables: 'float[:]', work: 'float[:]', direction: int, entry: int):
+def sample_end(tables: Tables, work: 'float[:]', direction: int, entry: int):
     """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
 
     It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
     """
-    rail = int(tables[SET_RAIL])
+    rail = int(tables.rail)
     work[SAMPLE_RAIL + entry] = tables[rail + START]
     work[SAMPLE_RISE + entry] = 1.0
     if direction > 0:
@@ -88,20 +94,20 @@ def sample_end(tables: 'float[:]', work: 'float[:]', direction: int, entry: int)
     return 0
 
 
-def walk_overlap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int, node: int, direction: int, height: float,
+def walk_overlap(tables: Tables, work: Work, state: State, at: Place, node: int, direction: int, height: float,
                  first: int):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
     the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
-    count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
+    count = int(tables[int(tables.scan) + SCAN_COUNT])
     entry = first
     level = LEVELS - 1
     neighbour = 1.0
     while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
         gap, mismatch, abscissa = sample_overlap(tables, work, at, node, height, entry)
-        state[STATE_GAP_COUNT] += 1.0
+        state.gap_count += 1.0
         on_rail = above_rail(tables, abscissa)
         if on_rail == 0:
-            sample_end(tables, work, direction, entry)
+            sample_end(tables, work.raw, direction, entry)
         if direction > 0:
             work[SAMPLE_NEXT + entry] = neighbour
         else:
@@ -125,7 +131,7 @@ def walk_overlap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: in
     return entry
 
 
-def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, high: float, y: float, height: float,
+def turning_point(tables: Tables, work: Work, at: Place, low: float, high: float, y: float, height: float,
                   sign: float):
     """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail abscissae, and
     the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope turns there,
@@ -161,10 +167,10 @@ def turning_point(tables: 'float[:]', work: 'float[:]', at: int, low: float, hig
     return x, y, overlap, turned
 
 
-def bracket_end(tables: 'float[:]', work: 'float[:]', at: int, x: float, step: float, y: float, height: float):
+def bracket_end(tables: Tables, work: Work, at: Place, x: float, step: float, y: float, height: float):
     """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other side; the samples
     are straight down and may have turned a little before it."""
-    rail = int(tables[SET_RAIL])
+    rail = int(tables.rail)
     for i in range(WIDENINGS):
         if x <= tables[rail + START]:
             return tables[rail + START]
@@ -202,7 +208,7 @@ def drop_deep(work: 'float[:]', entry: int):
     return 0
 
 
-def find_humps(tables: 'float[:]', work: 'float[:]', at: int, height: float):
+def find_humps(tables: Tables, work: Work, at: Place, height: float):
     """The smallest overlap between neighbouring deepest points."""
     for entry in range(int(work[DEEP_COUNT]) - 1):
         block = DEEP_FIRST + DEEP_SIZE * entry
@@ -273,9 +279,9 @@ def remove_deep(work: 'float[:]', entry: int):
     return 0
 
 
-def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, at: int, height: float):
+def find_overlaps(tables: Tables, work: Work, state: State, side: SideSearch, at: Place, height: float):
     """List the regions in which the wheel placed at ``at`` and moved down by ``height`` [m] overlaps its rail; their number."""
-    node = node_below(tables, work[side + SIDE_BEST_Y])
+    node = node_below(tables, side.best_y)
     work[DEEP_COUNT] = 0.0
     start = walk_overlap(tables, work, state, at, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, work, state, at, node + 1, 1, height, OVERLAP_LIMIT)
@@ -289,11 +295,11 @@ def find_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side:
     list_smallest(tables, work, side, at, height)
     if int(work[DEEP_COUNT]) > 0:
         find_humps(tables, work, at, height)
-        merge_deep(work)
+        merge_deep(work.raw)
     return int(work[DEEP_COUNT])
 
 
-def list_between(tables: 'float[:]', work: 'float[:]', at: int, low: float, high: float, y: float, height: float):
+def list_between(tables: Tables, work: Work, at: Place, low: float, high: float, y: float, height: float):
     """List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
     profiles the joints of their arcs leave several, of which a bracket by itself would end at either."""
     step = (high - low) / float(PARTS)
@@ -311,23 +317,23 @@ def list_between(tables: 'float[:]', work: 'float[:]', at: int, low: float, high
                 falls = 0
         if rising == 1 and falls == 1:
             x, y, depth, turned = turning_point(tables, work, at, start, stop, guess, height, 1.0)
-            if turned == 1 and depth > 0.0 and is_listed(work, x) == 0:
-                keep_deep(work, x, y, depth)
+            if turned == 1 and depth > 0.0 and is_listed(work.raw, x) == 0:
+                keep_deep(work.raw, x, y, depth)
         rising = 1 - falls
         start = stop
     return 0
 
 
-def list_smallest(tables: 'float[:]', work: 'float[:]', side: int, at: int, height: float):
+def list_smallest(tables: Tables, work: Work, side: SideSearch, at: Place, height: float):
     """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
     scan nodes on nearly conformal profiles it can turn three times."""
-    z, slope = height_slope(tables, int(tables[SET_WHEEL]), work[side + SIDE_BEST_Y])
-    y_track, z_track, outline_slope = outline_point(work, at, work[side + SIDE_BEST_Y], z, slope)
-    x = y_track - tables[SET_RAIL_Y]
-    y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, work[side + SIDE_BEST_Y], height)
+    z, slope = height_slope(tables.raw, int(tables.wheel), side.best_y)
+    y_track, z_track, outline_slope = outline_point(work, at, side.best_y, z, slope)
+    x = y_track - tables.rail_y
+    y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, side.best_y, height)
     deepest = 0.0
     if int(work[DEEP_COUNT]) > 0:
-        deepest = work[DEEP_FIRST + DEEP_SIZE * deepest_entry(work) + DEEP_DEPTH]
+        deepest = work[DEEP_FIRST + DEEP_SIZE * deepest_entry(work.raw) + DEEP_DEPTH]
     if found == 1 and overlap > deepest:
         step = FIRST_STEP
         if rise < 0.0:
@@ -342,10 +348,10 @@ def list_smallest(tables: 'float[:]', work: 'float[:]', side: int, at: int, heig
         if far < x:
             low = far
             high = x
-        x, y, depth, turned = turning_point(tables, work, at, low, high, work[side + SIDE_BEST_Y], height, 1.0)
+        x, y, depth, turned = turning_point(tables, work, at, low, high, side.best_y, height, 1.0)
         if turned == 1 and depth > deepest:
-            keep_deep(work, x, y, depth)
-            sort_deep(work)
+            keep_deep(work.raw, x, y, depth)
+            sort_deep(work.raw)
     return 0
 
 
@@ -371,69 +377,69 @@ def is_listed(work: 'float[:]', x: float):
     return listed
 
 
-def touching_shift(tables: 'float[:]', work: 'float[:]', at: int, entry: int, height: float):
+def touching_shift(tables: Tables, work: Work, at: Place, entry: int, height: float):
     """Lateral and vertical shift [m] that let the wheel just touch at a deepest point."""
     block = DEEP_FIRST + DEEP_SIZE * entry
     x = work[block + DEEP_RAIL]
     y = work[block + DEEP_WHEEL]
-    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    z, slope = height_slope(tables.raw, int(tables.wheel), y)
     y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-    z_rail, m = height_slope(tables, int(tables[SET_RAIL]), x)
-    return x + tables[SET_RAIL_Y] - y_track, z_rail - z_track
+    z_rail, m = height_slope(tables.raw, int(tables.rail), x)
+    return x + tables.rail_y - y_track, z_rail - z_track
 
 
-def press_frame(work: 'float[:]', height: float, depth: float, gap: float):
+def press_frame(work: Work, height: float, depth: float, gap: float):
     """Let the open frame be that of a wheel pressed ``depth`` deep, whose own gap is ``gap`` [m]."""
-    work[FRAME_POSE] = height
-    work[FRAME_DEPTH] = depth
-    work[FRAME_PRESSED] = 1.0
-    work[FRAME_RAISE] = gap
+    work.frame.pose = height
+    work.frame.depth = depth
+    work.frame.pressed = True
+    work.frame.raised = gap
     return 0
 
 
-def gather_overlaps(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+def gather_overlaps(tables: Tables, work: Work, state: State):
     """Open a region for every deepest point on the list, each with its own frame; their number.  The open frame is that of the
     deepest, whose share of the approach counts as one."""
     count = int(work[DEEP_COUNT])
-    contact = deepest_entry(work)
-    cosine = work[FRAME_COS]
-    abscissa = work[FRAME_ABSCISSA]
-    height = work[FRAME_POSE]
-    depth = work[FRAME_DEPTH]
-    at = int(work[FRAME_PLACE])
-    rail = int(tables[SET_RAIL])
-    keep_frame(work, REGION_LIMIT)
+    contact = deepest_entry(work.raw)
+    cosine = work.frame.cos
+    abscissa = work.frame.abscissa
+    height = work.frame.pose
+    depth = work.frame.depth
+    at = Place.at(work, int(work.frame.place))
+    rail = int(tables.rail)
+    keep_frame(work.raw, REGION_LIMIT)
     for region in range(count):
-        block = region_block(region)
+        block = work.regions[region]
         deep = DEEP_FIRST + DEEP_SIZE * region
-        work[block + REGION_STATION] = 0.0
-        work[block + REGION_GAP] = 0.0
-        work[block + REGION_RAIL] = work[deep + DEEP_RAIL]
-        work[block + REGION_WHEEL] = work[deep + DEEP_WHEEL]
-        z_rail, m = height_slope(tables, rail, work[deep + DEEP_RAIL])
+        block.station = 0.0
+        block.gap = 0.0
+        block.rail = work[deep + DEEP_RAIL]
+        block.wheel = work[deep + DEEP_WHEEL]
+        z_rail, m = height_slope(tables.raw, rail, work[deep + DEEP_RAIL])
         lean_region(tables, work, block, m)
         if region != contact:
             aside, shift = touching_shift(tables, work, at, region, height)
             open_frame(tables, work, at, work[deep + DEEP_WHEEL], aside, shift)
-            work[block + REGION_OWN] = 1.0
-            work[block + REGION_TURN] = work[block + REGION_COS] / cosine
-            work[block + REGION_GAP] = work[block + REGION_TURN] * depth - work[deep + DEEP_DEPTH]
-            work[block + REGION_OFFSET] = rail_length(tables, abscissa, work[deep + DEEP_RAIL])
-            press_frame(work, height, work[deep + DEEP_DEPTH], work[block + REGION_GAP])
+            block.own = True
+            block.turn = block.cos / cosine
+            block.gap = block.turn * depth - work[deep + DEEP_DEPTH]
+            block.offset = rail_length(tables, abscissa, work[deep + DEEP_RAIL])
+            press_frame(work, height, work[deep + DEEP_DEPTH], block.gap)
         start_tracer(work, 0.0, work[deep + DEEP_RAIL], work[deep + DEEP_WHEEL])
         gap, rate, bend, curvature = pressed_gap(tables, work, state, 0.0)
-        work[block + REGION_BEND] = bend
-        work[block + REGION_CURVATURE] = curvature
+        block.bend = bend
+        block.curvature = curvature
         low = tables[rail + START]
         high = tables[rail + STOP]
         if region > 0:
             low = work[deep - DEEP_SIZE + DEEP_HUMP]
         if region < count - 1:
             high = work[deep + DEEP_HUMP]
-        work[block + REGION_LOW] = rail_length(tables, work[deep + DEEP_RAIL], low)
-        work[block + REGION_HIGH] = rail_length(tables, work[deep + DEEP_RAIL], high)
-        keep_frame(work, region)
-        use_frame(work, REGION_LIMIT)
+        block.low = rail_length(tables, work[deep + DEEP_RAIL], low)
+        block.high = rail_length(tables, work[deep + DEEP_RAIL], high)
+        keep_frame(work.raw, region)
+        use_frame(work.raw, REGION_LIMIT)
     if count > 1:
         line_up(tables, work, count)
     return count

@@ -12,14 +12,21 @@ In the outputs its stations follow those of the contact point, by the length of 
 from math import fabs
 from typing import Final
 
-from .contact_plane import (FRAME_ABSCISSA, FRAME_COS, FRAME_HEIGHT, FRAME_PLACE, FRAME_RAISE, FRAME_SHIFT, FRAME_SIN,
-                            TRACER_RAIL, normal_gap, open_frame, ridge_place, start_tracer)
-from ..layout import CONTACT_BLOCK, REGION_LIMIT, SET_RAIL, WORK_CONTACT, WORK_FRAMES
-from .pressed import rail_length
+from ..layout import (
+    CONTACT_BLOCK,
+    REGION_LIMIT,
+    WORK_CONTACT,
+    WORK_FRAMES,
+    Place,
+    Region,
+    State,
+    Tables,
+    Work,
+)
 from ..surface.profile_table import height_slope
-from .regions import (FAR, REGION_ALONG, REGION_BEND, REGION_COS, REGION_CURVATURE, REGION_GAP, REGION_HIGH, REGION_LOW,
-                      REGION_OFFSET, REGION_OWN, REGION_RAIL, REGION_SIN, REGION_STATION, REGION_TURN, REGION_WHEEL,
-                      TRACE, lean_region, region_block)
+from .contact_plane import normal_gap, open_frame, ridge_place, start_tracer
+from .pressed import rail_length
+from .regions import FAR, TRACE, lean_region
 from .touching import touching_pair
 
 #: Sine of the angle between the normals from which on a region has its own plane: 15 deg.  S1002 on UIC60 has 9 deg between
@@ -41,70 +48,70 @@ def use_frame(work: 'float[:]', slot: int):
     return 0
 
 
-def bound_abscissa(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, bound: float):
+def bound_abscissa(tables: Tables, work: Work, state: State, block: Region, bound: float):
     """Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; FAR beyond any rail if it has none."""
     abscissa = bound
     if fabs(bound) < FAR:
-        start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
+        start_tracer(work, block.station, block.rail, block.wheel)
         gap, rate, bend, curvature = normal_gap(tables, work, state, bound, TRACE)
-        abscissa = work[TRACER_RAIL]
+        abscissa = work.frame.tracer_rail
     return abscissa
 
 
-def bound_station(tables: 'float[:]', work: 'float[:]', abscissa: float):
+def bound_station(tables: Tables, work: Work, abscissa: float):
     """Station [m] in the open frame of the rail's point at ``abscissa``; FAR stays FAR."""
     station = abscissa
     if fabs(abscissa) < FAR:
-        height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
-        station = ((abscissa - work[FRAME_ABSCISSA]) * work[FRAME_COS] + (height - work[FRAME_HEIGHT]) * work[FRAME_SIN])
+        height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+        station = ((abscissa - work.frame.abscissa) * work.frame.cos + (height - work.frame.height) * work.frame.sin)
     return station
 
 
-def leans_away(work: 'float[:]', region: int):
+def leans_away(work: Work, region: int):
     """1 if the region's normal differs from the open frame's by more than SPLIT, else 0."""
-    block = region_block(region)
-    away = work[block + REGION_SIN] * work[FRAME_COS] - work[block + REGION_COS] * work[FRAME_SIN]
+    block = work.regions[region]
+    away = block.sin * work.frame.cos - block.cos * work.frame.sin
     leans = 0
     if fabs(away) > SPLIT:
         leans = 1
     return leans
 
 
-def own_plane(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int):
+def own_plane(tables: Tables, work: Work, state: State, region: int):
     """Give ``region`` its own frame, kept in its slot; the contact point's frame stays open."""
-    block = region_block(region)
-    at = int(work[FRAME_PLACE])
-    y, abscissa, depth, aside, shift, found = touching_pair(tables, work, at, work[block + REGION_WHEEL],
-                                                            work[block + REGION_RAIL], work[FRAME_SHIFT])
+    block = work.regions[region]
+    at = Place.at(work, int(work.frame.place))
+    y, abscissa, depth, aside, shift, found = touching_pair(tables, work, at, block.wheel,
+                                                            block.rail, work.frame.shift)
     if found == 1:
-        low = bound_abscissa(tables, work, state, block, work[block + REGION_LOW])
-        high = bound_abscissa(tables, work, state, block, work[block + REGION_HIGH])
-        keep_frame(work, REGION_LIMIT)
-        cosine = work[FRAME_COS]
-        sine = work[FRAME_SIN]
-        work[block + REGION_STATION] = 0.0
-        work[block + REGION_RAIL] = abscissa
-        work[block + REGION_WHEEL] = y
-        height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+        low = bound_abscissa(tables, work, state, block, block.low)
+        high = bound_abscissa(tables, work, state, block, block.high)
+        keep_frame(work.raw, REGION_LIMIT)
+        cosine = work.frame.cos
+        sine = work.frame.sin
+        block.station = 0.0
+        block.rail = abscissa
+        block.wheel = y
+        height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
         lean_region(tables, work, block, slope)
-        work[block + REGION_OWN] = 1.0
-        work[block + REGION_OFFSET] = rail_length(tables, work[FRAME_ABSCISSA], abscissa)
-        turn = work[block + REGION_COS] * cosine + work[block + REGION_SIN] * sine
-        work[block + REGION_TURN] = turn
-        work[block + REGION_GAP] = -depth
+        block.own = True
+        block.offset = rail_length(tables, work.frame.abscissa, abscissa)
+        turn = block.cos * cosine + block.sin * sine
+        block.turn = turn
+        block.gap = -depth
         z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
-        work[FRAME_RAISE] = work[block + REGION_GAP]
+        work.frame.raised = block.gap
         gap, rate, bend, curvature = normal_gap(tables, work, state, 0.0, TRACE)
-        work[block + REGION_BEND] = bend
-        work[block + REGION_CURVATURE] = curvature
-        work[block + REGION_LOW] = bound_station(tables, work, low)
-        work[block + REGION_HIGH] = bound_station(tables, work, high)
-        keep_frame(work, region)
-        use_frame(work, REGION_LIMIT)
+        block.bend = bend
+        block.curvature = curvature
+        block.low = bound_station(tables, work, low)
+        block.high = bound_station(tables, work, high)
+        keep_frame(work.raw, region)
+        use_frame(work.raw, REGION_LIMIT)
     return found
 
 
-def give_planes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int):
+def give_planes(tables: Tables, work: Work, state: State, count: int):
     """Give every region that leans away its own plane."""
     own = 0
     for region in range(count):
@@ -115,23 +122,23 @@ def give_planes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: 
     return 0
 
 
-def line_up(tables: 'float[:]', work: 'float[:]', count: int):
+def line_up(tables: Tables, work: Work, count: int):
     """Note how far ahead every region lies: of a yawed wheel, a flange is some 20 mm ahead of the flange root."""
     for region in range(count):
-        block = region_block(region)
-        work[block + REGION_ALONG] = ridge_place(tables, work, work[block + REGION_WHEEL])
+        block = work.regions[region]
+        block.along = ridge_place(tables, work, block.wheel)
     return 0
 
 
-def enter_plane(work: 'float[:]', region: int):
+def enter_plane(work: Work, region: int):
     """Open the frame of a region with its own plane."""
-    if work[region_block(region) + REGION_OWN] == 1.0:
-        use_frame(work, region)
+    if work.regions[region].own:
+        use_frame(work.raw, region)
     return 0
 
 
-def leave_plane(work: 'float[:]', region: int):
+def leave_plane(work: Work, region: int):
     """Open the contact point's frame again."""
-    if work[region_block(region) + REGION_OWN] == 1.0:
-        use_frame(work, REGION_LIMIT)
+    if work.regions[region].own:
+        use_frame(work.raw, REGION_LIMIT)
     return 0

@@ -17,11 +17,10 @@ deepest point of a region is a pair of points with one normal, and o does not as
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_BLUR, FRAME_DEPTH, FRAME_PLACE, FRAME_POSE, FRAME_RAISE, NO_GAP, TRACER_RAIL,
-                            TRACER_STATION, TRACER_WHEEL, TRACER_WHEEL_RATE, longitudinal_curvature)
-from ..layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL, STATE_NODE_COUNT
+from ..layout import Place, State, Tables, Work
 from ..surface.locus import outline_jet
 from ..surface.profile_table import START, STOP, height_slope, height_slope_bend
+from .contact_plane import NO_GAP, longitudinal_curvature
 
 #: The wheel's abscissa is met to this [m],
 LINE_SHARP: Final[float] = 1e-12
@@ -39,19 +38,19 @@ FARTHEST: Final[float] = 5e-3
 LINE_STEP: Final[float] = 4e-3
 
 
-def normal_line(tables: 'float[:]', work: 'float[:]', at: int, abscissa: float, y: float, height: float):
+def normal_line(tables: Tables, work: Work, at: Place, abscissa: float, y: float, height: float):
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``at`` and moved down by
     ``height``, looked for from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
     and 1 if there is such a point, else 0."""
-    rail = int(tables[SET_RAIL])
-    wheel = int(tables[SET_WHEEL])
-    z_rail, m, rail_bend = height_slope_bend(tables, rail, abscissa)
+    rail = int(tables.rail)
+    wheel = int(tables.wheel)
+    z_rail, m, rail_bend = height_slope_bend(tables.raw, rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
     kappa = rail_bend * cosine * cosine * cosine
     for i in range(LINE_ITERATIONS):
-        z, slope, bend = height_slope_bend(tables, wheel, y)
+        z, slope, bend = height_slope_bend(tables.raw, wheel, y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
-        across = y_track - tables[SET_RAIL_Y] - abscissa
+        across = y_track - tables.rail_y - abscissa
         down = z_track + height - z_rail
         rest = across + down * m
         along = stretch * (1.0 + m * outline_slope)
@@ -84,33 +83,33 @@ def normal_line(tables: 'float[:]', work: 'float[:]', at: int, abscissa: float, 
     return y, 0.0, 0.0, 0.0, 0.0, 0
 
 
-def mean_bend(tables: 'float[:]', work: 'float[:]', y: float, bend: float):
+def mean_bend(tables: Tables, work: Work, y: float, bend: float):
     """Second derivative of the wheel profile [1/m] at ``y``, averaged over FRAME_BLUR to either side where that is set.
 
     With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint passes a node.
     """
-    blur = work[FRAME_BLUR]
+    blur = work.frame.blur
     if blur > 0.0:
-        wheel = int(tables[SET_WHEEL])
+        wheel = int(tables.wheel)
         low = y - blur
         high = y + blur
         if low < tables[wheel + START]:
             low = tables[wheel + START]
         if high > tables[wheel + STOP]:
             high = tables[wheel + STOP]
-        z, low_slope = height_slope(tables, wheel, low)
-        z, high_slope = height_slope(tables, wheel, high)
+        z, low_slope = height_slope(tables.raw, wheel, low)
+        z, high_slope = height_slope(tables.raw, wheel, high)
         bend = (high_slope - low_slope) / (high - low)
     return bend
 
 
-def rail_speed(tables: 'float[:]', abscissa: float):
+def rail_speed(tables: Tables, abscissa: float):
     """Arc length per abscissa of the rail [-]."""
-    height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+    height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
     return sqrt(1.0 + slope * slope)
 
 
-def rail_length(tables: 'float[:]', start: float, stop: float):
+def rail_length(tables: Tables, start: float, stop: float):
     """Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller."""
     cells = int(fabs(stop - start) / ARC_STEP) + 1
     step = (stop - start) / float(cells)
@@ -125,14 +124,14 @@ def rail_length(tables: 'float[:]', start: float, stop: float):
     return total * step / 6.0
 
 
-def rail_abscissa(tables: 'float[:]', start: float, length: float):
+def rail_abscissa(tables: Tables, start: float, length: float):
     """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``: in steps of no more than ARC_STEP, each a parabola's
     guess put right by Newton's method on Simpson's rule."""
     steps = int(fabs(length) / ARC_STEP) + 1
     way = length / float(steps)
     x = start
     for step in range(steps):
-        height, slope, bend = height_slope_bend(tables, int(tables[SET_RAIL]), x)
+        height, slope, bend = height_slope_bend(tables.raw, int(tables.rail), x)
         before = sqrt(1.0 + slope * slope)
         cosine = 1.0 / before
         following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine)
@@ -147,29 +146,29 @@ def rail_abscissa(tables: 'float[:]', start: float, length: float):
     return x
 
 
-def pressed_gap(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float):
+def pressed_gap(tables: Tables, work: Work, state: State, station: float):
     """What the overlap lacks of the region's depth at ``station`` [m], raised by the region's own gap, with its derivatives
     [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel."""
-    state[STATE_NODE_COUNT] += 1.0
-    rail = int(tables[SET_RAIL])
-    way = station - work[TRACER_STATION]
-    abscissa = rail_abscissa(tables, work[TRACER_RAIL], way)
+    state.node_count += 1.0
+    rail = int(tables.rail)
+    way = station - work.frame.tracer_station
+    abscissa = rail_abscissa(tables, work.frame.tracer_rail, way)
     gap = NO_GAP
     rate = 0.0
     bend = 0.0
     curvature = 1.0
     if abscissa >= tables[rail + START] and abscissa <= tables[rail + STOP]:
-        y, overlap, rise, turn, found_curvature, found = normal_line(tables, work, int(work[FRAME_PLACE]), abscissa,
-                                                                     work[TRACER_WHEEL] + way * work[TRACER_WHEEL_RATE],
-                                                                     work[FRAME_POSE])
+        y, overlap, rise, turn, found_curvature, found = normal_line(tables, work, Place.at(work, int(work.frame.place)), abscissa,
+                                                                     work.frame.tracer_wheel + way * work.frame.tracer_wheel_rate,
+                                                                     work.frame.pose)
         if found == 1:
-            gap = work[FRAME_RAISE] + work[FRAME_DEPTH] - overlap
+            gap = work.frame.raised + work.frame.depth - overlap
             rate = -rise
             bend = -turn
             curvature = found_curvature
             if fabs(way) > LEAST_WAY:
-                work[TRACER_WHEEL_RATE] = (y - work[TRACER_WHEEL]) / way
-            work[TRACER_WHEEL] = y
-            work[TRACER_RAIL] = abscissa
-            work[TRACER_STATION] = station
+                work.frame.tracer_wheel_rate = (y - work.frame.tracer_wheel) / way
+            work.frame.tracer_wheel = y
+            work.frame.tracer_rail = abscissa
+            work.frame.tracer_station = station
     return gap, rate, bend, curvature

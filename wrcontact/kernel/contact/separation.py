@@ -13,20 +13,24 @@ The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile
 from math import fabs, sqrt
 from typing import Final
 
-from .contact_plane import (FRAME_COS, FRAME_DEPTH, FRAME_PLACE, FRAME_PRESSED, FRAME_SIN, NO_GAP, TRACER_RAIL,
-                            TRACER_STATION, TRACER_WHEEL, longitudinal_curvature, normal_gap)
-from ..layout import (SEPARATION_CHORD, SEPARATION_NORMAL, SEPARATION_VERTICAL, SET_RAIL, SET_SEPARATION, SET_WHEEL,
-                     STATE_NODE_COUNT, WORK_SEPARATION)
-from ..surface.locus import PLACE_YAWED, outline_jet
-from .pressed import mean_bend, pressed_gap
+from ..layout import (
+    SEPARATION_CHORD,
+    SEPARATION_NORMAL,
+    SEPARATION_VERTICAL,
+    WORK_SEPARATION,
+    Place,
+    State,
+    Tables,
+    Work,
+)
+from ..surface.locus import outline_jet
 from ..surface.profile_table import PIECE_SIZE, START, STOP, find_piece, height_slope, height_slope_bend
+from .contact_plane import NO_GAP, TRACER_RAIL, TRACER_WHEEL, longitudinal_curvature, normal_gap
+from .pressed import mean_bend, pressed_gap
 
 # the origin of the region at work, at WORK_SEPARATION
-ORIGIN_STATION: Final[int] = WORK_SEPARATION + 0  # [m]
-ORIGIN_GAP: Final[int] = WORK_SEPARATION + 1      # the normal gap there [m]
-ORIGIN_RAIL: Final[int] = WORK_SEPARATION + 2     # rail abscissa and height there [m]
-ORIGIN_WHEEL: Final[int] = WORK_SEPARATION + 4    # the outline's lateral and vertical coordinate there [m]
-ORIGIN_SPACING: Final[int] = WORK_SEPARATION + 6  # length of a chord [m]; 0: true arc length
+AT_RAIL_ORIGIN: Final[int] = WORK_SEPARATION + 2
+AT_WHEEL_ORIGIN: Final[int] = WORK_SEPARATION + 4
 
 #: Lengths and lateral coordinates are met to this [m]; coordinates of a metre are rounded to 1e-16.
 SHARP: Final[float] = 1e-13
@@ -40,34 +44,34 @@ WEIGHT_2: Final[float] = 0.3607615730481386
 WEIGHT_3: Final[float] = 0.1713244923791704
 
 
-def curve_table(tables: 'float[:]', tracer: int):
+def curve_table(tables: Tables, tracer: int):
     """Offset of the profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on."""
-    base = int(tables[SET_WHEEL])
+    base = int(tables.wheel)
     if tracer == TRACER_RAIL:
-        base = int(tables[SET_RAIL])
+        base = int(tables.rail)
     return base
 
 
-def curve_jet(tables: 'float[:]', work: 'float[:]', tracer: int, u: float):
+def curve_jet(tables: Tables, work: Work, tracer: int, u: float):
     """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
     derivatives of the lateral coordinate [-] and of the slope [1/m].  ``tracer``: TRACER_RAIL or TRACER_WHEEL."""
-    z, slope, bend = height_slope_bend(tables, curve_table(tables, tracer), u)
-    across = u - work[ORIGIN_RAIL]
-    down = z - work[ORIGIN_RAIL + 1]
+    z, slope, bend = height_slope_bend(tables.raw, curve_table(tables, tracer), u)
+    across = u - work.origin.rail[0]
+    down = z - work.origin.rail[1]
     stretch = 1.0
     if tracer == TRACER_WHEEL:
-        y_track, z_track, slope, stretch, bend = outline_jet(work, int(work[FRAME_PLACE]), u, z, slope, bend)
-        across = y_track - work[ORIGIN_WHEEL]
-        down = z_track - work[ORIGIN_WHEEL + 1]
+        y_track, z_track, slope, stretch, bend = outline_jet(work, Place.at(work, int(work.frame.place)), u, z, slope, bend)
+        across = y_track - work.origin.wheel[0]
+        down = z_track - work.origin.wheel[1]
     return across, down, slope, stretch, bend
 
 
-def curve_speed(tables: 'float[:]', work: 'float[:]', tracer: int, u: float):
+def curve_speed(tables: Tables, work: Work, tracer: int, u: float):
     """Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not change it."""
     speed = 1.0
-    at = int(work[FRAME_PLACE])
-    if tracer == TRACER_RAIL or work[at + PLACE_YAWED] == 0.0:
-        z, slope = height_slope(tables, curve_table(tables, tracer), u)
+    at = Place.at(work, int(work.frame.place))
+    if tracer == TRACER_RAIL or not at.yawed:
+        z, slope = height_slope(tables.raw, curve_table(tables, tracer), u)
         speed = sqrt(1.0 + slope * slope)
     else:
         across, down, slope, stretch, bend = curve_jet(tables, work, tracer, u)
@@ -75,7 +79,7 @@ def curve_speed(tables: 'float[:]', work: 'float[:]', tracer: int, u: float):
     return speed
 
 
-def panel_length(tables: 'float[:]', work: 'float[:]', tracer: int, low: float, high: float):
+def panel_length(tables: Tables, work: Work, tracer: int, low: float, high: float):
     """Arc length [m] between abscissae within one piece of the profile; Gauss with six points."""
     middle = 0.5 * (low + high)
     half = 0.5 * (high - low)
@@ -95,7 +99,7 @@ def panel_length(tables: 'float[:]', work: 'float[:]', tracer: int, low: float, 
     return half * total
 
 
-def arc_length(tables: 'float[:]', work: 'float[:]', tracer: int, start: float, stop: float):
+def arc_length(tables: Tables, work: Work, tracer: int, start: float, stop: float):
     """Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where that is the smaller one.
 
     Piece by piece: within one the curve has all derivatives, at the ends its curvature may jump.
@@ -106,7 +110,7 @@ def arc_length(tables: 'float[:]', work: 'float[:]', tracer: int, start: float, 
         low = stop
         high = start
     total = 0.0
-    at = find_piece(tables, curve_table(tables, tracer), low)
+    at = find_piece(tables.raw, curve_table(tables, tracer), low)
     while low < high:
         end = high
         if tables[at + PIECE_SIZE] < high:
@@ -119,7 +123,7 @@ def arc_length(tables: 'float[:]', work: 'float[:]', tracer: int, start: float, 
     return total
 
 
-def within(tables: 'float[:]', tracer: int, u: float):
+def within(tables: Tables, tracer: int, u: float):
     """``u``, or the end of the profile that it lies beyond."""
     base = curve_table(tables, tracer)
     if u < tables[base + START]:
@@ -129,21 +133,21 @@ def within(tables: 'float[:]', tracer: int, u: float):
     return u
 
 
-def open_origin(tables: 'float[:]', work: 'float[:]', station: float, gap: float, abscissa: float, y: float, spacing: float):
+def open_origin(tables: Tables, work: Work, station: float, gap: float, abscissa: float, y: float, spacing: float):
     """Measure from the minimum at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]; chords, if any,
     are as long as ``spacing`` [m], or arcs where that is 0."""
-    if int(tables[SET_SEPARATION]) != SEPARATION_NORMAL:
-        work[ORIGIN_STATION] = station
-        work[ORIGIN_GAP] = gap
-        work[ORIGIN_SPACING] = 0.0
-        if int(tables[SET_SEPARATION]) == SEPARATION_CHORD:
-            work[ORIGIN_SPACING] = spacing
-        open_curve(tables, work, TRACER_RAIL, ORIGIN_RAIL, abscissa)
-        open_curve(tables, work, TRACER_WHEEL, ORIGIN_WHEEL, y)
+    if int(tables.separation) != SEPARATION_NORMAL:
+        work.origin.station = station
+        work.origin.gap = gap
+        work.origin.spacing = 0.0
+        if int(tables.separation) == SEPARATION_CHORD:
+            work.origin.spacing = spacing
+        open_curve(tables, work, TRACER_RAIL, AT_RAIL_ORIGIN, abscissa)
+        open_curve(tables, work, TRACER_WHEEL, AT_WHEEL_ORIGIN, y)
     return 0
 
 
-def open_curve(tables: 'float[:]', work: 'float[:]', tracer: int, origin: int, u: float):
+def open_curve(tables: Tables, work: Work, tracer: int, origin: int, u: float):
     """Let the curve's origin, at ``origin`` in the workspace, be its point at abscissa ``u`` [m]."""
     work[origin] = 0.0
     work[origin + 1] = 0.0
@@ -153,7 +157,7 @@ def open_curve(tables: 'float[:]', work: 'float[:]', tracer: int, origin: int, u
     return 0
 
 
-def move_arc(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
+def move_arc(tables: Tables, work: Work, tracer: int, length: float):
     """Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; 1 if the curve is that long, else 0."""
     u = work[tracer]
     rest = length
@@ -172,7 +176,7 @@ def move_arc(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
     return 0
 
 
-def move_chord(tables: 'float[:]', work: 'float[:]', tracer: int, chord: float):
+def move_chord(tables: Tables, work: Work, tracer: int, chord: float):
     """Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve, forward where
     ``chord`` is positive; 1 if it does, else 0."""
     from_across, from_down, slope, stretch, bend = curve_jet(tables, work, tracer, work[tracer])
@@ -197,10 +201,10 @@ def move_chord(tables: 'float[:]', work: 'float[:]', tracer: int, chord: float):
     return 0
 
 
-def move_station(tables: 'float[:]', work: 'float[:]', tracer: int, station: float):
+def move_station(tables: Tables, work: Work, tracer: int, station: float):
     """Move a curve's abscissa from the tracer's station to ``station`` [m], by arc or by chords; 1 if there is one."""
-    way = station - work[TRACER_STATION]
-    spacing = work[ORIGIN_SPACING]
+    way = station - work.frame.tracer_station
+    spacing = work.origin.spacing
     exists = 1
     if spacing == 0.0:
         exists = move_arc(tables, work, tracer, way)
@@ -214,16 +218,16 @@ def move_station(tables: 'float[:]', work: 'float[:]', tracer: int, station: flo
     return exists
 
 
-def move_across(tables: 'float[:]', work: 'float[:]', lateral: float):
+def move_across(tables: Tables, work: Work, lateral: float):
     """Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method; 1 if there is
     such a place, else 0."""
-    u = within(tables, TRACER_WHEEL, work[TRACER_WHEEL])
+    u = within(tables, TRACER_WHEEL, work.frame.tracer_wheel)
     for i in range(ITERATIONS):
         across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, u)
         if not stretch > 0.0:
             return 0
         if fabs(across - lateral) < SHARP:
-            work[TRACER_WHEEL] = u
+            work.frame.tracer_wheel = u
             return 1
         following = within(tables, TRACER_WHEEL, u - (across - lateral) / stretch)
         if following == u:
@@ -232,21 +236,21 @@ def move_across(tables: 'float[:]', work: 'float[:]', lateral: float):
     return 0
 
 
-def vertical_rise(tables: 'float[:]', work: 'float[:]', station: float):
+def vertical_rise(tables: Tables, work: Work, station: float):
     """Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it exists."""
-    per_station = work[FRAME_COS]
-    lateral = (station - work[ORIGIN_STATION]) * per_station
+    per_station = work.frame.cos
+    lateral = (station - work.origin.station) * per_station
     exists = move_across(tables, work, lateral)
-    work[TRACER_RAIL] = work[ORIGIN_RAIL] + lateral
-    if within(tables, TRACER_RAIL, work[TRACER_RAIL]) != work[TRACER_RAIL]:
+    work.frame.tracer_rail = work.origin.rail[0] + lateral
+    if within(tables, TRACER_RAIL, work.frame.tracer_rail) != work.frame.tracer_rail:
         exists = 0
-    across, rail_down, rail_slope, along, rail_bend = curve_jet(tables, work, TRACER_RAIL, work[TRACER_RAIL])
-    across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, work[TRACER_WHEEL])
+    across, rail_down, rail_slope, along, rail_bend = curve_jet(tables, work, TRACER_RAIL, work.frame.tracer_rail)
+    across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, work.frame.tracer_wheel)
     bend = rail_bend - bend / stretch
     return rail_down - down, (rail_slope - slope) * per_station, bend * per_station * per_station, exists
 
 
-def equidistant_rise(tables: 'float[:]', work: 'float[:]', station: float):
+def equidistant_rise(tables: Tables, work: Work, station: float):
     """Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed, its rate [-] and
     bend [1/m] over the stations, and 1 if it exists.
 
@@ -258,11 +262,11 @@ def equidistant_rise(tables: 'float[:]', work: 'float[:]', station: float):
     """
     on_rail = move_station(tables, work, TRACER_RAIL, station)
     on_wheel = move_station(tables, work, TRACER_WHEEL, station)
-    across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_RAIL, work[TRACER_RAIL])
+    across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_RAIL, work.frame.tracer_rail)
     rail_cos = 1.0 / sqrt(1.0 + slope * slope)
     rail_sin = slope * rail_cos
     rail_turn = bend * rail_cos * rail_cos * rail_cos
-    wheel_across, wheel_down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, work[TRACER_WHEEL])
+    wheel_across, wheel_down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, work.frame.tracer_wheel)
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope)
     wheel_sin = slope * wheel_cos
     wheel_turn = bend / stretch * wheel_cos * wheel_cos * wheel_cos
@@ -281,45 +285,45 @@ def equidistant_rise(tables: 'float[:]', work: 'float[:]', station: float):
     return across * sine - down * cosine, rate, rail_turn - wheel_turn, exists
 
 
-def lean_away(tables: 'float[:]', work: 'float[:]'):
+def lean_away(tables: Tables, work: Work):
     """What a pressed wheel's depth lacks at the tracer's point, depth (1 - cos(angle between the normals)) [m], since it is
     pressed along the region's normal; and its rate [-]."""
-    height, slope, bend = height_slope_bend(tables, int(tables[SET_RAIL]), work[TRACER_RAIL])
+    height, slope, bend = height_slope_bend(tables.raw, int(tables.rail), work.frame.tracer_rail)
     cosine = 1.0 / sqrt(1.0 + slope * slope)
-    along = cosine * (work[FRAME_COS] + slope * work[FRAME_SIN])
-    across = cosine * (slope * work[FRAME_COS] - work[FRAME_SIN])
-    return work[FRAME_DEPTH] * (1.0 - along), work[FRAME_DEPTH] * across * bend * cosine * cosine * cosine
+    along = cosine * (work.frame.cos + slope * work.frame.sin)
+    across = cosine * (slope * work.frame.cos - work.frame.sin)
+    return work.frame.depth * (1.0 - along), work.frame.depth * across * bend * cosine * cosine * cosine
 
 
-def moved_separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, kind: int):
+def moved_separation(tables: Tables, work: Work, state: State, station: float, kind: int):
     """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum."""
-    state[STATE_NODE_COUNT] += 1.0
+    state.node_count += 1.0
     if kind == SEPARATION_VERTICAL:
         gap, rate, bend, exists = vertical_rise(tables, work, station)
     else:
         gap, rate, bend, exists = equidistant_rise(tables, work, station)
-    work[TRACER_STATION] = station
-    gap += work[ORIGIN_GAP]
-    if work[FRAME_PRESSED] == 1.0 and kind != SEPARATION_VERTICAL:
+    work.frame.tracer_station = station
+    gap += work.origin.gap
+    if work.frame.pressed and kind != SEPARATION_VERTICAL:
         lack, more = lean_away(tables, work)
         gap += lack
         rate += more
     if exists == 0:
         gap = NO_GAP
-    z, slope, wheel_bend = height_slope_bend(tables, int(tables[SET_WHEEL]), work[TRACER_WHEEL])
-    wheel_bend = mean_bend(tables, work, work[TRACER_WHEEL], wheel_bend)
-    curvature = longitudinal_curvature(tables, work, int(work[FRAME_PLACE]), z, slope, wheel_bend)
+    z, slope, wheel_bend = height_slope_bend(tables.raw, int(tables.wheel), work.frame.tracer_wheel)
+    wheel_bend = mean_bend(tables, work, work.frame.tracer_wheel, wheel_bend)
+    curvature = longitudinal_curvature(tables, work, Place.at(work, int(work.frame.place)), z, slope, wheel_bend)
     return gap, rate, bend, curvature
 
 
-def separation(tables: 'float[:]', work: 'float[:]', state: 'float[:]', station: float, tolerance: float):
+def separation(tables: Tables, work: Work, state: State, station: float, tolerance: float):
     """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
     NO_GAP where a profile has ended.
 
     ``tolerance`` is that of :func:`normal_gap`; all else is met to SHARP.
     """
-    kind = int(tables[SET_SEPARATION])
-    if kind == SEPARATION_NORMAL and work[FRAME_PRESSED] == 0.0:
+    kind = int(tables.separation)
+    if kind == SEPARATION_NORMAL and not work.frame.pressed:
         gap, rate, bend, curvature = normal_gap(tables, work, state, station, tolerance)
     elif kind == SEPARATION_NORMAL:
         gap, rate, bend, curvature = pressed_gap(tables, work, state, station)

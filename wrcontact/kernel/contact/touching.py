@@ -11,7 +11,7 @@ with (X, Z) the wheel's point at abscissa y as it stands.  Without overlap it is
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import SET_RAIL, SET_RAIL_Y, SET_WHEEL
+from ..layout import Place, Tables, Work
 from ..surface.locus import outline_jet
 from ..surface.profile_table import START, STOP, height_slope_bend
 
@@ -34,19 +34,19 @@ def limited(step: float, limit: float):
     return step
 
 
-def touching_pair(tables: 'float[:]', work: 'float[:]', at: int, y: float, abscissa: float, shift: float):
+def touching_pair(tables: Tables, work: Work, at: Place, y: float, abscissa: float, shift: float):
     """Wheel and rail abscissa [m] of the pair near ``y`` and ``abscissa`` for the wheel placed at ``at`` and moved down by
     ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical shift [m] that let it touch; and 1
     if there is such a pair, else 0."""
-    rail = int(tables[SET_RAIL])
-    wheel = int(tables[SET_WHEEL])
+    rail = int(tables.rail)
+    wheel = int(tables.wheel)
     start_y = y
     start_x = abscissa
     for i in range(PAIR_ITERATIONS):
-        z, slope, bend = height_slope_bend(tables, wheel, y)
+        z, slope, bend = height_slope_bend(tables.raw, wheel, y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
-        height, m, rail_bend = height_slope_bend(tables, rail, abscissa)
-        across = y_track - tables[SET_RAIL_Y] - abscissa
+        height, m, rail_bend = height_slope_bend(tables.raw, rail, abscissa)
+        across = y_track - tables.rail_y - abscissa
         down = z_track + shift - height
         turned = outline_slope - m
         apart = across + down * m

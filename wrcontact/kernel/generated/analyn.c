@@ -96,11 +96,11 @@ static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, 
 {
     double spacing;
     double reach;
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
-    reach = ((*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION))) / spacing - (double)(k);
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
+    reach = ((*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION))) / spacing - (double)(k);
     if (outward < INT64_C(0))
     {
-        reach = ((*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW))) / spacing + (double)(k);
+        reach = ((*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW))) / spacing + (double)(k);
     }
     if (reach < stop)
     {
@@ -136,8 +136,8 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
     double f_high;
     double start;
     double stop;
-    block = regions__region_block(region);
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     load = 0.0;
@@ -146,10 +146,10 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
     {
         for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
         {
-            last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+            last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
             if (outward < INT64_C(0))
             {
-                last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+                last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
             }
             d_before = level - (*cspan_at(&work, rises - outward));
             c_before = (*cspan_at(&work, lines - outward));
@@ -210,13 +210,13 @@ static inline double analyn__influence(array_double_1d tables, array_double_1d w
     result = 0.0;
     if (first != second)
     {
-        one = regions__region_block(first);
-        other = regions__region_block(second);
-        distance = (*cspan_at(&work, one + regions__REGION_OFFSET)) + (*cspan_at(&work, one + regions__REGION_MIDDLE)) - (*cspan_at(&work, other + regions__REGION_OFFSET)) - (*cspan_at(&work, other + regions__REGION_MIDDLE));
+        one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
+        other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
+        distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
         along = analyn__region_lead(work, first, second);
-        squares = (*cspan_at(&work, one + regions__REGION_SQUARE)) + (*cspan_at(&work, other + regions__REGION_SQUARE));
+        squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
         apart = sqrt(distance * distance + along * along + analyn__ELONGATED * squares);
-        result = 1.0 / (M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) * apart);
+        result = 1.0 / (M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * apart);
         result *= analyn__planes_cosine(work, first, second);
     }
     return result;
@@ -233,7 +233,7 @@ static inline double analyn__region_lead(array_double_1d work, int64_t first, in
     lead = 0.0;
     if (analyn__planes_cosine(work, first, second) < analyn__LEANING)
     {
-        lead = (*cspan_at(&work, regions__region_block(first) + regions__REGION_ALONG)) - (*cspan_at(&work, regions__region_block(second) + regions__REGION_ALONG));
+        lead = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * first + layout__REGION_ALONG)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * second + layout__REGION_ALONG));
     }
     return lead;
 }
@@ -244,12 +244,12 @@ static inline double analyn__planes_cosine(array_double_1d work, int64_t first, 
     int64_t one;
     int64_t other;
     double cosine;
-    one = regions__region_block(first);
-    other = regions__region_block(second);
+    one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
+    other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
     cosine = 1.0;
-    if (((*cspan_at(&work, one + regions__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + regions__REGION_OWN)) == 1.0))
+    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
-        cosine = (*cspan_at(&work, one + regions__REGION_COS)) * (*cspan_at(&work, other + regions__REGION_COS)) + (*cspan_at(&work, one + regions__REGION_SIN)) * (*cspan_at(&work, other + regions__REGION_SIN));
+        cosine = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
         if (cosine < 0.0)
         {
             cosine = 0.0;
@@ -269,11 +269,11 @@ static inline double analyn__load_regions(array_double_1d tables, array_double_1
     total = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        analyn__region_load(&load, &stiffness, work, i, (*cspan_at(&work, block + regions__REGION_LEVEL)));
-        (*cspan_at(&work, block + regions__REGION_LOAD)) = load;
-        (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = stiffness;
-        total += (*cspan_at(&work, block + regions__REGION_SHARE)) * load;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        analyn__region_load(&load, &stiffness, work, i, (*cspan_at(&work, block + layout__REGION_LEVEL)));
+        (*cspan_at(&work, block + layout__REGION_LOAD)) = load;
+        (*cspan_at(&work, block + layout__REGION_STIFFNESS)) = stiffness;
+        total += (*cspan_at(&work, block + layout__REGION_SHARE)) * load;
     }
     return total;
 }
@@ -300,7 +300,7 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     double newton;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, regions__region_block(i) + regions__REGION_LEVEL)) = (*cspan_at(&work, regions__region_block(i) + regions__REGION_TURN)) * penetration - (*cspan_at(&work, regions__region_block(i) + regions__REGION_GAP));
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_LEVEL)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_TURN)) * penetration - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_GAP));
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
@@ -399,17 +399,17 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     (*largest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            pushed += analyn__influence(tables, work, i, j) * (*cspan_at(&work, regions__region_block(j) + regions__REGION_LOAD));
+            pushed += analyn__influence(tables, work, i, j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
         }
-        turn = (*cspan_at(&work, block + regions__REGION_TURN));
-        residual = turn * penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - pushed - (*cspan_at(&work, block + regions__REGION_LEVEL));
-        (*cspan_at(&work, block + regions__REGION_RESIDUAL)) = residual;
-        (*cspan_at(&work, block + regions__REGION_SLOPE)) = turn;
-        (*cspan_at(&work, block + regions__REGION_MOVE)) = residual;
+        turn = (*cspan_at(&work, block + layout__REGION_TURN));
+        residual = turn * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed - (*cspan_at(&work, block + layout__REGION_LEVEL));
+        (*cspan_at(&work, block + layout__REGION_RESIDUAL)) = residual;
+        (*cspan_at(&work, block + layout__REGION_SLOPE)) = turn;
+        (*cspan_at(&work, block + layout__REGION_MOVE)) = residual;
         if (fabs(residual) > (*largest))
         {
             (*largest) = fabs(residual);
@@ -424,28 +424,28 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     {
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            block = regions__region_block(i);
-            (*slope) = (*cspan_at(&work, block + regions__REGION_TURN));
-            move = (*cspan_at(&work, block + regions__REGION_RESIDUAL));
+            block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+            (*slope) = (*cspan_at(&work, block + layout__REGION_TURN));
+            move = (*cspan_at(&work, block + layout__REGION_RESIDUAL));
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
-                other = regions__region_block(j);
-                coupling = analyn__influence(tables, work, i, j) * (*cspan_at(&work, other + regions__REGION_STIFFNESS));
-                (*slope) -= coupling * (*cspan_at(&work, other + regions__REGION_SLOPE));
-                move -= coupling * (*cspan_at(&work, other + regions__REGION_MOVE));
+                other = layout__WORK_REGIONS + layout__REGION_SIZE * j;
+                coupling = analyn__influence(tables, work, i, j) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
+                (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
+                move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
             }
-            (*cspan_at(&work, block + regions__REGION_SLOPE)) = (*slope);
-            (*cspan_at(&work, block + regions__REGION_MOVE)) = move;
+            (*cspan_at(&work, block + layout__REGION_SLOPE)) = (*slope);
+            (*cspan_at(&work, block + layout__REGION_MOVE)) = move;
         }
     }
     (*slope) = 0.0;
     (*rest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        counted = (*cspan_at(&work, block + regions__REGION_SHARE)) * (*cspan_at(&work, block + regions__REGION_STIFFNESS));
-        (*slope) += counted * (*cspan_at(&work, block + regions__REGION_SLOPE));
-        (*rest) += counted * (*cspan_at(&work, block + regions__REGION_MOVE));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        counted = (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_STIFFNESS));
+        (*slope) += counted * (*cspan_at(&work, block + layout__REGION_SLOPE));
+        (*rest) += counted * (*cspan_at(&work, block + layout__REGION_MOVE));
     }
     return 0;
 }
@@ -457,8 +457,8 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
     int64_t block;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        (*cspan_at(&work, block + regions__REGION_LEVEL)) += (*cspan_at(&work, block + regions__REGION_MOVE)) + (*cspan_at(&work, block + regions__REGION_SLOPE)) * move;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        (*cspan_at(&work, block + layout__REGION_LEVEL)) += (*cspan_at(&work, block + layout__REGION_MOVE)) + (*cspan_at(&work, block + layout__REGION_SLOPE)) * move;
     }
     return INT64_C(0);
 }

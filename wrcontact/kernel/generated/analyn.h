@@ -21,7 +21,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "nodes.h"
-#include "regions.h"
 
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;

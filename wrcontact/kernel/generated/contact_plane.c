@@ -29,30 +29,30 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     double rail_bend;
     double cosine;
     double sine;
-    profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope_bend(z, slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, (*z), (*slope), bend);
     (*y_track) += aside;
-    abscissa = (*y_track) - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
     sine = (*rail_slope) * cosine;
-    (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) = abscissa;
-    (*cspan_at(&work, contact_plane__FRAME_HEIGHT)) = height;
-    (*cspan_at(&work, contact_plane__FRAME_Y)) = y;
-    (*cspan_at(&work, contact_plane__FRAME_COS)) = cosine;
-    (*cspan_at(&work, contact_plane__FRAME_SIN)) = sine;
-    (*cspan_at(&work, contact_plane__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work, contact_plane__FRAME_PLACE)) = (double)(at);
-    (*cspan_at(&work, contact_plane__FRAME_Z)) = (*z);
-    (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work, contact_plane__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work, contact_plane__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work, contact_plane__FRAME_RAISE)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_POSE)) = shift;
-    (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_BLUR)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) = abscissa;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y)) = y;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) = cosine;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) = sine;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) = shift;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)) = (double)(at);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Z)) = (*z);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) * sine;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) * cosine;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE)) = aside;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)) = shift;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = 0.0;
     contact_plane__start_tracer(work, 0.0, abscissa, y);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
@@ -65,13 +65,13 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
 /* Let the tracer stand at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]. */
 static inline int64_t contact_plane__start_tracer(array_double_1d work, double station, double abscissa, double y)
 {
-    (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
-    (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND)) = 0.0;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL_RATE)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL_BEND)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_BEND)) = 0.0;
     return INT64_C(0);
 }
 
@@ -93,22 +93,22 @@ static inline double contact_plane__longitudinal_curvature(array_double_1d table
     double around;
     double steep;
     double curvature;
-    r = (*cspan_at(&place, at + locus__PLACE_RADIUS)) + z;
+    r = (*cspan_at(&place, at + layout__PLACE_RADIUS)) + z;
     curvature = 1.0 / r;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
     {
         return curvature;
     }
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) == 0.0)
+    if (!((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0))
     {
         curvature = 1.0 / (r * sqrt(1.0 + slope * slope));
     }
     else
     {
         locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
-        e1 = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
-        e2 = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
-        e3 = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+        e1 = (*cspan_at(&place, at + layout__PLACE_COS_YAW));
+        e2 = (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_COS_ROLL));
+        e3 = (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_SIN_ROLL));
         around = e1 * cos_phi - e3 * sin_phi;
         steep = sqrt(1.0 + slope * slope);
         curvature = (around * around / r - bend * e2 * e2) / steep;
@@ -157,7 +157,7 @@ static inline int64_t contact_plane__trace_profile(double* result_0, double* res
     sine = (*cspan_at(&work, frame + INT64_C(1)));
     start = (*cspan_at(&tables, base + profile_table__START));
     stop = (*cspan_at(&tables, base + profile_table__STOP));
-    u = contact_plane__first_abscissa(work, tracer, station - (*cspan_at(&work, contact_plane__TRACER_STATION)));
+    u = contact_plane__first_abscissa(work, tracer, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
     (*exists) = INT64_C(0);
     offset = 0.0;
     forward = 1.0;
@@ -204,7 +204,7 @@ static inline int64_t contact_plane__trace_rail(double* ordinate, double* rate, 
 {
     double slope;
     double height;
-    contact_plane__trace_profile(ordinate, rate, bend, &slope, &height, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), contact_plane__TRACER_RAIL, contact_plane__FRAME_COS, station, tolerance, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), (*cspan_at(&work, contact_plane__FRAME_HEIGHT)));
+    contact_plane__trace_profile(ordinate, rate, bend, &slope, &height, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), contact_plane__TRACER_RAIL, contact_plane__AT_PLANE, station, tolerance, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
     return 0;
 }
 
@@ -219,12 +219,12 @@ static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate,
     double lift;
     double slope;
     double z;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    if ((*cspan_at(&work, at + locus__PLACE_YAWED)) == 0.0)
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    if (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0))
     {
-        lift = (*cspan_at(&work, contact_plane__FRAME_LIFT));
-        contact_plane__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), contact_plane__TRACER_WHEEL, contact_plane__FRAME_WHEEL_COS, station - lift * (*cspan_at(&work, contact_plane__FRAME_SIN)), tolerance, (*cspan_at(&work, contact_plane__FRAME_Y)), (*cspan_at(&work, contact_plane__FRAME_Z)));
-        (*ordinate) -= lift * (*cspan_at(&work, contact_plane__FRAME_COS));
+        lift = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT));
+        contact_plane__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), contact_plane__TRACER_WHEEL, contact_plane__AT_WHEEL_PLANE, station - lift * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)), tolerance, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Z)));
+        (*ordinate) -= lift * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
         (*curvature) = contact_plane__longitudinal_curvature(tables, work, at, z, slope, (*bend));
     }
     else
@@ -261,14 +261,14 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* res
     double per_along;
     double per_stretch;
     double rate;
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-    cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-    sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     start = (*cspan_at(&tables, wheel + profile_table__START));
     stop = (*cspan_at(&tables, wheel + profile_table__STOP));
-    left = (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) - (*cspan_at(&work, contact_plane__FRAME_ASIDE));
-    above = (*cspan_at(&work, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-    y = contact_plane__first_abscissa(work, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, contact_plane__TRACER_STATION)));
+    left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE));
+    above = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    y = contact_plane__first_abscissa(work, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
     (*exists) = INT64_C(0);
     offset = 0.0;
     along = 1.0;
@@ -310,9 +310,9 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* res
     per_stretch = 1.0 / stretch;
     rate = (sine - outline_slope * cosine) * per_along;
     (*turn) = (-outline_rate) * per_stretch * per_along * per_along * per_along;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y - offset * per_along * per_stretch;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = per_along * per_stretch;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = (*turn) * sine * per_stretch;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y - offset * per_along * per_stretch;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = per_along * per_stretch;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_BEND)) = (*turn) * sine * per_stretch;
     (*curvature) = contact_plane__longitudinal_curvature(tables, work, at, z, slope, bend);
     (*result_0) = across * sine - up * cosine - offset * (rate - 0.5 * offset * (*turn));
     (*result_1) = rate - offset * (*turn);
@@ -336,8 +336,8 @@ static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, d
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     contact_plane__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, tables, work, station, tolerance);
     contact_plane__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, tables, work, station, tolerance);
-    (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, contact_plane__FRAME_RAISE));
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED));
     if ((on_rail == INT64_C(0)) || (on_wheel == INT64_C(0)))
     {
         (*gap) = contact_plane__NO_GAP;
@@ -350,9 +350,15 @@ static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, d
 /* 1 if the wheel of the open frame is yawed, else 0. */
 static inline int64_t contact_plane__is_yawed(array_double_1d work)
 {
-    int64_t result;
-    result = (int64_t)((*cspan_at(&work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))) + locus__PLACE_YAWED)));
-    return result;
+    int64_t at;
+    int64_t yawed;
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    yawed = INT64_C(0);
+    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    {
+        yawed = INT64_C(1);
+    }
+    return yawed;
 }
 
 /* Track coordinate x [m] of the wheel's outline at wheel abscissa ``y`` [m]. */
@@ -366,11 +372,11 @@ static inline double contact_plane__ridge_place(array_double_1d tables, array_do
     double r;
     double lateral;
     double result;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-    r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
-    result = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
+    r = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, at + layout__PLACE_ARM)) + y) * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+    result = (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral;
     return result;
 }

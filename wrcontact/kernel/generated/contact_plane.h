@@ -17,30 +17,10 @@
 #include "locus.h"
 #include "profile_table.h"
 
-static const int64_t contact_plane__FRAME_ABSCISSA = INT64_C(2323);
-static const int64_t contact_plane__FRAME_HEIGHT = INT64_C(2324);
-static const int64_t contact_plane__FRAME_Y = INT64_C(2325);
-static const int64_t contact_plane__FRAME_COS = INT64_C(2326);
-static const int64_t contact_plane__FRAME_SIN = INT64_C(2327);
-static const int64_t contact_plane__FRAME_SHIFT = INT64_C(2328);
-static const int64_t contact_plane__FRAME_PLACE = INT64_C(2329);
-static const int64_t contact_plane__FRAME_Z = INT64_C(2330);
-static const int64_t contact_plane__FRAME_WHEEL_COS = INT64_C(2331);
-static const int64_t contact_plane__FRAME_WHEEL_SIN = INT64_C(2332);
-static const int64_t contact_plane__FRAME_LIFT = INT64_C(2340);
-static const int64_t contact_plane__FRAME_ASIDE = INT64_C(2341);
-static const int64_t contact_plane__FRAME_RAISE = INT64_C(2342);
-static const int64_t contact_plane__FRAME_POSE = INT64_C(2343);
-static const int64_t contact_plane__FRAME_DEPTH = INT64_C(2344);
-static const int64_t contact_plane__FRAME_PRESSED = INT64_C(2345);
-static const int64_t contact_plane__FRAME_BLUR = INT64_C(2346);
-static const int64_t contact_plane__TRACER_STATION = INT64_C(2333);
+static const int64_t contact_plane__AT_PLANE = INT64_C(2326);
+static const int64_t contact_plane__AT_WHEEL_PLANE = INT64_C(2331);
 static const int64_t contact_plane__TRACER_RAIL = INT64_C(2334);
-static const int64_t contact_plane__TRACER_RAIL_RATE = INT64_C(2335);
-static const int64_t contact_plane__TRACER_RAIL_BEND = INT64_C(2336);
 static const int64_t contact_plane__TRACER_WHEEL = INT64_C(2337);
-static const int64_t contact_plane__TRACER_WHEEL_RATE = INT64_C(2338);
-static const int64_t contact_plane__TRACER_WHEEL_BEND = INT64_C(2339);
 static const double contact_plane__NO_GAP = 1.0;
 static const double contact_plane__NEAR = 0.001;
 static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);

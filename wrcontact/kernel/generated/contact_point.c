@@ -24,41 +24,41 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     double r;
     double lateral;
     int64_t touches;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
-    out = layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-    r = (*cspan_at(&tables, layout__SET_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, at + locus__PLACE_ARM)) + y) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
-    (*cspan_at(&work, out + layout__SIDE_X_WHEEL)) = r * sin_phi;
-    (*cspan_at(&work, out + layout__SIDE_Y_WHEEL)) = y;
-    (*cspan_at(&work, out + layout__SIDE_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__SET_RADIUS));
-    (*cspan_at(&work, out + layout__SIDE_Y_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-    (*cspan_at(&work, out + layout__SIDE_Z_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-    (*cspan_at(&work, out + layout__SIDE_X_TRACK)) = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
-    (*cspan_at(&work, out + layout__SIDE_Y_TRACK)) = y_track;
+    r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, at + layout__PLACE_ARM)) + y) * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r * sin_phi;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
     if (index == INT64_C(0))
     {
-        (*cspan_at(&work, out + layout__SIDE_Y_TRACK)) = -y_track;
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work, out + layout__SIDE_Z_TRACK)) = (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-    (*cspan_at(&work, out + layout__SIDE_CONTACT_ANGLE)) = -atan(rail_slope);
-    (*cspan_at(&work, out + layout__SIDE_ROLLING_RADIUS)) = r;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
     regions__open_contact_region(tables, work, state);
-    (*cspan_at(&work, out + layout__SIDE_CURVATURE_X)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_CURVATURE));
-    (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_BEND));
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, out + layout__SIDE_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
     }
     touches = INT64_C(1);
     if (fabs(mismatch) >= contact_point__PARALLEL)
     {
-        if ((fabs(mismatch) > contact_point__CORNER) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y) == INT64_C(1)))
+        if ((fabs(mismatch) > contact_point__CORNER) || (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y) == INT64_C(1)))
         {
             touches = INT64_C(0);
         }
-        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) == INT64_C(1))
+        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) == INT64_C(1))
         {
             touches = INT64_C(0);
         }

@@ -24,15 +24,15 @@ static OUT_OF_LINE int64_t elastic__first_sink(array_double_1d tables, array_dou
 {
     int64_t support;
     int64_t status;
-    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
+    support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     status = side__rest_side(tables, work, state, index);
-    (*cspan_at(&work, support + side__SUPPORT_FIRST)) = 0.0;
+    (*cspan_at(&work, support + layout__SUPPORT_FIRST)) = 0.0;
     if (status == layout__UNLOADED)
     {
         status = layout__VALID;
         if (force > 0.0)
         {
-            (*cspan_at(&work, support + side__SUPPORT_FIRST)) = normal_contact__first_penetration(tables, work, state, force) / (*cspan_at(&work, contact_plane__FRAME_COS));
+            (*cspan_at(&work, support + layout__SUPPORT_FIRST)) = normal_contact__first_penetration(tables, work, state, force) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
         }
     }
     return status;
@@ -49,19 +49,19 @@ static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_dou
     int64_t count;
     double carried;
     int64_t status;
-    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
-    best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+    support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+    best = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(force > 0.0))
     {
-        (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = best;
-        (*cspan_at(&work, support + side__SUPPORT_LEVER)) = side__side_lever(tables, work, index, INT64_C(0));
+        (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = best;
+        (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, INT64_C(0));
         status = side__rest_side(tables, work, state, index);
         return status;
     }
     sink = height - best;
-    if (sink < elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST)))
+    if (sink < elastic__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_FIRST)))
     {
-        sink = elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
+        sink = elastic__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_FIRST));
     }
     if (sink > elastic__DEEPEST)
     {
@@ -70,10 +70,10 @@ static OUT_OF_LINE int64_t elastic__carry_side(array_double_1d tables, array_dou
     status = side__press_side(tables, work, state, index, sink);
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, state, index, force, (*cspan_at(&tables, layout__SET_ABSENT)));
-        carried = sink + ((*cspan_at(&work, side__side_outputs(index) + layout__SIDE_PENETRATION)) - (*cspan_at(&work, contact_plane__FRAME_DEPTH))) / (*cspan_at(&work, contact_plane__FRAME_COS));
-        (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = best + carried;
-        (*cspan_at(&work, support + side__SUPPORT_LEVER)) = side__side_lever(tables, work, index, count);
+        side__load_side(&count, &status, tables, work, state, index, force, (*cspan_at(&tables, layout__TABLES_ABSENT)));
+        carried = sink + ((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+        (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = best + carried;
+        (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, count);
     }
     return status;
 }
@@ -117,8 +117,8 @@ static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index
     double best;
     int64_t deep;
     deep = INT64_C(0);
-    best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
-    if ((*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_HEIGHT)) - best > elastic__DEEPEST)
+    best = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    if ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT)) - best > elastic__DEEPEST)
     {
         deep = INT64_C(1);
     }
@@ -131,7 +131,6 @@ static OUT_OF_LINE int64_t elastic__too_deep(array_double_1d work, int64_t index
 static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
     int64_t status;
-    int64_t first;
     int64_t second;
     double rigid_roll;
     double lever_left;
@@ -165,8 +164,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         (*result_1) = status;
         return 0;
     }
-    first = layout__WORK_SUPPORT;
-    second = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK;
+    second = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
     rigid_roll = roll;
     /* where both would stand if each had sunk as estimated */
     lever_left = side__side_lever(tables, work, INT64_C(0), INT64_C(0));
@@ -174,11 +172,11 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     turn = 0.0;
     if (lever_left + lever_right < -elastic__LEAST_LEVER)
     {
-        turn = ((*cspan_at(&work, second + side__SUPPORT_FIRST)) - (*cspan_at(&work, first + side__SUPPORT_FIRST))) / (-(lever_left + lever_right));
+        turn = ((*cspan_at(&work, second + layout__SUPPORT_FIRST)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_FIRST))) / (-(lever_left + lever_right));
     }
-    turn = touching__limited(turn, elastic__LONGEST / (*cspan_at(&tables, layout__SET_ARM)));
+    turn = touching__limited(turn, elastic__LONGEST / (*cspan_at(&tables, layout__TABLES_ARM)));
     /* in one order for a wheelset and its mirror image */
-    height = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST)) + 0.5 * ((*cspan_at(&work, first + side__SUPPORT_FIRST)) - lever_left * turn + ((*cspan_at(&work, second + side__SUPPORT_FIRST)) + lever_right * turn));
+    height = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_FIRST)) - lever_left * turn + ((*cspan_at(&work, second + layout__SUPPORT_FIRST)) + lever_right * turn));
     roll += turn;
     if (elastic__turn_to(tables, work, state, roll) == INT64_C(0))
     {
@@ -187,7 +185,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         return 0;
     }
     /* Broyden's (1965) method for what both sides lack of the height, over height and roll; the roll in metres at the wheels */
-    arm = (*cspan_at(&tables, layout__SET_ARM));
+    arm = (*cspan_at(&tables, layout__TABLES_ARM));
     lack_left = 0.0;
     lack_right = 0.0;
     left_height = -1.0;
@@ -205,13 +203,13 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         }
         before_left = lack_left;
         before_right = lack_right;
-        lack_left = (*cspan_at(&work, first + side__SUPPORT_HEIGHT)) - height;
-        lack_right = (*cspan_at(&work, second + side__SUPPORT_HEIGHT)) - height;
+        lack_left = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height;
+        lack_right = (*cspan_at(&work, second + layout__SUPPORT_HEIGHT)) - height;
         size = move_height * move_height + move_roll * move_roll;
         if (trial == INT64_C(0))
         {
-            left_roll = (-(*cspan_at(&work, first + side__SUPPORT_LEVER))) / arm;
-            right_roll = (*cspan_at(&work, second + side__SUPPORT_LEVER)) / arm;
+            left_roll = (-(*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER))) / arm;
+            right_roll = (*cspan_at(&work, second + layout__SUPPORT_LEVER)) / arm;
         }
         else if (size > 0.0)
         {
@@ -227,8 +225,8 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         {
             left_height = -1.0;
             right_height = -1.0;
-            left_roll = (-(*cspan_at(&work, first + side__SUPPORT_LEVER))) / arm;
-            right_roll = (*cspan_at(&work, second + side__SUPPORT_LEVER)) / arm;
+            left_roll = (-(*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER))) / arm;
+            right_roll = (*cspan_at(&work, second + layout__SUPPORT_LEVER)) / arm;
             determinant = left_height * right_roll - right_height * left_roll;
             if (!(fabs(determinant) > elastic__SINGULAR))
             {
@@ -292,8 +290,8 @@ static OUT_OF_LINE double elastic__carried_load(array_double_1d work, int64_t co
     total = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        total += (*cspan_at(&work, block + regions__REGION_SHARE)) * (*cspan_at(&work, block + regions__REGION_CARRIED));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        total += (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_CARRIED));
     }
     return total;
 }
@@ -309,32 +307,32 @@ static OUT_OF_LINE int64_t elastic__lay_side(double* lack, int64_t* met, int64_t
     int64_t support;
     double sink;
     int64_t count;
-    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
+    support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     (*status) = elastic__carry_side(tables, work, state, index, force, height);
-    (*lack) = (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) - height;
+    (*lack) = (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) - height;
     (*met) = INT64_C(1);
     if ((*status) == layout__NOT_CONVERGED)
     {
         (*met) = INT64_C(0);
-        sink = height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+        sink = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
         if (sink > elastic__DEEPEST)
         {
             sink = elastic__DEEPEST;
         }
-        if (sink < elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST)))
+        if (sink < elastic__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_FIRST)))
         {
-            sink = elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
+            sink = elastic__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_FIRST));
         }
         (*status) = side__press_side(tables, work, state, index, sink);
         if ((*status) == layout__VALID)
         {
-            side__load_side(&count, status, tables, work, state, index, 0.0, (*cspan_at(&work, contact_plane__FRAME_DEPTH)));
+            side__load_side(&count, status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)));
             (*lack) = sink;
             if (elastic__carried_load(work, count) > force)
             {
                 (*lack) = -sink;
             }
-            (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = height + (*lack);
+            (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = height + (*lack);
         }
     }
     return 0;
@@ -359,14 +357,14 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
     double height;
     double lack;
     int64_t status;
-    support = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index;
-    best = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+    support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+    best = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(force > 0.0))
     {
         status = elastic__carry_side(tables, work, state, index, force, best);
         return status;
     }
-    low = best + elastic__SHALLOWEST * (*cspan_at(&work, support + side__SUPPORT_FIRST));
+    low = best + elastic__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_FIRST));
     elastic__lay_side(&lack_low, &met, &status, tables, work, state, index, force, low);
     if (status > layout__UNLOADED)
     {
@@ -433,7 +431,7 @@ static OUT_OF_LINE int64_t elastic__bracket_height(array_double_1d tables, array
     {
         status = elastic__carry_side(tables, work, state, index, force, low);
     }
-    (*cspan_at(&work, support + side__SUPPORT_HEIGHT)) = high;
+    (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = high;
     return status;
 }
 
@@ -442,7 +440,7 @@ static OUT_OF_LINE int64_t elastic__flatter_side(array_double_1d work)
 {
     int64_t flat;
     flat = INT64_C(0);
-    if (fabs((*cspan_at(&work, side__side_outputs(INT64_C(1)) + layout__SIDE_CONTACT_ANGLE))) < fabs((*cspan_at(&work, side__side_outputs(INT64_C(0)) + layout__SIDE_CONTACT_ANGLE))))
+    if (fabs((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_CONTACT_ANGLE))) < fabs((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_CONTACT_ANGLE))))
     {
         flat = INT64_C(1);
     }
@@ -482,9 +480,9 @@ static OUT_OF_LINE int64_t elastic__stand_at(double* lack, int64_t* met, int64_t
         (*result_2) = status;
         return 0;
     }
-    height = (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * flat + side__SUPPORT_HEIGHT));
+    height = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT));
     elastic__lay_side(lack, met, &outcome, tables, work, state, INT64_C(1) - flat, steep_force, height);
-    (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * (INT64_C(1) - flat) + side__SUPPORT_HEIGHT)) = height;
+    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (INT64_C(1) - flat) + layout__SUPPORT_HEIGHT)) = height;
     if (outcome > status)
     {
         status = outcome;
@@ -633,7 +631,7 @@ static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_doub
     int64_t status;
     int64_t count;
     int64_t result;
-    sink = height - (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST));
+    sink = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(sink > elastic__GRAZING))
     {
         result = side__rest_side(tables, work, state, index);
@@ -646,7 +644,7 @@ static OUT_OF_LINE int64_t elastic__bear_side(array_double_1d tables, array_doub
     status = side__press_side(tables, work, state, index, sink);
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, state, index, 0.0, (*cspan_at(&work, contact_plane__FRAME_DEPTH)));
+        side__load_side(&count, &status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)));
     }
     return status;
 }
@@ -659,11 +657,11 @@ static OUT_OF_LINE int64_t elastic__stand_compliant(array_double_1d tables, arra
     int64_t status;
     int64_t index;
     int64_t outcome;
-    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL));
-    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
+    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     roll__place_both(tables, work, roll);
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
     status = layout__VALID;
     if (roll__search_both(tables, work, state, INT64_C(0)) == INT64_C(0))
     {

@@ -21,10 +21,8 @@
 #define WRCONTACT_KERNEL_ELASTIC_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "layout.h"
 #include "normal_contact.h"
-#include "regions.h"
 #include "roll.h"
 #include "side.h"
 #include "touching.h"

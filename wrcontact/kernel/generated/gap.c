@@ -13,7 +13,7 @@ static inline int64_t gap__above_rail(array_double_1d tables, double abscissa)
 {
     int64_t rail;
     int64_t inside;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     inside = INT64_C(0);
     if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
     {
@@ -40,9 +40,9 @@ static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, doub
     double z_rail;
     double rail_slope;
     double rail_bend;
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, place, at, y, z, slope, bend);
-    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)));
+    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -76,15 +76,15 @@ static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d p
     double cos_roll;
     double lateral;
     double vertical;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, place, at, y, z, slope);
-    profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)));
+    profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
     locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
-    arm = (*cspan_at(&place, at + locus__PLACE_ARM)) + y;
-    height = ((*cspan_at(&place, at + locus__PLACE_RADIUS)) + z) * cos_phi;
-    sin_roll = (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
-    lateral = (-(*cspan_at(&place, at + locus__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
+    arm = (*cspan_at(&place, at + layout__PLACE_ARM)) + y;
+    height = ((*cspan_at(&place, at + layout__PLACE_RADIUS)) + z) * cos_phi;
+    sin_roll = (*cspan_at(&place, at + layout__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&place, at + layout__PLACE_COS_ROLL));
+    lateral = (-(*cspan_at(&place, at + layout__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
     vertical = arm * cos_roll - height * sin_roll;
     return rail_slope * lateral - vertical;
 }
@@ -111,21 +111,21 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     double vertical;
     double sin_phi;
     double cos_phi;
-    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, place, at, y, z, slope, bend);
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*abscissa));
+    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
         (*mismatch) = gap__FOLDED;
     }
-    lateral = (-(*cspan_at(&place, at + locus__PLACE_COS_YAW))) * (z_track + (*cspan_at(&place, at + locus__PLACE_RADIUS)));
-    vertical = y_track - (*cspan_at(&place, at + locus__PLACE_SHIFT));
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    lateral = (-(*cspan_at(&place, at + layout__PLACE_COS_YAW))) * (z_track + (*cspan_at(&place, at + layout__PLACE_RADIUS)));
+    vertical = y_track - (*cspan_at(&place, at + layout__PLACE_SHIFT));
+    if ((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0)
     {
         locus__around_wheel(&sin_phi, &cos_phi, place, at, slope);
-        vertical = ((*cspan_at(&place, at + locus__PLACE_ARM)) + y) * (*cspan_at(&place, at + locus__PLACE_COS_ROLL)) - ((*cspan_at(&place, at + locus__PLACE_RADIUS)) + z) * cos_phi * (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+        vertical = ((*cspan_at(&place, at + layout__PLACE_ARM)) + y) * (*cspan_at(&place, at + layout__PLACE_COS_ROLL)) - ((*cspan_at(&place, at + layout__PLACE_RADIUS)) + z) * cos_phi * (*cspan_at(&place, at + layout__PLACE_SIN_ROLL));
     }
     (*result_0) = z_rail - z_track;
     (*result_2) = rail_bend * stretch - outline_rate;

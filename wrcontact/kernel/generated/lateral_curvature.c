@@ -43,7 +43,7 @@ static inline double lateral_curvature__relative_curvature(array_double_1d table
 {
     double wheel;
     double rail;
-    wheel = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL_CURVATURE))), y);
-    rail = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL_CURVATURE))), abscissa);
+    wheel = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y);
+    rail = lateral_curvature__profile_curvature(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa);
     return 0.5 * (wheel + rail);
 }

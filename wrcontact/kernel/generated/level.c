@@ -32,10 +32,10 @@ static inline double level__lever_beyond(array_double_1d tables, double y, doubl
     double arm;
     double steep;
     double yawed;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES;
     lever = (*cspan_at(&tables, scan + search__SCAN_ROW * search__node_below(tables, y) + search__ROW_LEVER));
-    radius = (*cspan_at(&tables, layout__SET_RADIUS));
-    arm = (*cspan_at(&tables, layout__SET_ARM));
+    radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
+    arm = (*cspan_at(&tables, layout__TABLES_ARM));
     steep = fabs(lever + arm) / radius;
     yawed = level__YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
     return lever + level__turned(steep, radius, arm) * fabs(roll) + yawed;
@@ -52,7 +52,7 @@ static inline int64_t level__beside_rail(array_double_1d tables, array_double_1d
     double reach;
     double furthest;
     int64_t beside;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     nodes = scan + search__SCAN_NODES;
     low = -INT64_C(1);
     high = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT))) - INT64_C(1);
@@ -71,9 +71,9 @@ static inline int64_t level__beside_rail(array_double_1d tables, array_double_1d
     beside = INT64_C(1);
     if (low >= INT64_C(0))
     {
-        reach = search__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__SET_RADIUS)) * (*cspan_at(&tables, scan + search__SCAN_STEEPEST));
-        furthest = (*cspan_at(&work, at + locus__PLACE_SHIFT)) + (*cspan_at(&tables, layout__SET_ARM)) + (*cspan_at(&tables, nodes + search__SCAN_ROW * high + search__ROW_Y)) + reach;
-        if (furthest > (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))) + profile_table__START)))
+        reach = search__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__TABLES_RADIUS)) * (*cspan_at(&tables, scan + search__SCAN_STEEPEST));
+        furthest = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + (*cspan_at(&tables, layout__TABLES_ARM)) + (*cspan_at(&tables, nodes + search__SCAN_ROW * high + search__ROW_Y)) + reach;
+        if (furthest > (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + profile_table__START)))
         {
             beside = INT64_C(0);
         }
@@ -99,40 +99,40 @@ static inline int64_t level__certainly_first(array_double_1d tables, array_doubl
     double abscissa;
     int64_t followed;
     int64_t certain;
-    sine = (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW));
-    higher = roll__LEFT;
-    lower = roll__RIGHT;
-    lower_place = roll__RIGHT_PLACE;
+    sine = (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_SIN_YAW));
+    higher = layout__WORK_SIDES;
+    lower = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1);
+    lower_place = layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1);
     index = INT64_C(1);
     if (roll < 0.0)
     {
-        higher = roll__RIGHT;
-        lower = roll__LEFT;
-        lower_place = roll__LEFT_PLACE;
+        higher = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1);
+        lower = layout__WORK_SIDES;
+        lower_place = layout__WORK_PLACES;
         index = INT64_C(0);
     }
-    known = level__lever_beyond(tables, (*cspan_at(&work, higher + layout__SIDE_BEST_Y)), roll, sine);
+    known = level__lever_beyond(tables, (*cspan_at(&work, higher + layout__SIDE_SEARCH_BEST_Y)), roll, sine);
     if (level__beside_rail(tables, work, lower_place, known, roll, sine) == INT64_C(1))
     {
         return INT64_C(1);
     }
-    gap = (*cspan_at(&work, lower + layout__SIDE_BEST));
-    y = (*cspan_at(&work, lower + layout__SIDE_BEST_Y));
-    abscissa = (*cspan_at(&work, lower + layout__SIDE_BEST_RAIL));
+    gap = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST));
+    y = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y));
+    abscissa = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL));
     certain = INT64_C(0);
     roll__turn_both(work, 0.0);
     followed = roll__follow_side(tables, work, state, index);
     if (search__search_side(tables, work, lower, work, lower_place, state, followed) == INT64_C(1))
     {
-        if (known + level__lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_BEST_Y)), roll, sine) < 0.0)
+        if (known + level__lever_beyond(tables, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), roll, sine) < 0.0)
         {
             certain = INT64_C(1);
         }
     }
     roll__turn_both(work, roll);
-    (*cspan_at(&work, lower + layout__SIDE_BEST)) = gap;
-    (*cspan_at(&work, lower + layout__SIDE_BEST_Y)) = y;
-    (*cspan_at(&work, lower + layout__SIDE_BEST_RAIL)) = abscissa;
+    (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST)) = gap;
+    (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)) = y;
+    (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL)) = abscissa;
     return certain;
 }
 
@@ -169,14 +169,14 @@ static inline double level__lever_at(array_double_1d tables, array_double_1d wor
     double sin_roll;
     double cos_roll;
     double result;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-    arm = (*cspan_at(&work, at + locus__PLACE_ARM)) + y;
-    height = ((*cspan_at(&work, at + locus__PLACE_RADIUS)) + z) * cos_phi;
-    sin_roll = (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, at + locus__PLACE_COS_ROLL));
-    result = (-outline_slope) * (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * (arm * sin_roll + height * cos_roll) - arm * cos_roll + height * sin_roll;
+    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
+    height = ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + z) * cos_phi;
+    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
+    result = (-outline_slope) * (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * (arm * sin_roll + height * cos_roll) - arm * cos_roll + height * sin_roll;
     return result;
 }
 
@@ -192,7 +192,7 @@ static inline int64_t level__lever_range(double* least, double* most, array_doub
     double following;
     double lever;
     double beyond;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES;
     y = one;
     last = other;
     if (other < one)
@@ -216,7 +216,7 @@ static inline int64_t level__lever_range(double* least, double* most, array_doub
         }
         lever = level__lever_at(tables, work, at, following);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
-        beyond = 0.5 * level__FASTER * bend * (following - y) * ((*cspan_at(&work, at + locus__PLACE_RADIUS)) + (*cspan_at(&work, at + locus__PLACE_ARM)));
+        beyond = 0.5 * level__FASTER * bend * (following - y) * ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + (*cspan_at(&work, at + layout__PLACE_ARM)));
         (*least) = double_min(2, (*least), double_min(2, lever, before) - beyond);
         (*most) = double_max(2, (*most), double_max(2, lever, before) + beyond);
         before = lever;
@@ -229,9 +229,9 @@ static inline int64_t level__lever_range(double* least, double* most, array_doub
 static inline int64_t level__note_entry(array_double_1d work, int64_t entry, double roll)
 {
     (*cspan_at(&work, entry + level__ENTRY_ROLL)) = roll;
-    (*cspan_at(&work, entry + level__ENTRY_DIFFERENCE)) = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
-    (*cspan_at(&work, entry + level__ENTRY_LEFT)) = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
-    (*cspan_at(&work, entry + level__ENTRY_RIGHT)) = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));
+    (*cspan_at(&work, entry + level__ENTRY_DIFFERENCE)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
+    (*cspan_at(&work, entry + level__ENTRY_LEFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+    (*cspan_at(&work, entry + level__ENTRY_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
     return INT64_C(0);
 }
 
@@ -257,10 +257,10 @@ static inline int64_t level__is_clear(array_double_1d tables, array_double_1d wo
     int64_t clear;
     width = fabs((*cspan_at(&work, far + level__ENTRY_ROLL)) - (*cspan_at(&work, near + level__ENTRY_ROLL)));
     roll__turn_both(work, 0.5 * ((*cspan_at(&work, far + level__ENTRY_ROLL)) + (*cspan_at(&work, near + level__ENTRY_ROLL))));
-    level__lever_range(&left_least, &left_most, tables, work, state, roll__LEFT_PLACE, (*cspan_at(&work, near + level__ENTRY_LEFT)), (*cspan_at(&work, far + level__ENTRY_LEFT)));
-    level__lever_range(&right_least, &right_most, tables, work, state, roll__RIGHT_PLACE, (*cspan_at(&work, near + level__ENTRY_RIGHT)), (*cspan_at(&work, far + level__ENTRY_RIGHT)));
-    arm = (*cspan_at(&tables, layout__SET_ARM));
-    radius = (*cspan_at(&tables, layout__SET_RADIUS));
+    level__lever_range(&left_least, &left_most, tables, work, state, layout__WORK_PLACES, (*cspan_at(&work, near + level__ENTRY_LEFT)), (*cspan_at(&work, far + level__ENTRY_LEFT)));
+    level__lever_range(&right_least, &right_most, tables, work, state, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, near + level__ENTRY_RIGHT)), (*cspan_at(&work, far + level__ENTRY_RIGHT)));
+    arm = (*cspan_at(&tables, layout__TABLES_ARM));
+    radius = (*cspan_at(&tables, layout__TABLES_RADIUS));
     steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / radius;
     margin = width * level__turned(steep, radius, arm);
     least = left_least + right_least - margin;
@@ -351,7 +351,7 @@ static inline int64_t level__first_from_level(double* result_0, int64_t* result_
             {
                 status = layout__OFF_PROFILE;
             }
-            else if (sign * ((*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST))) > 0.0)
+            else if (sign * ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST))) > 0.0)
             {
                 end += INT64_C(1);
                 level__note_entry(work, level__ENDS + level__ENTRY_SIZE * end, middle);

@@ -15,18 +15,8 @@
 #define WRCONTACT_KERNEL_LOCUS_H
 
 #include "../native/spans.h"
+#include "layout.h"
 
-static const int64_t locus__PLACE_SHIFT = INT64_C(0);
-static const int64_t locus__PLACE_SIN_YAW = INT64_C(1);
-static const int64_t locus__PLACE_COS_YAW = INT64_C(2);
-static const int64_t locus__PLACE_SIN_ROLL = INT64_C(3);
-static const int64_t locus__PLACE_COS_ROLL = INT64_C(4);
-static const int64_t locus__PLACE_T = INT64_C(5);
-static const int64_t locus__PLACE_W_PER_SLOPE = INT64_C(6);
-static const int64_t locus__PLACE_COS_T = INT64_C(7);
-static const int64_t locus__PLACE_RADIUS = INT64_C(8);
-static const int64_t locus__PLACE_ARM = INT64_C(9);
-static const int64_t locus__PLACE_YAWED = INT64_C(10);
 static const int64_t locus__PLACE_SIZE = INT64_C(11);
 
 static inline int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double roll);

@@ -55,8 +55,8 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     int64_t at;
     double next_rate;
     double station;
-    block = regions__region_block(region);
-    (*cspan_at(&work, block + regions__REGION_SPACING)) = spacing;
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    (*cspan_at(&work, block + layout__REGION_SPACING)) = spacing;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
     tolerance = nodes__TRACE_SHARE * spacing;
@@ -65,23 +65,23 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
         tolerance = nodes__FINEST_TRACE;
     }
     prepared = INT64_C(0);
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
-    origin = (*cspan_at(&work, block + regions__REGION_STATION));
-    contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
-    separation__open_origin(tables, work, origin, (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), spacing);
+    origin = (*cspan_at(&work, block + layout__REGION_STATION));
+    contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)));
+    separation__open_origin(tables, work, origin, (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), spacing);
     separation__separation(&gap, &first_rate, &bend, &curvature, tables, work, state, origin, tolerance);
     (*cspan_at(&work, gaps)) = 0.0;
     (*cspan_at(&work, longitudinal)) = 0.5 * curvature;
     if (prepared == INT64_C(1))
     {
-        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     }
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
-        contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)));
         rate = first_rate;
         reach = high_reach;
         if (direction < INT64_C(0))
@@ -104,7 +104,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
                 {
                     /* a profile ends within this stretch: node by node from here */
                     step = INT64_C(1);
-                    contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+                    contact_plane__start_tracer(work, origin, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)));
                     at = direction * (traced + step);
                     separation__separation(&gap, &next_rate, &bend, &curvature, tables, work, state, origin + spacing * (double)(at), tolerance);
                 }
@@ -115,11 +115,11 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
                 }
                 else
                 {
-                    (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+                    (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + layout__REGION_GAP));
                     (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
                     if (prepared == INT64_C(1))
                     {
-                        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+                        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
                     }
                     nodes__fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate);
                     rate = next_rate;
@@ -145,7 +145,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
             {
                 passed = k;
             }
-            else if ((station > (*cspan_at(&work, block + regions__REGION_HIGH))) || (station < (*cspan_at(&work, block + regions__REGION_LOW))))
+            else if ((station > (*cspan_at(&work, block + layout__REGION_HIGH))) || (station < (*cspan_at(&work, block + layout__REGION_LOW))))
             {
                 passed = k;
             }
@@ -156,11 +156,11 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
         }
         if (direction < INT64_C(0))
         {
-            (*cspan_at(&work, block + regions__REGION_FIRST)) = (double)(-passed);
+            (*cspan_at(&work, block + layout__REGION_FIRST)) = (double)((double)(-passed));
         }
         else
         {
-            (*cspan_at(&work, block + regions__REGION_LAST)) = (double)(passed);
+            (*cspan_at(&work, block + layout__REGION_LAST)) = (double)((double)(passed));
         }
     }
     return INT64_C(0);
@@ -234,14 +234,14 @@ static inline int64_t nodes__end_region(array_double_1d work, int64_t block, int
 {
     if (direction > INT64_C(0))
     {
-        if (station + (*cspan_at(&work, block + regions__REGION_SPACING)) < (*cspan_at(&work, block + regions__REGION_HIGH)))
+        if (station + (*cspan_at(&work, block + layout__REGION_SPACING)) < (*cspan_at(&work, block + layout__REGION_HIGH)))
         {
-            (*cspan_at(&work, block + regions__REGION_HIGH)) = station;
+            (*cspan_at(&work, block + layout__REGION_HIGH)) = station;
         }
     }
-    else if (station - (*cspan_at(&work, block + regions__REGION_SPACING)) > (*cspan_at(&work, block + regions__REGION_LOW)))
+    else if (station - (*cspan_at(&work, block + layout__REGION_SPACING)) > (*cspan_at(&work, block + layout__REGION_LOW)))
     {
-        (*cspan_at(&work, block + regions__REGION_LOW)) = station;
+        (*cspan_at(&work, block + layout__REGION_LOW)) = station;
     }
     return INT64_C(0);
 }
@@ -284,7 +284,7 @@ static inline double nodes__secant_curvature(array_double_1d work, int64_t regio
     double edge;
     double result;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
-    spacing = (*cspan_at(&work, regions__region_block(region) + regions__REGION_SPACING));
+    spacing = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_SPACING));
     if ((k >= window) || (k <= -window))
     {
         s = spacing * (double)(k);
@@ -324,8 +324,8 @@ static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, d
     int64_t block;
     double spacing;
     double share;
-    block = regions__region_block(region);
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     (*secant) = nodes__secant_curvature(work, region, k, window, middle);
     if ((*secant) < least)
     {
@@ -341,10 +341,10 @@ static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, d
     {
         (*B) = least;
     }
-    (*side) = (*cspan_at(&work, block + regions__REGION_SIDE_HIGH));
+    (*side) = (*cspan_at(&work, block + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
     {
-        (*side) = (*cspan_at(&work, block + regions__REGION_SIDE_LOW));
+        (*side) = (*cspan_at(&work, block + layout__REGION_SIDE_LOW));
     }
     if ((*side) < least)
     {
@@ -380,13 +380,13 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     double alpha;
     double beta;
     double nr;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
-    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     yawed = contact_plane__is_yawed(work);
     prepared = INT64_C(0);
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
@@ -397,15 +397,15 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
     {
         nodes__turn_region(&alpha_turn, &beta_turn, &nr_turn, tables, work, region);
     }
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
-    mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
+    mean = 0.5 * ((*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)));
     middle = nodes__second_difference(work, gaps, spacing, window);
     if (middle < 0.0)
     {
         middle = 0.0;
     }
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         A = (*cspan_at(&work, longitudinal + k));
         least = nodes__FLOOR * A;
@@ -434,7 +434,7 @@ static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d
         }
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_B) + k)) = B;
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_RISE) + k)) = beta * (*cspan_at(&work, gaps + k));
-        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LINE) + k)) = (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) / nr;
+        (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LINE) + k)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
         (*cspan_at(&work, nodes__node_field(region, nodes__NODE_LENGTH) + k)) = alpha * A;
     }
     return INT64_C(0);
@@ -458,22 +458,22 @@ static inline int64_t nodes__turn_region(double* result_0, double* result_1, dou
     double upright_A;
     double upright_B;
     double share;
-    block = regions__region_block(region);
-    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A = (*cspan_at(&work, nodes__node_field(region, nodes__NODE_A)));
-    B = 0.5 * ((*cspan_at(&work, block + regions__REGION_SIDE_LOW)) + (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)));
+    B = 0.5 * ((*cspan_at(&work, block + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, block + layout__REGION_SIDE_HIGH)));
     if (B < nodes__FLOOR * A)
     {
         B = nodes__FLOOR * A;
     }
     hertz__hertz_coefficients(&alpha, &beta, &nr, tables, base, A, B);
-    hertz__skewed_coefficients(&turned_alpha, &turned_beta, &turned_nr, tables, base, A, B, (*cspan_at(&work, block + regions__REGION_SLANT)));
-    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    hertz__skewed_coefficients(&turned_alpha, &turned_beta, &turned_nr, tables, base, A, B, (*cspan_at(&work, block + layout__REGION_SLANT)));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, turned_alpha * A, turned_beta * B, turned_nr);
-        (*cspan_at(&work, block + regions__REGION_UPRIGHT_A)) = upright_A / A;
-        (*cspan_at(&work, block + regions__REGION_UPRIGHT_B)) = upright_B / B;
-        (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE)) = share;
+        (*cspan_at(&work, block + layout__REGION_UPRIGHT_A)) = upright_A / A;
+        (*cspan_at(&work, block + layout__REGION_UPRIGHT_B)) = upright_B / B;
+        (*cspan_at(&work, block + layout__REGION_UPRIGHT_SHARE)) = share;
     }
     (*result_0) = turned_alpha / alpha;
     (*result_1) = turned_beta / beta;

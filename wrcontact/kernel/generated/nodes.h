@@ -25,7 +25,6 @@
 #include "hertz.h"
 #include "lateral_curvature.h"
 #include "layout.h"
-#include "regions.h"
 #include "separation.h"
 
 static const int64_t nodes__NODE_GAP = INT64_C(0);

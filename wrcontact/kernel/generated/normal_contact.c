@@ -34,53 +34,53 @@ static inline int64_t normal_contact__measure_widths(array_double_1d tables, arr
     double slant;
     double start;
     int64_t yawed;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     /* the first guess: the gap's own second derivative, as far as it is a usual one */
-    bend = (*cspan_at(&work, block + regions__REGION_BEND));
-    if (bend < normal_contact__LEAST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE)))
+    bend = (*cspan_at(&work, block + layout__REGION_BEND));
+    if (bend < normal_contact__LEAST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE)))
     {
-        bend = normal_contact__LEAST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        bend = normal_contact__LEAST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE));
     }
-    if (bend > normal_contact__MOST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE)))
+    if (bend > normal_contact__MOST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE)))
     {
-        bend = normal_contact__MOST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        bend = normal_contact__MOST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE));
     }
     low = sqrt(2.0 * level / bend);
     high = low;
-    if ((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0)
+    if ((*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)) > 0.0)
     {
-        grown = sqrt(level / (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)));
-        low = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) * grown;
-        high = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown;
+        grown = sqrt(level / (*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)));
+        low = (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) * grown;
+        high = (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) * grown;
     }
     high = regions__zone_width(tables, work, state, block, 1.0, level, high);
-    high_reached = (*cspan_at(&work, block + regions__REGION_REACHED));
+    high_reached = (*cspan_at(&work, block + layout__REGION_REACHED));
     slant = 0.0;
-    start = (*cspan_at(&work, contact_plane__TRACER_STATION));
+    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        slant = contact_plane__ridge_place(tables, work, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
+        slant = contact_plane__ridge_place(tables, work, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
     }
-    if (!((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0))
+    if (!((*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)) > 0.0))
     {
         low = high;
     }
     low = regions__zone_width(tables, work, state, block, -1.0, level, low);
     if (yawed == INT64_C(1))
     {
-        slant -= contact_plane__ridge_place(tables, work, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
-        if (start > (*cspan_at(&work, contact_plane__TRACER_STATION)))
+        slant -= contact_plane__ridge_place(tables, work, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
+        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)))
         {
-            (*cspan_at(&work, block + regions__REGION_SLANT)) = slant / (start - (*cspan_at(&work, contact_plane__TRACER_STATION)));
+            (*cspan_at(&work, block + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
         }
     }
-    (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)) = normal_contact__side_curvature(high_reached, high, 0.5 * (low + high));
-    (*cspan_at(&work, block + regions__REGION_SIDE_LOW)) = normal_contact__side_curvature((*cspan_at(&work, block + regions__REGION_REACHED)), low, 0.5 * (low + high));
-    (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) = high;
-    (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) = level;
-    (*cspan_at(&work, block + regions__REGION_MIDDLE)) = (*cspan_at(&work, block + regions__REGION_STATION)) + 0.5 * (high - low);
+    (*cspan_at(&work, block + layout__REGION_SIDE_HIGH)) = normal_contact__side_curvature(high_reached, high, 0.5 * (low + high));
+    (*cspan_at(&work, block + layout__REGION_SIDE_LOW)) = normal_contact__side_curvature((*cspan_at(&work, block + layout__REGION_REACHED)), low, 0.5 * (low + high));
+    (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) = high;
+    (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) = low;
+    (*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)) = level;
+    (*cspan_at(&work, block + layout__REGION_MIDDLE)) = (*cspan_at(&work, block + layout__REGION_STATION)) + 0.5 * (high - low);
     return INT64_C(0);
 }
 
@@ -116,12 +116,12 @@ static inline double normal_contact__zone_share(array_double_1d tables, double A
         side = nodes__FLOOR * A;
     }
     spread = normal_contact__SPREAD;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         spread = normal_contact__STRIP_SPREAD;
     }
-    share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), INT64_C(0), log(A / side));
-    if ((share > normal_contact__COVER) || ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
+    if ((share > normal_contact__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         share = normal_contact__COVER;
     }
@@ -137,9 +137,9 @@ static inline int64_t normal_contact__node_stride(array_double_1d tables)
 {
     int64_t kind;
     int64_t stride;
-    stride = (int64_t)((*cspan_at(&tables, layout__SET_STRIDE)));
-    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
-    if (((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE) || (kind == layout__SEPARATION_CHORD) || (kind == layout__SEPARATION_VERTICAL))
+    stride = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIDE)));
+    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE) || (kind == layout__SEPARATION_CHORD) || (kind == layout__SEPARATION_VERTICAL))
     {
         stride = INT64_C(1);
     }
@@ -161,45 +161,45 @@ static inline int64_t normal_contact__prepare_regions(array_double_1d tables, ar
     double A;
     double low_reach;
     double high_reach;
-    window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) * normal_contact__WINDOW + 0.5);
+    window = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)) * normal_contact__WINDOW + 0.5);
     stride = normal_contact__node_stride(tables);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        level = (*cspan_at(&work, block + layout__REGION_LEVEL));
         planes__enter_plane(work, i);
         normal_contact__measure_widths(tables, work, state, i, normal_contact__MEASURED * level);
-        mean = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
-        widest = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
-        if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > widest)
+        mean = 0.5 * ((*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)));
+        widest = (*cspan_at(&work, block + layout__REGION_WIDTH_LOW));
+        if ((*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) > widest)
         {
-            widest = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+            widest = (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH));
         }
-        least = normal_contact__NARROWEST * sqrt(level / (*cspan_at(&work, block + regions__REGION_CURVATURE)));
+        least = normal_contact__NARROWEST * sqrt(level / (*cspan_at(&work, block + layout__REGION_CURVATURE)));
         if (mean < least)
         {
             mean = least;
         }
-        spacing = mean / (*cspan_at(&tables, layout__SET_NODES));
+        spacing = mean / (*cspan_at(&tables, layout__TABLES_NODES));
         if (widest * enlarge > normal_contact__WIDEST * spacing)
         {
             spacing = widest * enlarge / normal_contact__WIDEST;
         }
-        A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
-        low_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_LOW)));
-        high_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)));
-        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) && (contact_plane__is_yawed(work) == INT64_C(1)))
+        A = 0.5 * (*cspan_at(&work, block + layout__REGION_CURVATURE));
+        low_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + layout__REGION_SIDE_LOW)));
+        high_reach = level * enlarge * normal_contact__zone_share(tables, A, (*cspan_at(&work, block + layout__REGION_SIDE_HIGH)));
+        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (contact_plane__is_yawed(work) == INT64_C(1)))
         {
-            (*cspan_at(&work, contact_plane__FRAME_BLUR)) = spacing * (double)(stride) * (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS));
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = spacing * (double)(stride) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS));
         }
         nodes__lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride);
         nodes__weigh_nodes(tables, work, i, window);
-        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL))
+        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
         {
             normal_contact__mean_normal(tables, work, i, level);
         }
         planes__leave_plane(work, i);
-        (*cspan_at(&work, block + regions__REGION_SQUARE)) = level / (*cspan_at(&work, nodes__node_field(i, nodes__NODE_LENGTH)));
+        (*cspan_at(&work, block + layout__REGION_SQUARE)) = level / (*cspan_at(&work, nodes__node_field(i, nodes__NODE_LENGTH)));
     }
     return INT64_C(0);
 }
@@ -210,11 +210,11 @@ static inline double normal_contact__rail_per_station(array_double_1d tables, ar
     double height;
     double slope;
     double along;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     along = sqrt(1.0 + slope * slope);
-    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0)
+    if (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0))
     {
-        along = (*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work, contact_plane__FRAME_SIN));
+        along = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     }
     return 1.0 / along;
 }
@@ -240,7 +240,7 @@ static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_
     double slope;
     double cosine;
     double weight;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     total = 0.0;
@@ -248,16 +248,16 @@ static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_
     sines = 0.0;
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
-        x = (*cspan_at(&work, block + regions__REGION_RAIL));
-        step = (double)(direction) * (*cspan_at(&work, block + regions__REGION_SPACING));
-        last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+        x = (*cspan_at(&work, block + layout__REGION_RAIL));
+        step = (double)(direction) * (*cspan_at(&work, block + layout__REGION_SPACING));
+        last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
         if (direction < INT64_C(0))
         {
-            last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+            last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
         }
         for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
         {
-            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x);
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
             cosine = 1.0 / sqrt(1.0 + slope * slope);
             weight = (*cspan_at(&work, lines + direction * k)) * (level - (*cspan_at(&work, rises + direction * k)));
             if (weight <= 0.0)
@@ -276,11 +276,11 @@ static inline int64_t normal_contact__mean_normal(array_double_1d tables, array_
     }
     if (total > 0.0)
     {
-        (*cspan_at(&work, block + regions__REGION_COS)) = cosines / total;
-        (*cspan_at(&work, block + regions__REGION_SIN)) = sines / total;
-        if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+        (*cspan_at(&work, block + layout__REGION_COS)) = cosines / total;
+        (*cspan_at(&work, block + layout__REGION_SIN)) = sines / total;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, block + regions__REGION_SHARE)) = (*cspan_at(&work, block + regions__REGION_COS));
+            (*cspan_at(&work, block + layout__REGION_SHARE)) = (*cspan_at(&work, block + layout__REGION_COS));
         }
     }
     return INT64_C(0);
@@ -294,13 +294,13 @@ static inline int64_t normal_contact__start_levels(array_double_1d work, int64_t
     double level;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        level = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work, block + regions__REGION_GAP));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        level = (*cspan_at(&work, block + layout__REGION_TURN)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP));
         if (level < 0.1 * penetration)
         {
             level = 0.1 * penetration;
         }
-        (*cspan_at(&work, block + regions__REGION_LEVEL)) = level;
+        (*cspan_at(&work, block + layout__REGION_LEVEL)) = level;
     }
     return INT64_C(0);
 }
@@ -318,28 +318,28 @@ static inline int64_t normal_contact__covered(array_double_1d work, int64_t coun
     result = INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         rises = nodes__node_field(i, nodes__NODE_RISE);
-        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
-        low = (*cspan_at(&work, block + regions__REGION_LOW));
-        high = (*cspan_at(&work, block + regions__REGION_HIGH));
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        level = (*cspan_at(&work, block + layout__REGION_LEVEL));
+        low = (*cspan_at(&work, block + layout__REGION_LOW));
+        high = (*cspan_at(&work, block + layout__REGION_HIGH));
+        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             /* its bounds may be the rail's ends, far away */
-            if (low < (*cspan_at(&work, block + regions__REGION_STATION)) + (*cspan_at(&work, block + regions__REGION_SPACING)) * (*cspan_at(&work, block + regions__REGION_FIRST)))
+            if (low < (*cspan_at(&work, block + layout__REGION_STATION)) + (*cspan_at(&work, block + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))))
             {
                 low = -regions__FAR;
             }
-            if (high > (*cspan_at(&work, block + regions__REGION_STATION)) + (*cspan_at(&work, block + regions__REGION_SPACING)) * (*cspan_at(&work, block + regions__REGION_LAST)))
+            if (high > (*cspan_at(&work, block + layout__REGION_STATION)) + (*cspan_at(&work, block + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))))
             {
                 high = regions__FAR;
             }
         }
-        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)))))) && (high >= regions__FAR))
+        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)))))) && (high >= regions__FAR))
         {
             result = INT64_C(0);
         }
-        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))))) && (low <= -regions__FAR))
+        if ((level > (*cspan_at(&work, rises + (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)))))) && (low <= -regions__FAR))
         {
             result = INT64_C(0);
         }
@@ -353,17 +353,15 @@ static inline int64_t normal_contact__covered(array_double_1d work, int64_t coun
  */
 static inline double normal_contact__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
 {
-    int64_t block;
     double A;
     double guess;
     double width;
     double B;
     double stiffness;
-    block = regions__region_block(INT64_C(0));
-    A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
-    guess = normal_contact__guess_penetration(force, A, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+    A = 0.5 * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
+    guess = normal_contact__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     normal_contact__measure_widths(tables, work, state, INT64_C(0), guess);
-    width = 0.5 * ((*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)));
+    width = 0.5 * ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_HIGH)));
     B = nodes__FLOOR * A;
     if (guess > normal_contact__CEILING * A * width * width)
     {
@@ -373,7 +371,7 @@ static inline double normal_contact__estimate_penetration(array_double_1d tables
     {
         B = guess / (width * width);
     }
-    stiffness = hertz__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), A, B, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+    stiffness = hertz__hertz_stiffness(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     return pow((force / stiffness), (2.0 / 3.0));
 }
 
@@ -384,11 +382,11 @@ static inline int64_t normal_contact__gather_regions(array_double_1d tables, arr
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work, regions__region_block(i) + regions__REGION_WIDTH_LEVEL)) = 0.0;
-        (*cspan_at(&work, regions__region_block(i) + regions__REGION_SLANT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_LEVEL)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = INT64_C(1);
-    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         count = overlaps__gather_overlaps(tables, work, state);
     }
@@ -408,8 +406,8 @@ static inline double normal_contact__first_penetration(array_double_1d tables, a
 {
     double result;
     regions__open_contact_region(tables, work, state);
-    (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_WIDTH_LEVEL)) = 0.0;
-    result = normal_contact__estimate_penetration(tables, work, state, force / (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_SHARE)));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
+    result = normal_contact__estimate_penetration(tables, work, state, force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
     return result;
 }
 
@@ -424,7 +422,7 @@ static inline int64_t normal_contact__solve_estimated(double* penetration, int64
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         (*count) = INT64_C(1);
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             overlaps__keep_deepest(work);
             overlaps__gather_overlaps(tables, work, state);
@@ -453,9 +451,9 @@ static inline int64_t normal_contact__solve_analyn(double* penetration, int64_t*
     {
         by_penetration = INT64_C(1);
     }
-    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        normal_contact__solve_estimated(penetration, count, met, tables, work, state, side, force, (*cspan_at(&work, contact_plane__FRAME_DEPTH)), by_penetration);
+        normal_contact__solve_estimated(penetration, count, met, tables, work, state, side, force, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)), by_penetration);
         return 0;
     }
     if (by_penetration == INT64_C(0))
@@ -508,10 +506,10 @@ static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t*
             enlarge *= 1.4;
             start = penetration;
             laid = penetration;
-            if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+            if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
             {
                 /* nodes stay where the wheel stands; there are only more of them */
-                laid = (*cspan_at(&work, contact_plane__FRAME_DEPTH));
+                laid = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
             }
             normal_contact__start_levels(work, count, laid);
         }
@@ -530,7 +528,6 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     int64_t base;
     double A;
     double B;
-    int64_t block;
     double stiffness;
     double load;
     double one_alpha;
@@ -541,48 +538,47 @@ static inline double normal_contact__solve_hertz(array_double_1d tables, array_d
     double area;
     double pressure;
     double penetration;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
-    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_X));
-    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_Y));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_X));
+    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_Y));
     if (!(B > nodes__FLOOR * A))
     {
         B = nodes__FLOOR * A;
     }
-    block = regions__region_block(INT64_C(0));
-    stiffness = hertz__hertz_stiffness(tables, base, A, B, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)));
+    stiffness = hertz__hertz_stiffness(tables, base, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     penetration = prescribed;
     if (!isfinite(prescribed))
     {
-        penetration = pow((force / ((*cspan_at(&work, block + regions__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
+        penetration = pow((force / ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
     }
     load = stiffness * penetration * sqrt(penetration);
-    (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt(penetration);
-    (*cspan_at(&work, block + regions__REGION_CARRIED)) = load;
-    (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt(penetration);
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SLANT)) = 0.0;
     hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
     a = sqrt(penetration / (one_alpha * A));
     b = sqrt(penetration / (one_beta * B));
     area = M_PI * a * b;
     pressure = 1.5 * load / area;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = 1.0;
-    (*cspan_at(&work, side + layout__SIDE_PENETRATION)) = penetration;
-    (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
-    (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_CONTACT_ANGLE));
-    if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 1.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * a;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = 2.0 * b;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_AREA)) = area;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        normal_contact__write_ellipse(work, outline__outline_place(tables, side), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), a, b, pressure);
+        normal_contact__write_ellipse(work, outline__outline_place(tables, work, side), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), a, b, pressure);
     }
     return penetration;
 }
@@ -617,14 +613,14 @@ static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met,
     int64_t islands;
     (*met) = INT64_C(1);
     (*count) = INT64_C(1);
-    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_HERTZ)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_HERTZ)
     {
         normal_contact__solve_hertz(tables, work, outputs, force, prescribed);
     }
     else
     {
         normal_contact__solve_analyn(&penetration, count, met, tables, work, state, side, force, prescribed);
-        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
+        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
         {
             by_penetration = INT64_C(0);
             if (isfinite(prescribed))
@@ -636,9 +632,9 @@ static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met,
             {
                 islands = strip_patches__gather_strips(work, strips);
                 patches__write_patches(work, outputs, islands);
-                if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+                if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
                 {
-                    strip_patches__write_strip_outline(work, outline__outline_place(tables, outputs), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), strips, islands);
+                    strip_patches__write_strip_outline(work, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), strips, islands);
                 }
             }
         }
@@ -646,12 +642,12 @@ static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met,
         {
             islands = patches__gather_islands(tables, work, (*count));
             patches__write_patches(work, outputs, islands);
-            if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
             {
-                patches__write_outline(work, outputs, outline__outline_place(tables, outputs), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), (*count), islands);
+                patches__write_outline(work, outputs, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count), islands);
             }
         }
-        (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
+        (*cspan_at(&work, outputs + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     }
     return 0;
 }

@@ -9,11 +9,11 @@
 #include "outline.h"
 
 /* Offset in the workspace of the outline of the side whose outputs are at ``out``. */
-static inline int64_t outline__outline_place(array_double_1d tables, int64_t out)
+static inline int64_t outline__outline_place(array_double_1d tables, array_double_1d work, int64_t out)
 {
     int64_t stations;
     int64_t place;
-    stations = (int64_t)((*cspan_at(&tables, layout__SET_STATIONS)));
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     place = out + layout__SIDE_STATION;
     if (stations != layout__STATION_COUNT)
     {
@@ -32,10 +32,10 @@ static inline int64_t outline__fill_apart(array_double_1d tables, array_double_1
     int64_t stations;
     int64_t place;
     int64_t i;
-    stations = (int64_t)((*cspan_at(&tables, layout__SET_STATIONS)));
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     if (stations != layout__STATION_COUNT)
     {
-        place = outline__outline_place(tables, out);
+        place = outline__outline_place(tables, work, out);
         for (i = INT64_C(0); i < INT64_C(3) * stations; i += INT64_C(1))
         {
             (*cspan_at(&work, place + i)) = value;
@@ -49,7 +49,7 @@ static inline int64_t outline__row_size(array_double_1d tables)
 {
     int64_t stations;
     int64_t size;
-    stations = (int64_t)((*cspan_at(&tables, layout__SET_STATIONS)));
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     size = layout__OUTPUT_COUNT;
     if (stations != layout__STATION_COUNT)
     {

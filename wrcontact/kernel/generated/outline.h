@@ -12,7 +12,7 @@
 #include "../native/spans.h"
 #include "layout.h"
 
-static inline int64_t outline__outline_place(array_double_1d tables, int64_t out);
+static inline int64_t outline__outline_place(array_double_1d tables, array_double_1d work, int64_t out);
 static inline int64_t outline__fill_apart(array_double_1d tables, array_double_1d work, int64_t out, double value);
 static inline int64_t outline__row_size(array_double_1d tables);
 

@@ -22,11 +22,11 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     double bend;
     double square;
     double rise;
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
     y = (*cspan_at(&tables, row + search__ROW_Y));
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*abscissa));
+    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    profile_table__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
     square = 1.0 / (1.0 + m * m);
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*abscissa);
@@ -49,7 +49,7 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
 static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_double_1d work, int64_t direction, int64_t entry)
 {
     int64_t rail;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__START));
     (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = 1.0;
     if (direction > INT64_C(0))
@@ -74,7 +74,7 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
     int64_t on_rail;
     int64_t step;
     int64_t entry;
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_COUNT)));
     entry = first;
     level = search__LEVELS - INT64_C(1);
     neighbour = 1.0;
@@ -111,7 +111,7 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
             }
             else if (level > INT64_C(0))
             {
-                step = INT64_C(1) << level;
+                step = INT64_C(1) << (int64_t)(level);
                 neighbour = 0.0;
             }
             if (level < search__LEVELS - INT64_C(1))
@@ -208,7 +208,7 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_do
     double curvature;
     int64_t found;
     double result;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     for (i = INT64_C(0); i < overlaps__WIDENINGS; i += INT64_C(1))
     {
         if (x <= (*cspan_at(&tables, rail + profile_table__START)))
@@ -407,7 +407,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     double low;
     double high;
     int64_t result;
-    node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
+    node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     (*cspan_at(&work, overlaps__DEEP_COUNT)) = 0.0;
     start = overlaps__walk_overlap(tables, work, state, at, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlaps__walk_overlap(tables, work, state, at, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
@@ -511,10 +511,10 @@ static OUT_OF_LINE int64_t overlaps__list_smallest(array_double_1d tables, array
     double high;
     double depth;
     int64_t turned;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), z, slope);
-    x = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), height);
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
+    x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height);
     deepest = 0.0;
     if ((int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT))) > INT64_C(0))
     {
@@ -541,7 +541,7 @@ static OUT_OF_LINE int64_t overlaps__list_smallest(array_double_1d tables, array
             low = far;
             high = x;
         }
-        overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), height, 1.0);
+        overlaps__turning_point(&x, &y, &depth, &turned, tables, work, at, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height, 1.0);
         if ((turned == INT64_C(1)) && (depth > deepest))
         {
             overlaps__keep_deep(work, x, y, depth);
@@ -604,10 +604,10 @@ static OUT_OF_LINE int64_t overlaps__touching_shift(double* result_0, double* re
     block = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * entry;
     x = (*cspan_at(&work, block + overlaps__DEEP_RAIL));
     y = (*cspan_at(&work, block + overlaps__DEEP_WHEEL));
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    profile_table__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x);
-    (*result_0) = x + (*cspan_at(&tables, layout__SET_RAIL_Y)) - y_track;
+    profile_table__height_slope(&z_rail, &m, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
+    (*result_0) = x + (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - y_track;
     (*result_1) = z_rail - z_track;
     return 0;
 }
@@ -615,10 +615,10 @@ static OUT_OF_LINE int64_t overlaps__touching_shift(double* result_0, double* re
 /* Let the open frame be that of a wheel pressed ``depth`` deep, whose own gap is ``gap`` [m]. */
 static OUT_OF_LINE int64_t overlaps__press_frame(array_double_1d work, double height, double depth, double gap)
 {
-    (*cspan_at(&work, contact_plane__FRAME_POSE)) = height;
-    (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 1.0;
-    (*cspan_at(&work, contact_plane__FRAME_RAISE)) = gap;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)) = height;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = depth;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(1);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = gap;
     return INT64_C(0);
 }
 
@@ -655,37 +655,37 @@ static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, arr
     int64_t count;
     count = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     contact = overlaps__deepest_entry(work);
-    cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-    abscissa = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-    height = (*cspan_at(&work, contact_plane__FRAME_POSE));
-    depth = (*cspan_at(&work, contact_plane__FRAME_DEPTH));
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    height = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE));
+    depth = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     planes__keep_frame(work, layout__REGION_LIMIT);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
         deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * region;
-        (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, deep + overlaps__DEEP_RAIL));
-        (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, deep + overlaps__DEEP_WHEEL));
+        (*cspan_at(&work, block + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_GAP)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_RAIL)) = (*cspan_at(&work, deep + overlaps__DEEP_RAIL));
+        (*cspan_at(&work, block + layout__REGION_WHEEL)) = (*cspan_at(&work, deep + overlaps__DEEP_WHEEL));
         profile_table__height_slope(&z_rail, &m, tables, rail, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)));
         regions__lean_region(tables, work, block, m);
         if (region != contact)
         {
             overlaps__touching_shift(&aside, &shift, tables, work, at, region, height);
             contact_plane__open_frame(&Dummy_0002_0, &Dummy_0002_1, &Dummy_0002_2, &Dummy_0002_3, &Dummy_0002_4, tables, work, at, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), aside, shift);
-            (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
-            (*cspan_at(&work, block + regions__REGION_TURN)) = (*cspan_at(&work, block + regions__REGION_COS)) / cosine;
-            (*cspan_at(&work, block + regions__REGION_GAP)) = (*cspan_at(&work, block + regions__REGION_TURN)) * depth - (*cspan_at(&work, deep + overlaps__DEEP_DEPTH));
-            (*cspan_at(&work, block + regions__REGION_OFFSET)) = pressed__rail_length(tables, abscissa, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)));
-            overlaps__press_frame(work, height, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work, block + regions__REGION_GAP)));
+            (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(1);
+            (*cspan_at(&work, block + layout__REGION_TURN)) = (*cspan_at(&work, block + layout__REGION_COS)) / cosine;
+            (*cspan_at(&work, block + layout__REGION_GAP)) = (*cspan_at(&work, block + layout__REGION_TURN)) * depth - (*cspan_at(&work, deep + overlaps__DEEP_DEPTH));
+            (*cspan_at(&work, block + layout__REGION_OFFSET)) = pressed__rail_length(tables, abscissa, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)));
+            overlaps__press_frame(work, height, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work, block + layout__REGION_GAP)));
         }
         contact_plane__start_tracer(work, 0.0, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)));
         pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0);
-        (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-        (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+        (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
+        (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
         low = (*cspan_at(&tables, rail + profile_table__START));
         high = (*cspan_at(&tables, rail + profile_table__STOP));
         if (region > INT64_C(0))
@@ -696,8 +696,8 @@ static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, arr
         {
             high = (*cspan_at(&work, deep + overlaps__DEEP_HUMP));
         }
-        (*cspan_at(&work, block + regions__REGION_LOW)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), low);
-        (*cspan_at(&work, block + regions__REGION_HIGH)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), high);
+        (*cspan_at(&work, block + layout__REGION_LOW)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), low);
+        (*cspan_at(&work, block + layout__REGION_HIGH)) = pressed__rail_length(tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), high);
         planes__keep_frame(work, region);
         planes__use_frame(work, layout__REGION_LIMIT);
     }

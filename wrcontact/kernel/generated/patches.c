@@ -124,15 +124,15 @@ static inline int64_t patches__load_nodes(array_double_1d work, int64_t region, 
     int64_t k;
     double d;
     double load;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     lengths = nodes__node_field(region, nodes__NODE_LENGTH);
     loads = nodes__node_field(region, nodes__NODE_LOAD);
     squares = nodes__node_field(region, nodes__NODE_SQUARE);
     pressures = nodes__node_field(region, nodes__NODE_PRESSURE);
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         d = level - (*cspan_at(&work, rises + k));
         load = (*cspan_at(&work, lines + k)) * d;
@@ -203,16 +203,16 @@ static inline int64_t patches__gather_islands(array_double_1d tables, array_doub
     islands = INT64_C(0);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
-        (*cspan_at(&work, block + regions__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        level = (*cspan_at(&work, block + layout__REGION_LEVEL));
+        (*cspan_at(&work, block + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_MOMENT)) = 0.0;
         if (level > 0.0)
         {
-            angle = -atan((*cspan_at(&work, block + regions__REGION_LEAN)));
+            angle = -atan((*cspan_at(&work, block + layout__REGION_LEAN)));
             patches__load_nodes(work, region, level);
-            k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-            for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+            k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+            for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
                 islands = patches__gather_cell(work, region, level, k, islands, angle);
             }
@@ -238,8 +238,8 @@ static inline int64_t patches__gather_cell(array_double_1d work, int64_t region,
     double end;
     int64_t joined;
     int64_t at;
-    block = regions__region_block(region);
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     outward = INT64_C(1);
     low = k;
     if (k < INT64_C(0))
@@ -251,13 +251,13 @@ static inline int64_t patches__gather_cell(array_double_1d work, int64_t region,
     high = low + outward;
     rises = nodes__node_field(region, nodes__NODE_RISE);
     analyn__cell_part(&start, &stop, level - (*cspan_at(&work, rises + before)), level - (*cspan_at(&work, rises + low)), level - (*cspan_at(&work, rises + high)));
-    if ((k == (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1)))
+    if ((k == (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) - INT64_C(1)))
     {
         stop = analyn__clip_to_bound(work, block, low, outward, stop);
     }
     if (stop > start)
     {
-        inner = (*cspan_at(&work, block + regions__REGION_OFFSET)) + (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * (double)(low);
+        inner = (*cspan_at(&work, block + layout__REGION_OFFSET)) + (*cspan_at(&work, block + layout__REGION_STATION)) + spacing * (double)(low);
         begin = inner + spacing * start;
         end = inner + spacing * stop;
         if (outward < INT64_C(0))
@@ -303,8 +303,8 @@ static inline int64_t patches__add_cell(array_double_1d work, int64_t region, in
     moment = patches__quadratic_moment((*cspan_at(&work, loads + before)), (*cspan_at(&work, loads + low)), (*cspan_at(&work, loads + high)), start, stop);
     area = patches__root_integral((*cspan_at(&work, squares + before)), (*cspan_at(&work, squares + low)), (*cspan_at(&work, squares + high)), start, stop);
     moment = inner * load + width * step * moment;
-    (*cspan_at(&work, regions__region_block(region) + regions__REGION_CARRIED)) += load;
-    (*cspan_at(&work, regions__region_block(region) + regions__REGION_MOMENT)) += moment;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) += load;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) += moment;
     (*cspan_at(&work, at + patches__ISLAND_LOAD)) += load;
     (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += moment;
     (*cspan_at(&work, at + patches__ISLAND_AREA)) += 2.0 * width * area;
@@ -352,16 +352,16 @@ static inline int64_t patches__write_patches(array_double_1d work, int64_t side,
             half = (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH));
         }
     }
-    (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = (double)(islands);
-    (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
-    (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = sqrt(pressure);
-    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * sqrt(half);
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)(islands);
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = sqrt(pressure);
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * sqrt(half);
     if (islands > INT64_C(0))
     {
         last = layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1));
-        (*cspan_at(&work, side + layout__SIDE_PATCH_WIDTH)) = (*cspan_at(&work, last + patches__ISLAND_STOP)) - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
-        (*cspan_at(&work, side + layout__SIDE_PATCH_CENTROID)) = moment / load;
+        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, last + patches__ISLAND_STOP)) - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
+        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = moment / load;
     }
     for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
     {
@@ -383,7 +383,7 @@ static inline int64_t patches__write_patches(array_double_1d work, int64_t side,
         }
         if (heaviest >= INT64_C(0))
         {
-            patches__write_patch(work, side + layout__SIDE_PATCH + layout__PATCH_SIZE * rank, heaviest);
+            patches__write_patch(work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_SIZE * rank, heaviest);
             (*cspan_at(&work, heaviest + patches__ISLAND_LOAD)) = 0.0;
         }
     }
@@ -428,22 +428,22 @@ static inline int64_t patches__write_outline(array_double_1d work, int64_t side,
             {
                 for (region = INT64_C(0); region < count; region += INT64_C(1))
                 {
-                    block = regions__region_block(region);
-                    own = station - (*cspan_at(&work, block + regions__REGION_OFFSET));
-                    if ((own >= (*cspan_at(&work, block + regions__REGION_LOW))) && (own <= (*cspan_at(&work, block + regions__REGION_HIGH))) && (half == 0.0))
+                    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+                    own = station - (*cspan_at(&work, block + layout__REGION_OFFSET));
+                    if ((own >= (*cspan_at(&work, block + layout__REGION_LOW))) && (own <= (*cspan_at(&work, block + layout__REGION_HIGH))) && (half == 0.0))
                     {
                         patches__strip_at(&half, &pressure, work, region, own);
                     }
                 }
             }
             /* between nodes a root can overshoot at a kink */
-            if (half > 0.5 * (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)))
+            if (half > 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)))
             {
-                half = 0.5 * (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH));
+                half = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH));
             }
-            if (pressure > (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)))
+            if (pressure > (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)))
             {
-                pressure = (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE));
+                pressure = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE));
             }
             (*cspan_at(&work, place + j)) = station;
             (*cspan_at(&work, place + stations + j)) = half;
@@ -467,12 +467,12 @@ static inline int64_t patches__strip_at(double* half, double* pressure, array_do
     int64_t pressures;
     double length;
     double square;
-    block = regions__region_block(region);
-    level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    level = (*cspan_at(&work, block + layout__REGION_LEVEL));
     (*half) = 0.0;
     (*pressure) = 0.0;
-    u = (station - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
-    inside = (u > (*cspan_at(&work, block + regions__REGION_FIRST))) && (u < (*cspan_at(&work, block + regions__REGION_LAST)));
+    u = (station - (*cspan_at(&work, block + layout__REGION_STATION))) / (*cspan_at(&work, block + layout__REGION_SPACING));
+    inside = (u > (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))));
     if ((level > 0.0) && inside)
     {
         outward = INT64_C(1);

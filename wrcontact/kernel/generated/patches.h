@@ -13,7 +13,6 @@
 #include "analyn.h"
 #include "layout.h"
 #include "nodes.h"
-#include "regions.h"
 
 static const int64_t patches__ISLAND_SIZE = INT64_C(10);
 static const int64_t patches__ISLAND_LIMIT = INT64_C(8);

@@ -46,9 +46,9 @@ static OUT_OF_LINE double planes__bound_abscissa(array_double_1d tables, array_d
     abscissa = bound;
     if (fabs(bound) < regions__FAR)
     {
-        contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        contact_plane__start_tracer(work, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)));
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, bound, regions__TRACE);
-        abscissa = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+        abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
     }
     return abscissa;
 }
@@ -62,8 +62,8 @@ static OUT_OF_LINE double planes__bound_station(array_double_1d tables, array_do
     station = abscissa;
     if (fabs(abscissa) < regions__FAR)
     {
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-        station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+        station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     }
     return station;
 }
@@ -74,8 +74,8 @@ static OUT_OF_LINE int64_t planes__leans_away(array_double_1d work, int64_t regi
     int64_t block;
     double away;
     int64_t leans;
-    block = regions__region_block(region);
-    away = (*cspan_at(&work, block + regions__REGION_SIN)) * (*cspan_at(&work, contact_plane__FRAME_COS)) - (*cspan_at(&work, block + regions__REGION_COS)) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    away = (*cspan_at(&work, block + layout__REGION_SIN)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) - (*cspan_at(&work, block + layout__REGION_COS)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     leans = INT64_C(0);
     if (fabs(away) > planes__SPLIT)
     {
@@ -110,33 +110,33 @@ static OUT_OF_LINE int64_t planes__own_plane(array_double_1d tables, array_doubl
     double bend;
     double curvature;
     int64_t found;
-    block = regions__region_block(region);
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, tables, work, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, contact_plane__FRAME_SHIFT)));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, tables, work, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)));
     if (found == INT64_C(1))
     {
-        low = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + regions__REGION_LOW)));
-        high = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + regions__REGION_HIGH)));
+        low = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + layout__REGION_LOW)));
+        high = planes__bound_abscissa(tables, work, state, block, (*cspan_at(&work, block + layout__REGION_HIGH)));
         planes__keep_frame(work, layout__REGION_LIMIT);
-        cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-        sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
-        (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_RAIL)) = abscissa;
-        (*cspan_at(&work, block + regions__REGION_WHEEL)) = y;
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+        sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
+        (*cspan_at(&work, block + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_RAIL)) = abscissa;
+        (*cspan_at(&work, block + layout__REGION_WHEEL)) = y;
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
         regions__lean_region(tables, work, block, slope);
-        (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
-        (*cspan_at(&work, block + regions__REGION_OFFSET)) = pressed__rail_length(tables, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), abscissa);
-        turn = (*cspan_at(&work, block + regions__REGION_COS)) * cosine + (*cspan_at(&work, block + regions__REGION_SIN)) * sine;
-        (*cspan_at(&work, block + regions__REGION_TURN)) = turn;
-        (*cspan_at(&work, block + regions__REGION_GAP)) = -depth;
+        (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(1);
+        (*cspan_at(&work, block + layout__REGION_OFFSET)) = pressed__rail_length(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), abscissa);
+        turn = (*cspan_at(&work, block + layout__REGION_COS)) * cosine + (*cspan_at(&work, block + layout__REGION_SIN)) * sine;
+        (*cspan_at(&work, block + layout__REGION_TURN)) = turn;
+        (*cspan_at(&work, block + layout__REGION_GAP)) = -depth;
         contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
-        (*cspan_at(&work, contact_plane__FRAME_RAISE)) = (*cspan_at(&work, block + regions__REGION_GAP));
+        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, block + layout__REGION_GAP));
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0, regions__TRACE);
-        (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-        (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-        (*cspan_at(&work, block + regions__REGION_LOW)) = planes__bound_station(tables, work, low);
-        (*cspan_at(&work, block + regions__REGION_HIGH)) = planes__bound_station(tables, work, high);
+        (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
+        (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
+        (*cspan_at(&work, block + layout__REGION_LOW)) = planes__bound_station(tables, work, low);
+        (*cspan_at(&work, block + layout__REGION_HIGH)) = planes__bound_station(tables, work, high);
         planes__keep_frame(work, region);
         planes__use_frame(work, layout__REGION_LIMIT);
     }
@@ -170,8 +170,8 @@ static OUT_OF_LINE int64_t planes__line_up(array_double_1d tables, array_double_
     int64_t block;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        (*cspan_at(&work, block + regions__REGION_ALONG)) = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        (*cspan_at(&work, block + layout__REGION_ALONG)) = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + layout__REGION_WHEEL)));
     }
     return INT64_C(0);
 }
@@ -179,7 +179,7 @@ static OUT_OF_LINE int64_t planes__line_up(array_double_1d tables, array_double_
 /* Open the frame of a region with its own plane. */
 static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t region)
 {
-    if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_OWN)) == 1.0)
     {
         planes__use_frame(work, region);
     }
@@ -189,7 +189,7 @@ static OUT_OF_LINE int64_t planes__enter_plane(array_double_1d work, int64_t reg
 /* Open the contact point's frame again. */
 static OUT_OF_LINE int64_t planes__leave_plane(array_double_1d work, int64_t region)
 {
-    if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_OWN)) == 1.0)
     {
         planes__use_frame(work, layout__REGION_LIMIT);
     }

@@ -302,7 +302,7 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
         {
             y = (*cspan_at(&tables, row + search__ROW_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
             profile_table__height_slope(&z, &slope, tables, wheel, y);
-            largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, layout__SET_RADIUS)) + z) - ((*cspan_at(&tables, layout__SET_ARM)) + y));
+            largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, layout__TABLES_RADIUS)) + z) - ((*cspan_at(&tables, layout__TABLES_ARM)) + y));
         }
         (*cspan_at(&tables, row + search__ROW_LEVER)) = largest;
     }

@@ -41,7 +41,7 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
         (*cspan_at(&report, prepare_tables__REPORT_DEPTH)) = depth * prepare_pieces__MM;
         return prepare_tables__GAUGE_TOO_DEEP;
     }
-    (*cspan_at(&tables, layout__SET_RAIL_Y)) = (*cspan_at(&setup, prepare_tables__SETUP_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    (*cspan_at(&tables, layout__TABLES_RAIL_Y)) = (*cspan_at(&setup, prepare_tables__SETUP_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
     prepare_placement__turn_zones(work, rail, angle, -y_top, -z_top);
     prepare_placement__turn_zones(work, wheel, 0.0, 0.0, 0.0);
     if ((prepare_placement__keep_around_top(work, rail) == INT64_C(0)) || (prepare_placement__keep_around_top(work, wheel) == INT64_C(0)))
@@ -55,34 +55,34 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables)
 {
     double nu;
-    (*cspan_at(&tables, layout__SET_RADIUS)) = (*cspan_at(&setup, prepare_tables__SETUP_RADIUS));
-    (*cspan_at(&tables, layout__SET_ARM)) = 0.5 * (*cspan_at(&setup, prepare_tables__SETUP_CIRCLE_DISTANCE));
+    (*cspan_at(&tables, layout__TABLES_RADIUS)) = (*cspan_at(&setup, prepare_tables__SETUP_RADIUS));
+    (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, prepare_tables__SETUP_CIRCLE_DISTANCE));
     nu = (*cspan_at(&setup, prepare_tables__SETUP_POISSON_RATIO));
-    (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) = (*cspan_at(&setup, prepare_tables__SETUP_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
-    (*cspan_at(&tables, layout__SET_LATERAL_LIMIT)) = prepare_tables__LATERAL_LIMIT;
-    (*cspan_at(&tables, layout__SET_YAW_LIMIT)) = prepare_tables__YAW_LIMIT;
-    (*cspan_at(&tables, layout__SET_NODES)) = (*cspan_at(&setup, prepare_tables__SETUP_NODES));
-    (*cspan_at(&tables, layout__SET_STRIDE)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIDE));
-    (*cspan_at(&tables, layout__SET_STRIPS)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIPS));
-    (*cspan_at(&tables, layout__SET_SWEEPS)) = (*cspan_at(&setup, prepare_tables__SETUP_SWEEPS));
-    (*cspan_at(&tables, layout__SET_PENETRATION_LEFT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
-    (*cspan_at(&tables, layout__SET_PENETRATION_RIGHT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
-    (*cspan_at(&tables, layout__SET_SIDES)) = (double)(layout__SIDES_BOTH);
-    (*cspan_at(&tables, layout__SET_DEPTH)) = (double)(layout__DEPTH_ALL);
-    (*cspan_at(&tables, layout__SET_ABSENT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
-    (*cspan_at(&tables, layout__SET_STATIONS)) = (double)(layout__STATION_COUNT);
+    (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, prepare_tables__SETUP_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
+    (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = prepare_tables__LATERAL_LIMIT;
+    (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = prepare_tables__YAW_LIMIT;
+    (*cspan_at(&tables, layout__TABLES_NODES)) = (*cspan_at(&setup, prepare_tables__SETUP_NODES));
+    (*cspan_at(&tables, layout__TABLES_STRIDE)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIDE));
+    (*cspan_at(&tables, layout__TABLES_STRIPS)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIPS));
+    (*cspan_at(&tables, layout__TABLES_SWEEPS)) = (*cspan_at(&setup, prepare_tables__SETUP_SWEEPS));
+    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(0))) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(1))) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__TABLES_SIDES)) = (double)(layout__SIDES_BOTH);
+    (*cspan_at(&tables, layout__TABLES_DEPTH)) = (double)(layout__DEPTH_ALL);
+    (*cspan_at(&tables, layout__TABLES_ABSENT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__TABLES_STATIONS)) = (double)(layout__STATION_COUNT);
     return INT64_C(0);
 }
 
 /* The chosen methods. */
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables)
 {
-    (*cspan_at(&tables, layout__SET_MODE)) = (*cspan_at(&setup, prepare_tables__SETUP_MODE));
-    (*cspan_at(&tables, layout__SET_LOAD)) = (*cspan_at(&setup, prepare_tables__SETUP_LOAD));
-    (*cspan_at(&tables, layout__SET_NORMAL_MODEL)) = (*cspan_at(&setup, prepare_tables__SETUP_NORMAL_MODEL));
-    (*cspan_at(&tables, layout__SET_SEPARATION)) = (*cspan_at(&setup, prepare_tables__SETUP_SEPARATION));
-    (*cspan_at(&tables, layout__SET_LONGITUDINAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LONGITUDINAL));
-    (*cspan_at(&tables, layout__SET_LATERAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LATERAL));
+    (*cspan_at(&tables, layout__TABLES_MODE)) = (*cspan_at(&setup, prepare_tables__SETUP_MODE));
+    (*cspan_at(&tables, layout__TABLES_LOAD)) = (*cspan_at(&setup, prepare_tables__SETUP_LOAD));
+    (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (*cspan_at(&setup, prepare_tables__SETUP_NORMAL_MODEL));
+    (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (*cspan_at(&setup, prepare_tables__SETUP_SEPARATION));
+    (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LONGITUDINAL));
+    (*cspan_at(&tables, layout__TABLES_LATERAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LATERAL));
     return INT64_C(0);
 }
 
@@ -114,7 +114,7 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, layout__SET_STARTS)) = (double)(at);
+    (*cspan_at(&tables, layout__TABLES_STARTS)) = (double)(at);
     for (i = INT64_C(0); i < size; i += INT64_C(1))
     {
         (*cspan_at(&tables, at + i)) = 0.0;
@@ -152,19 +152,19 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     }
     prepare_tables__write_settings(setup, tables);
     wheel = layout__SETTING_COUNT;
-    (*cspan_at(&tables, layout__SET_WHEEL)) = (double)(wheel);
+    (*cspan_at(&tables, layout__TABLES_WHEEL)) = (double)(wheel);
     rail = prepare_pieces__write_profile(tables, wheel, work, INT64_C(0), (*cspan_at(&setup, prepare_tables__SETUP_NAN)), work, scratch);
     if (rail == prepare_pieces__FULL)
     {
         return prepare_tables__TABLES_FULL;
     }
-    (*cspan_at(&tables, layout__SET_RAIL)) = (double)(rail);
+    (*cspan_at(&tables, layout__TABLES_RAIL)) = (double)(rail);
     at = prepare_pieces__write_profile(tables, rail, work, rail_zones, (*cspan_at(&setup, prepare_tables__SETUP_NAN)), work, scratch);
     if (at == prepare_pieces__FULL)
     {
         return prepare_tables__TABLES_FULL;
     }
-    (*cspan_at(&tables, layout__SET_SCAN)) = (double)(at);
+    (*cspan_at(&tables, layout__TABLES_SCAN)) = (double)(at);
     at = prepare_scan__write_scan(tables, at, wheel, rail, work, scratch);
     if (at == prepare_scan__TOO_WIDE)
     {
@@ -185,12 +185,12 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     }
     if (at != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, layout__SET_WHEEL_CURVATURE)) = (double)(at);
+        (*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE)) = (double)(at);
         at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, kind, (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_STEP)), (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_REACH)), work, scratch);
     }
     if (at != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, layout__SET_RAIL_CURVATURE)) = (double)(at);
+        (*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE)) = (double)(at);
         at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, kind, (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_STEP)), (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_REACH)), work, scratch);
     }
     if (at == prepare_pieces__FULL)
@@ -206,7 +206,7 @@ static inline double prepare_tables__start_shift(array_double_1d tables, int64_t
 {
     int64_t base;
     double result;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_STARTS)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS)));
     result = (*cspan_at(&tables, base + starts__START_FIRST)) + (double)(row) / (*cspan_at(&tables, base + starts__START_PER_METRE));
     return result;
 }
@@ -231,7 +231,7 @@ static inline int64_t prepare_tables__keep_starts(array_double_1d tables, array_
 {
     int64_t base;
     int64_t i;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_STARTS))) + starts__START_ROWS;
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + starts__START_ROWS;
     for (i = INT64_C(0); i < starts__START_ROW * prepare_tables__START_ROW_COUNT; i += INT64_C(1))
     {
         (*cspan_at(&tables, base + i)) = (*cspan_at(&rows, i));

@@ -53,8 +53,8 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     double steep;
     double turn;
     double curvature;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     profile_table__height_slope_bend(&z_rail, &m, &rail_bend, tables, rail, abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
     kappa = rail_bend * cosine * cosine * cosine;
@@ -62,7 +62,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     {
         profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, at, y, z, slope, bend);
-        across = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa;
+        across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
         down = z_track + height - z_rail;
         rest = across + down * m;
         along = stretch * (1.0 + m * outline_slope);
@@ -153,10 +153,10 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
     double z;
     double low_slope;
     double high_slope;
-    blur = (*cspan_at(&work, contact_plane__FRAME_BLUR));
+    blur = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
-        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+        wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
         low = y - blur;
         high = y + blur;
         if (low < (*cspan_at(&tables, wheel + profile_table__START)))
@@ -179,7 +179,7 @@ static OUT_OF_LINE double pressed__rail_speed(array_double_1d tables, double abs
 {
     double height;
     double slope;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     return sqrt(1.0 + slope * slope);
 }
 
@@ -233,7 +233,7 @@ static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double 
     x = start;
     for (step = INT64_C(0); step < steps; step += INT64_C(1))
     {
-        profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x);
+        profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
         before = sqrt(1.0 + slope * slope);
         cosine = 1.0 / before;
         following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine);
@@ -268,29 +268,29 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     double found_curvature;
     int64_t found;
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    way = station - (*cspan_at(&work, contact_plane__TRACER_STATION));
-    abscissa = pressed__rail_abscissa(tables, (*cspan_at(&work, contact_plane__TRACER_RAIL)), way);
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    abscissa = pressed__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), way);
     (*gap) = contact_plane__NO_GAP;
     (*rate) = 0.0;
     (*bend) = 0.0;
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
     {
-        pressed__normal_line(&y, &overlap, &rise, &turn, &found_curvature, &found, tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), abscissa, (*cspan_at(&work, contact_plane__TRACER_WHEEL)) + way * (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)), (*cspan_at(&work, contact_plane__FRAME_POSE)));
+        pressed__normal_line(&y, &overlap, &rise, &turn, &found_curvature, &found, tables, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + way * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)));
         if (found == INT64_C(1))
         {
-            (*gap) = (*cspan_at(&work, contact_plane__FRAME_RAISE)) + (*cspan_at(&work, contact_plane__FRAME_DEPTH)) - overlap;
+            (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;
             (*rate) = -rise;
             (*bend) = -turn;
             (*curvature) = found_curvature;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (y - (*cspan_at(&work, contact_plane__TRACER_WHEEL))) / way;
+                (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (y - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL))) / way;
             }
-            (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
-            (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
-            (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
         }
     }
     return 0;

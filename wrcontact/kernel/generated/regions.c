@@ -8,12 +8,6 @@
 
 #include "regions.h"
 
-/* Offset of region ``index`` in the workspace. */
-static inline int64_t regions__region_block(int64_t index)
-{
-    return layout__WORK_REGION + layout__REGION_BLOCK * index;
-}
-
 /* Start region ``index`` at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
 static inline double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station)
 {
@@ -30,7 +24,7 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     double height;
     double slope;
     double found;
-    block = regions__region_block(index);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * index;
     start = station;
     gap = regions__FAR;
     found = regions__FAR;
@@ -79,13 +73,13 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         }
         station += move;
     }
-    (*cspan_at(&work, block + regions__REGION_STATION)) = station;
-    (*cspan_at(&work, block + regions__REGION_GAP)) = gap;
-    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__TRACER_RAIL));
-    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
-    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+    (*cspan_at(&work, block + layout__REGION_STATION)) = station;
+    (*cspan_at(&work, block + layout__REGION_GAP)) = gap;
+    (*cspan_at(&work, block + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+    (*cspan_at(&work, block + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+    (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     regions__lean_region(tables, work, block, slope);
     return found;
 }
@@ -95,16 +89,16 @@ static inline int64_t regions__lean_region(array_double_1d tables, array_double_
 {
     double cosine;
     cosine = 1.0 / sqrt(1.0 + slope * slope);
-    (*cspan_at(&work, block + regions__REGION_LEAN)) = slope;
-    (*cspan_at(&work, block + regions__REGION_OWN)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_TURN)) = 1.0;
-    (*cspan_at(&work, block + regions__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_COS)) = cosine;
-    (*cspan_at(&work, block + regions__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work, block + regions__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+    (*cspan_at(&work, block + layout__REGION_LEAN)) = slope;
+    (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(0);
+    (*cspan_at(&work, block + layout__REGION_TURN)) = 1.0;
+    (*cspan_at(&work, block + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, block + layout__REGION_COS)) = cosine;
+    (*cspan_at(&work, block + layout__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work, block + layout__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work, block + regions__REGION_SHARE)) = cosine;
+        (*cspan_at(&work, block + layout__REGION_SHARE)) = cosine;
     }
     return INT64_C(0);
 }
@@ -112,22 +106,20 @@ static inline int64_t regions__lean_region(array_double_1d tables, array_double_
 /* Region 0: the rigid contact point itself, station and gap zero. */
 static inline int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
-    int64_t block;
     double gap;
     double rate;
     double bend;
     double curvature;
-    block = regions__region_block(INT64_C(0));
     contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0, regions__TRACE);
-    (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__FRAME_Y));
-    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-    (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
-    regions__lean_region(tables, work, block, (*cspan_at(&work, contact_plane__FRAME_SIN)) / (*cspan_at(&work, contact_plane__FRAME_COS)));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_HIGH)) = regions__FAR;
+    regions__lean_region(tables, work, layout__WORK_REGIONS, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)));
     return INT64_C(0);
 }
 
@@ -147,17 +139,17 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     double station;
     int64_t count;
     count = INT64_C(1);
-    reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + 2.0 * level / (*cspan_at(&work, contact_plane__FRAME_COS));
-    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
-    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
-    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
+    reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + 2.0 * level / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
         if (count < layout__REGION_LIMIT)
         {
-            y = (*cspan_at(&work, side + layout__SIDE_PLACE + i));
-            abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
-            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
-            station = (abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + (height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN));
+            y = (*cspan_at(&work, side + layout__SIDE_SEARCH_PLACE + i));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_ABSCISSA + i));
+            profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
+            station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
             contact_plane__start_tracer(work, station, abscissa, y);
             if (regions__open_region(tables, work, state, count, station) < level)
             {
@@ -180,7 +172,7 @@ static inline int64_t regions__is_new(array_double_1d work, int64_t count)
     new = INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        distance = (*cspan_at(&work, regions__region_block(i) + regions__REGION_STATION)) - (*cspan_at(&work, regions__region_block(count) + regions__REGION_STATION));
+        distance = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_STATION)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * count + layout__REGION_STATION));
         if (fabs(distance) < regions__APART)
         {
             new = INT64_C(0);
@@ -203,55 +195,55 @@ static inline int64_t regions__bound_regions(array_double_1d tables, array_doubl
     {
         for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
         {
-            if ((*cspan_at(&work, regions__region_block(j) + regions__REGION_STATION)) > (*cspan_at(&work, regions__region_block(j + INT64_C(1)) + regions__REGION_STATION)))
+            if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_STATION)) > (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)) + layout__REGION_STATION)))
             {
-                regions__swap_regions(work, j, j + INT64_C(1));
+                regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
         }
     }
-    (*cspan_at(&work, regions__region_block(INT64_C(0)) + regions__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work, regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH)) = regions__FAR;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
     i = INT64_C(0);
     while(i < count - INT64_C(1))
     {
-        low = regions__region_block(i);
-        high = regions__region_block(i + INT64_C(1));
+        low = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        high = layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
         regions__find_hump(&station, &gap, tables, work, state, low, high);
         if (gap < regions__MERGE * level)
         {
-            if ((*cspan_at(&work, high + regions__REGION_GAP)) < (*cspan_at(&work, low + regions__REGION_GAP)))
+            if ((*cspan_at(&work, high + layout__REGION_GAP)) < (*cspan_at(&work, low + layout__REGION_GAP)))
             {
-                bound = (*cspan_at(&work, low + regions__REGION_LOW));
-                regions__swap_regions(work, i, i + INT64_C(1));
-                (*cspan_at(&work, low + regions__REGION_LOW)) = bound;
+                bound = (*cspan_at(&work, low + layout__REGION_LOW));
+                regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * i, layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1)));
+                (*cspan_at(&work, low + layout__REGION_LOW)) = bound;
             }
             for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
             {
-                regions__swap_regions(work, j, j + INT64_C(1));
+                regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
             count -= INT64_C(1);
-            (*cspan_at(&work, regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH)) = regions__FAR;
+            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
         }
         else
         {
-            (*cspan_at(&work, low + regions__REGION_HIGH)) = station;
-            (*cspan_at(&work, high + regions__REGION_LOW)) = station;
+            (*cspan_at(&work, low + layout__REGION_HIGH)) = station;
+            (*cspan_at(&work, high + layout__REGION_LOW)) = station;
             i += INT64_C(1);
         }
     }
     return count;
 }
 
-/* Exchange two region blocks. */
+/* Exchange two regions. */
 static inline int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second)
 {
     int64_t i;
     double kept;
     for (i = INT64_C(0); i < layout__REGION_BLOCK; i += INT64_C(1))
     {
-        kept = (*cspan_at(&work, regions__region_block(first) + i));
-        (*cspan_at(&work, regions__region_block(first) + i)) = (*cspan_at(&work, regions__region_block(second) + i));
-        (*cspan_at(&work, regions__region_block(second) + i)) = kept;
+        kept = (*cspan_at(&work, first + i));
+        (*cspan_at(&work, first + i)) = (*cspan_at(&work, second + i));
+        (*cspan_at(&work, second + i)) = kept;
     }
     return INT64_C(0);
 }
@@ -271,9 +263,9 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
     double bend;
     double curvature;
     double move;
-    left = (*cspan_at(&work, low + regions__REGION_STATION));
-    right = (*cspan_at(&work, high + regions__REGION_STATION));
-    contact_plane__start_tracer(work, left, (*cspan_at(&work, low + regions__REGION_RAIL)), (*cspan_at(&work, low + regions__REGION_WHEEL)));
+    left = (*cspan_at(&work, low + layout__REGION_STATION));
+    right = (*cspan_at(&work, high + layout__REGION_STATION));
+    contact_plane__start_tracer(work, left, (*cspan_at(&work, low + layout__REGION_RAIL)), (*cspan_at(&work, low + layout__REGION_WHEEL)));
     step = (right - left) / (double)(regions__HUMP_SAMPLES + INT64_C(1));
     top = left;
     largest = -regions__FAR;
@@ -339,13 +331,13 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
     double near;
     double square;
     double newton;
-    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    limit = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
     if (direction < 0.0)
     {
-        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+        limit = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
     }
-    contact_plane__start_tracer(work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)));
-    separation__open_origin(tables, work, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), 0.0);
+    contact_plane__start_tracer(work, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)));
+    separation__open_origin(tables, work, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), 0.0);
     tolerance = 0.001 * guess;
     if (tolerance > regions__WIDTH_TRACE)
     {
@@ -355,17 +347,17 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
     low = 0.0;
     high = -1.0;
     width = guess;
-    (*cspan_at(&work, block + regions__REGION_REACHED)) = 0.0;
-    station = (*cspan_at(&work, block + regions__REGION_STATION));
-    abscissa = (*cspan_at(&work, block + regions__REGION_RAIL));
-    y = (*cspan_at(&work, block + regions__REGION_WHEEL));
+    (*cspan_at(&work, block + layout__REGION_REACHED)) = 0.0;
+    station = (*cspan_at(&work, block + layout__REGION_STATION));
+    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL));
+    y = (*cspan_at(&work, block + layout__REGION_WHEEL));
     for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
         {
             width = limit;
         }
-        separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, tolerance);
+        separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + layout__REGION_STATION)) + direction * width, tolerance);
         if (gap >= contact_plane__NO_GAP)
         {
             contact_plane__start_tracer(work, station, abscissa, y);
@@ -373,15 +365,15 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         else
         {
             /* beyond an end the tracer has lost its way */
-            station = (*cspan_at(&work, contact_plane__TRACER_STATION));
-            abscissa = (*cspan_at(&work, contact_plane__TRACER_RAIL));
-            y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+            station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+            abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+            y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
         }
-        rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+        rise = gap - (*cspan_at(&work, block + layout__REGION_GAP));
         if (rise < level)
         {
             low = width;
-            (*cspan_at(&work, block + regions__REGION_REACHED)) = rise;
+            (*cspan_at(&work, block + layout__REGION_REACHED)) = rise;
             if (width >= limit)
             {
                 return limit;
@@ -394,7 +386,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         following = 2.0 * width;
         sharp = regions__HALVED_SHARP;
         near = regions__WIDTH_SHARP;
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             near = regions__PRESSED_SHARP;
         }
@@ -416,7 +408,7 @@ static inline double regions__zone_width(array_double_1d tables, array_double_1d
         {
             if (sharp == near)
             {
-                (*cspan_at(&work, block + regions__REGION_REACHED)) = level;
+                (*cspan_at(&work, block + layout__REGION_REACHED)) = level;
             }
             return following;
         }

@@ -9,21 +9,21 @@
 
 #include "resultant.h"
 
-/* No force and no moment at ``at``. */
-static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t at)
+/* No force and no moment. */
+static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t resultant)
 {
     int64_t i;
     for (i = INT64_C(0); i < resultant__RESULTANT_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work, at + i)) = 0.0;
+        (*cspan_at(&work, resultant + i)) = 0.0;
     }
     return INT64_C(0);
 }
 
-/* Add the force of a region and its moment about the track's origin at ``at``; ``mirror`` = 1 on the right, -1 on the
+/* Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on the right, -1 on the
  * left.
  */
-static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t at)
+static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t resultant)
 {
     int64_t block;
     double load;
@@ -39,37 +39,37 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
     double z;
     double force_y;
     double force_z;
-    block = regions__region_block(region);
-    load = (*cspan_at(&work, block + regions__REGION_CARRIED));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    load = (*cspan_at(&work, block + layout__REGION_CARRIED));
     if (load > 0.0)
     {
         /* of the region's plane */
-        cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + regions__REGION_OWN)) == 1.0))
+        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
         {
-            cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + regions__REGION_LEAN)) * (*cspan_at(&work, block + regions__REGION_LEAN)));
+            cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN)));
         }
         /* from the region's smallest gap to its centre of load, along its plane */
-        away = (*cspan_at(&work, block + regions__REGION_MOMENT)) / load - (*cspan_at(&work, block + regions__REGION_OFFSET)) - (*cspan_at(&work, block + regions__REGION_STATION));
-        abscissa = (*cspan_at(&work, block + regions__REGION_RAIL)) + away * cosine;
-        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa);
+        away = (*cspan_at(&work, block + layout__REGION_MOMENT)) / load - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+        abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
+        profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
         normal_cos = 1.0 / sqrt(1.0 + slope * slope);
         normal_sin = slope * normal_cos;
-        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL))
+        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
         {
-            normal_cos = (*cspan_at(&work, block + regions__REGION_COS));
-            normal_sin = (*cspan_at(&work, block + regions__REGION_SIN));
+            normal_cos = (*cspan_at(&work, block + layout__REGION_COS));
+            normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
         }
-        x = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + regions__REGION_WHEEL))) + (*cspan_at(&work, block + regions__REGION_SLANT)) * away;
-        y = mirror * ((*cspan_at(&tables, layout__SET_RAIL_Y)) + abscissa);
+        x = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + layout__REGION_WHEEL))) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
+        y = mirror * ((*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa);
         z = height;
         force_y = mirror * normal_sin * load;
         force_z = (-normal_cos) * load;
-        (*cspan_at(&work, at + INT64_C(1))) += force_y;
-        (*cspan_at(&work, at + INT64_C(2))) += force_z;
-        (*cspan_at(&work, at + INT64_C(3))) += y * force_z - z * force_y;
-        (*cspan_at(&work, at + INT64_C(4))) -= x * force_z;
-        (*cspan_at(&work, at + INT64_C(5))) += x * force_y;
+        (*cspan_at(&work, resultant + INT64_C(1))) += force_y;
+        (*cspan_at(&work, resultant + INT64_C(2))) += force_z;
+        (*cspan_at(&work, resultant + INT64_C(3))) += y * force_z - z * force_y;
+        (*cspan_at(&work, resultant + INT64_C(4))) -= x * force_z;
+        (*cspan_at(&work, resultant + INT64_C(5))) += x * force_y;
     }
     return INT64_C(0);
 }
@@ -82,11 +82,11 @@ static inline int64_t resultant__write_resultant(array_double_1d tables, array_d
     double z;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + i)) = (*cspan_at(&work, left + i)) + (*cspan_at(&work, right + i));
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + i)) = (*cspan_at(&work, left + INT64_C(3) + i)) + (*cspan_at(&work, right + INT64_C(3) + i));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&work, left + i)) + (*cspan_at(&work, right + i));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&work, left + (INT64_C(3) + i))) + (*cspan_at(&work, right + (INT64_C(3) + i)));
     }
-    y = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
-    z = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__SET_RADIUS));
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT)) -= y * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(2))) - z * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + INT64_C(1)));
+    y = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    z = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_RADIUS));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + INT64_C(0))) -= y * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(2))) - z * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(1)));
     return INT64_C(0);
 }

@@ -14,12 +14,11 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "profile_table.h"
-#include "regions.h"
 
 static const int64_t resultant__RESULTANT_SIZE = INT64_C(6);
 
-static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t at);
-static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t at);
+static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t resultant);
+static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t resultant);
 static inline int64_t resultant__write_resultant(array_double_1d tables, array_double_1d work, int64_t left, int64_t right);
 
 #endif

@@ -16,16 +16,16 @@
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
 static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
 {
-    locus__place_wheelset(work, roll__RIGHT_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW)), roll, (*cspan_at(&tables, layout__SET_RADIUS)), (*cspan_at(&tables, layout__SET_ARM)));
-    locus__mirror_place(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+    locus__place_wheelset(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_RADIUS)), (*cspan_at(&tables, layout__TABLES_ARM)));
+    locus__mirror_place(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), layout__WORK_PLACES);
     return INT64_C(0);
 }
 
 /* Both placed wheels at another ``roll``. */
 static inline int64_t roll__turn_both(array_double_1d work, double roll)
 {
-    locus__turn_wheelset(work, roll__RIGHT_PLACE, roll);
-    locus__mirror_roll(work, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+    locus__turn_wheelset(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), roll);
+    locus__mirror_roll(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), layout__WORK_PLACES);
     return INT64_C(0);
 }
 
@@ -34,8 +34,8 @@ static inline int64_t roll__search_both(array_double_1d tables, array_double_1d 
 {
     int64_t left;
     int64_t right;
-    left = search__search_side(tables, work, roll__LEFT, work, roll__LEFT_PLACE, state, known);
-    right = search__search_side(tables, work, roll__RIGHT, work, roll__RIGHT_PLACE, state, known);
+    left = search__search_side(tables, work, layout__WORK_SIDES, work, layout__WORK_PLACES, state, known);
+    right = search__search_side(tables, work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), state, known);
     return left * right;
 }
 
@@ -56,10 +56,10 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
     double y_track;
     double z_track;
     double outline_slope;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
     {
         gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
@@ -73,17 +73,17 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
         {
             profile_table__height_slope(&z, &slope, tables, wheel, y);
             locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-            if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y))) == INT64_C(0))
+            if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y))) == INT64_C(0))
             {
                 return INT64_C(0);
             }
-            (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-            (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
-            (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
             return INT64_C(1);
         }
         y += move;
-        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_BEST_Y))) > roll__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + profile_table__START))) && (y < (*cspan_at(&tables, wheel + profile_table__STOP))))))
+        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) > roll__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + profile_table__START))) && (y < (*cspan_at(&tables, wheel + profile_table__STOP))))))
         {
             return INT64_C(0);
         }
@@ -95,8 +95,8 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
 static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
 {
     double rate;
-    (*difference) = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
-    rate = gap__gap_per_roll(tables, work, roll__RIGHT_PLACE, (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y))) + gap__gap_per_roll(tables, work, roll__LEFT_PLACE, (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y)));
+    (*difference) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
+    rate = gap__gap_per_roll(tables, work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(tables, work, layout__WORK_PLACES, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
     (*move) = 1.0;
     if (rate < 0.0)
     {
@@ -133,15 +133,15 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
     double difference;
     double lever;
     double move;
-    left = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
-    right = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));
+    left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+    right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
     for (i = INT64_C(0); i < roll__NEWTON_STEPS; i += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
         roll__turn_both(work, roll);
-        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, tables, work, roll__LEFT_PLACE, left);
-        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, roll__RIGHT_PLACE, right);
+        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, tables, work, layout__WORK_PLACES, left);
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right);
         if (!((rate_left > 0.0) && (rate_right > 0.0)))
         {
             (*result_0_0001) = roll;
@@ -170,8 +170,8 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
                 (*result_1_0001) = INT64_C(0);
                 return 0;
             }
-            roll__keep_known(work, roll__LEFT, left, gap_left, rail_left);
-            roll__keep_known(work, roll__RIGHT, right, gap_right, rail_right);
+            roll__keep_known(work, layout__WORK_SIDES, left, gap_left, rail_left);
+            roll__keep_known(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), right, gap_right, rail_right);
             (*result_0_0001) = roll;
             (*result_1_0001) = INT64_C(1);
             return 0;
@@ -202,7 +202,7 @@ static inline int64_t roll__on_profiles(array_double_1d tables, double y, double
 {
     int64_t wheel;
     int64_t on;
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     on = gap__above_rail(tables, abscissa);
     if ((y < (*cspan_at(&tables, wheel + profile_table__START))) || (y > (*cspan_at(&tables, wheel + profile_table__STOP))))
     {
@@ -214,9 +214,9 @@ static inline int64_t roll__on_profiles(array_double_1d tables, double y, double
 /* Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]. */
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa)
 {
-    (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-    (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
-    (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)) = abscissa;
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)) = abscissa;
     return INT64_C(0);
 }
 
@@ -249,10 +249,10 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
         {
             roll__turn_both(work, roll);
         }
-        before_left = (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y));
-        before_right = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y));
+        before_left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+        before_right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
         found = roll__search_both(tables, work, state, known);
-        if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST_Y))) && (before_right == (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST_Y))))
+        if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y))) && (before_right == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))))
         {
             (*result_0_0001) = roll;
             (*result_1_0001) = layout__VALID;
@@ -260,7 +260,7 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
         }
         known = INT64_C(0);
         /* a wheel beside its rail has a large gap */
-        difference = (*cspan_at(&work, roll__RIGHT + layout__SIDE_BEST)) - (*cspan_at(&work, roll__LEFT + layout__SIDE_BEST));
+        difference = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
         if ((found == INT64_C(0)) && (difference == 0.0))
         {
             (*result_0_0001) = roll;

@@ -18,7 +18,7 @@ static inline int64_t search__node_below(array_double_1d tables, double y)
     int64_t scan;
     double u;
     int64_t node;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     u = (y - (*cspan_at(&tables, scan + search__SCAN_NODES + search__ROW_Y))) * (*cspan_at(&tables, scan + search__SCAN_BINS_PER_METRE));
     if (!(u > 0.0))
     {
@@ -45,10 +45,10 @@ static inline int64_t search__node_gap(double* result_0, double* result_1, doubl
     double outline_slope;
     double height;
     double rail_slope;
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
     locus__outline_point(&y_track, &z_track, &outline_slope, place, at, (*cspan_at(&tables, row + search__ROW_Y)), (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    profile_table__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*abscissa));
+    (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    profile_table__height_slope(&height, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*result_0) = height - z_track;
     (*result_1) = rail_slope - outline_slope;
     return 0;
@@ -59,7 +59,7 @@ static inline double search__rail_cell(array_double_1d tables, double abscissa)
 {
     int64_t scan;
     double result;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     result = (abscissa - (*cspan_at(&tables, scan + search__SCAN_RAIL_START))) * (*cspan_at(&tables, scan + search__SCAN_RAIL_PER_METRE));
     return result;
 }
@@ -69,7 +69,7 @@ static inline int64_t search__rail_row(array_double_1d tables, double u)
 {
     int64_t scan;
     int64_t result;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -103,7 +103,7 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
     double length;
     double bend;
     double stretch;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     count = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
     begin = search__rail_cell(tables, abscissa);
     back = 0.0;
@@ -113,7 +113,7 @@ static inline int64_t search__clear_level(array_double_1d tables, array_double_1
     }
     while(level >= INT64_C(0))
     {
-        cells = INT64_C(1) << level;
+        cells = INT64_C(1) << (int64_t)(level);
         first = node;
         if (direction < INT64_C(0))
         {
@@ -155,14 +155,14 @@ static inline int64_t search__least_bend(double* bend, double* stretch, array_do
     double square;
     int64_t rail;
     double wheel;
-    roll = fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
+    roll = fabs((*cspan_at(&place, at + layout__PLACE_SIN_ROLL)));
     (*stretch) = search__ROLL_STRETCH * roll;
     share = search__ROLL_BEND * roll;
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * first;
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * first;
+    if ((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0)
     {
-        square = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
-        (*stretch) += search__STEEP_STRETCH * square + search__BEND_STRETCH * square * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level));
+        square = (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_SIN_YAW));
+        (*stretch) += search__STEEP_STRETCH * square + search__BEND_STRETCH * square * (*cspan_at(&place, at + layout__PLACE_RADIUS)) * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level));
         share += search__YAW_BEND * square;
     }
     (*bend) = 0.0;
@@ -170,7 +170,7 @@ static inline int64_t search__least_bend(double* bend, double* stretch, array_do
     {
         rail = search__rail_row(tables, u);
         (*bend) = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level));
-        if (length > search__FINE_CELL * (double)(INT64_C(1) << level))
+        if (length > search__FINE_CELL * (double)(INT64_C(1) << (int64_t)(level)))
         {
             (*bend) = (*cspan_at(&tables, rail + search__RAIL_LEAST_BENDS + level + INT64_C(1)));
         }
@@ -191,7 +191,7 @@ static inline int64_t search__leave_minimum(array_double_1d tables, array_double
     int64_t node;
     double start;
     int64_t result;
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
     margin = (1.0 + search__WIDEST) * ((*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y)));
     node = cell;
     start = abscissa - margin;
@@ -243,13 +243,13 @@ static inline int64_t search__bend_bounds(double* least, double* most, array_dou
     double least_wheel;
     double most_wheel;
     rail = search__rail_row(tables, search__rail_cell(tables, abscissa));
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
     share = search__ROLLED_SHARE;
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    if ((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0)
     {
         /* how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''| */
-        sine = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
-        share = search__YAWED_SHARE + search__STRETCHED_SHARE * sine * sine * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS));
+        sine = (*cspan_at(&place, at + layout__PLACE_SIN_YAW));
+        share = search__YAWED_SHARE + search__STRETCHED_SHARE * sine * sine * (*cspan_at(&place, at + layout__PLACE_RADIUS)) * (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS));
     }
     least_rail = (*cspan_at(&tables, rail + search__RAIL_LEAST_BEND));
     most_rail = (*cspan_at(&tables, rail + search__RAIL_MOST_BEND));
@@ -281,13 +281,13 @@ static inline int64_t search__search_side(array_double_1d tables, array_double_1
     (*cspan_at(&state, layout__STATE_SCAN_COUNT)) += 1.0;
     if (known == INT64_C(1))
     {
-        cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
-        ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)));
-        behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_BEST_RAIL)));
+        cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+        ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
+        behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
         if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
         {
-            search__march(tables, work, side, place, at, state, cell + (INT64_C(1) << ahead), INT64_C(1));
-            search__march(tables, work, side, place, at, state, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+            search__march(tables, work, side, place, at, state, cell + (INT64_C(1) << (int64_t)(ahead)), INT64_C(1));
+            search__march(tables, work, side, place, at, state, cell + INT64_C(1) - (INT64_C(1) << (int64_t)(behind)), -INT64_C(1));
             return INT64_C(1);
         }
         node = cell;
@@ -299,7 +299,7 @@ static inline int64_t search__search_side(array_double_1d tables, array_double_1
     }
     else
     {
-        (*cspan_at(&work, side + layout__SIDE_BEST)) = search__LARGE_GAP;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = search__LARGE_GAP;
         node = search__probe(tables, work, side, place, at, state, search__PROBE_STRIDE);
         if (node < INT64_C(0))
         {
@@ -328,17 +328,17 @@ static inline int64_t search__probe(array_double_1d tables, array_double_1d work
     int64_t found;
     found = -INT64_C(1);
     node = INT64_C(0);
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_COUNT)));
     while(node < count)
     {
         search__node_gap(&gap, &mismatch, &abscissa, tables, place, at, node);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (gap__above_rail(tables, abscissa) == INT64_C(1))
         {
-            if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)))
+            if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
             {
-                (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-                (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
+                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
                 found = node;
             }
         }
@@ -364,7 +364,7 @@ static inline int64_t search__march(array_double_1d tables, array_double_1d work
     double gap;
     double mismatch;
     double abscissa;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     count = (int64_t)((*cspan_at(&tables, scan + search__SCAN_COUNT)));
     level = search__LEVELS - INT64_C(1);
     gap_before = search__LARGE_GAP;
@@ -409,7 +409,7 @@ static inline int64_t search__march(array_double_1d tables, array_double_1d work
             }
             off = INT64_C(0);
             gap_before = gap;
-            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_BEST)), (double)(direction) * mismatch, level, INT64_C(0));
+            level = search__clear_level(tables, place, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (double)(direction) * mismatch, level, INT64_C(0));
             skipped = INT64_C(1);
             if (level < INT64_C(0))
             {
@@ -418,7 +418,7 @@ static inline int64_t search__march(array_double_1d tables, array_double_1d work
             }
         }
         abscissa_before = abscissa;
-        node += direction * (INT64_C(1) << level);
+        node += direction * (INT64_C(1) << (int64_t)(level));
         if ((off == INT64_C(0)) && (level < search__LEVELS - INT64_C(1)))
         {
             level += INT64_C(1);
@@ -441,19 +441,19 @@ static inline int64_t search__is_gone(array_double_1d tables, array_double_1d pl
     double sine;
     double steep;
     int64_t gone;
-    scan = (int64_t)((*cspan_at(&tables, layout__SET_SCAN)));
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     apart = abscissa - (*cspan_at(&tables, rail + profile_table__STOP));
     if (direction < INT64_C(0))
     {
         apart = (*cspan_at(&tables, rail + profile_table__START)) - abscissa;
     }
     reach = 0.0;
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) != 0.0)
+    if ((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0)
     {
-        sine = (*cspan_at(&place, at + locus__PLACE_SIN_YAW));
+        sine = (*cspan_at(&place, at + layout__PLACE_SIN_YAW));
         steep = (*cspan_at(&tables, scan + search__SCAN_STEEPEST)) + (*cspan_at(&tables, scan + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_SLOPE));
-        reach = search__REACH_SHARE * sine * sine * (*cspan_at(&place, at + locus__PLACE_RADIUS)) * steep + search__REACH_ROLL * fabs((*cspan_at(&place, at + locus__PLACE_SIN_ROLL)));
+        reach = search__REACH_SHARE * sine * sine * (*cspan_at(&place, at + layout__PLACE_RADIUS)) * steep + search__REACH_ROLL * fabs((*cspan_at(&place, at + layout__PLACE_SIN_ROLL)));
     }
     gone = INT64_C(0);
     if (apart > reach)
@@ -476,7 +476,7 @@ static inline int64_t search__bound_cell(array_double_1d tables, array_double_1d
     double least;
     double most;
     double lowest;
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * cell;
     low = (*cspan_at(&tables, row + search__ROW_Y));
     high = (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y));
     search__bend_bounds(&least, &most, tables, place, at, cell, abscissa);
@@ -485,7 +485,7 @@ static inline int64_t search__bound_cell(array_double_1d tables, array_double_1d
     {
         lowest = gap_high;
     }
-    if (lowest - most * (high - low) * (high - low) / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
+    if (lowest - most * (high - low) * (high - low) / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
     {
         search__search_cell(tables, work, side, place, at, state, least, most, low, high);
     }
@@ -502,7 +502,7 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
     int64_t cell;
     double least;
     double most;
-    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
+    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
     inside = search__rail_end(tables, place, at, node, outward);
     cell = node;
     if (outward < INT64_C(0))
@@ -511,7 +511,7 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
     }
     if (beyond < abscissa)
     {
-        abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))) + profile_table__START));
+        abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + profile_table__START));
     }
     search__bend_bounds(&least, &most, tables, place, at, cell, abscissa);
     if (inside < inner)
@@ -539,15 +539,15 @@ static inline double search__rail_end(array_double_1d tables, array_double_1d pl
     double z_track;
     double outline_slope;
     double inside;
-    row = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
+    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
     inside = (*cspan_at(&tables, row + search__ROW_Y));
     outside = (*cspan_at(&tables, row + search__SCAN_ROW * outward + search__ROW_Y));
     while(fabs(outside - inside) > search__END_SHARP)
     {
         middle = 0.5 * (inside + outside);
-        profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), middle);
+        profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), middle);
         locus__outline_point(&y_track, &z_track, &outline_slope, place, at, middle, z, slope);
-        if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__SET_RAIL_Y))) == INT64_C(1))
+        if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y))) == INT64_C(1))
         {
             inside = middle;
         }
@@ -570,21 +570,21 @@ static inline int64_t search__scan_side(array_double_1d tables, array_double_1d 
     int64_t cell;
     int64_t ahead;
     int64_t behind;
-    cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_BEST_Y)));
-    (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(search__CANDIDATES);
-    (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(search__CANDIDATES - INT64_C(1));
+    cell = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)((double)(search__CANDIDATES));
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)((double)(search__CANDIDATES - INT64_C(1)));
     ahead = search__leave_minimum(tables, place, at, cell, INT64_C(1), abscissa);
     if (ahead < INT64_C(0))
     {
         ahead = INT64_C(0);
     }
-    search__scan_on(tables, work, side, place, at, state, reach, cell + (INT64_C(1) << ahead), INT64_C(1));
+    search__scan_on(tables, work, side, place, at, state, reach, cell + (INT64_C(1) << (int64_t)(ahead)), INT64_C(1));
     behind = search__leave_minimum(tables, place, at, cell, -INT64_C(1), abscissa);
     if (behind < INT64_C(0))
     {
         behind = INT64_C(0);
     }
-    search__scan_on(tables, work, side, place, at, state, reach, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+    search__scan_on(tables, work, side, place, at, state, reach, cell + INT64_C(1) - (INT64_C(1) << (int64_t)(behind)), -INT64_C(1));
     return INT64_C(0);
 }
 
@@ -606,8 +606,8 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
     double mismatch;
     double abscissa;
     double y;
-    nodes = (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES;
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_COUNT)));
+    nodes = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES;
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_COUNT)));
     level = search__LEVELS - INT64_C(1);
     gap_before = 0.0;
     mismatch_before = 0.0;
@@ -659,7 +659,7 @@ static inline int64_t search__scan_on(array_double_1d tables, array_double_1d wo
             mismatch_before = mismatch;
             abscissa_before = abscissa;
         }
-        node += direction * (INT64_C(1) << level);
+        node += direction * (INT64_C(1) << (int64_t)(level));
         if ((off == INT64_C(0)) && (level < search__LEVELS - INT64_C(1)))
         {
             level += INT64_C(1);
@@ -681,7 +681,7 @@ static inline int64_t search__list_end(array_double_1d tables, array_double_1d w
     double rate;
     double gap_high;
     double mismatch_high;
-    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__SET_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
+    inner = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y));
     end = search__rail_end(tables, place, at, node, outward);
     low = double_min(2, inner, end);
     high = double_max(2, inner, end);
@@ -709,9 +709,9 @@ static inline double search__rail_place(array_double_1d tables, array_double_1d 
     double z_track;
     double outline_slope;
     double result;
-    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y);
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, place, at, y, z, slope);
-    result = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y));
+    result = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
     return result;
 }
 
@@ -838,22 +838,22 @@ static inline double search__least_slope(double least, double most, double width
 static inline int64_t search__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction)
 {
     int64_t entry;
-    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
+    entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     if (direction < INT64_C(0))
     {
-        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))) - INT64_C(1);
+        entry = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))) - INT64_C(1);
     }
     if ((entry >= INT64_C(0)) && (entry < INT64_C(2) * search__CANDIDATES))
     {
-        (*cspan_at(&work, side + layout__SIDE_PLACE + entry)) = y;
-        (*cspan_at(&work, side + layout__SIDE_ABSCISSA + entry)) = abscissa;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_PLACE + entry)) = y;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_ABSCISSA + entry)) = abscissa;
         if (direction < INT64_C(0))
         {
-            (*cspan_at(&work, side + layout__SIDE_FIRST)) = (double)(entry);
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST)) = (double)((double)(entry));
         }
         else
         {
-            (*cspan_at(&work, side + layout__SIDE_LAST)) = (double)(entry);
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_LAST)) = (double)((double)(entry));
         }
     }
     return INT64_C(0);
@@ -907,7 +907,7 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
             lowest = gap_high;
             search__keep_best(work, side, high, gap_high);
         }
-        if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_BEST)))
+        if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
         {
             folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
             turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
@@ -946,10 +946,10 @@ static inline int64_t search__push_cell(array_double_1d work, int64_t top, doubl
 /* Keep (y, gap) if it is the side's best so far, by more than rounding: a node beside a place of contact is none. */
 static inline int64_t search__keep_best(array_double_1d work, int64_t side, double y, double gap)
 {
-    if (gap < (*cspan_at(&work, side + layout__SIDE_BEST)) - search__ROUNDING)
+    if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - search__ROUNDING)
     {
-        (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
     }
     return INT64_C(0);
 }
@@ -960,15 +960,15 @@ static inline int64_t search__keep_best(array_double_1d work, int64_t side, doub
 static inline int64_t search__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
 {
     double allowed;
-    allowed = (*cspan_at(&work, side + layout__SIDE_BEST));
-    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_BEST_Y))) < width)
+    allowed = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
+    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) < width)
     {
         allowed += search__ROUNDING;
     }
     if (gap < allowed)
     {
-        (*cspan_at(&work, side + layout__SIDE_BEST)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
     }
     return INT64_C(0);
 }

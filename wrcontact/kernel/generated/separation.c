@@ -18,10 +18,10 @@
 static OUT_OF_LINE int64_t separation__curve_table(array_double_1d tables, int64_t tracer)
 {
     int64_t base;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     if (tracer == contact_plane__TRACER_RAIL)
     {
-        base = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+        base = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     }
     return base;
 }
@@ -35,14 +35,14 @@ static OUT_OF_LINE int64_t separation__curve_jet(double* across, double* down, d
     double y_track;
     double z_track;
     profile_table__height_slope_bend(&z, slope, bend, tables, separation__curve_table(tables, tracer), u);
-    (*across) = u - (*cspan_at(&work, separation__ORIGIN_RAIL));
-    (*down) = z - (*cspan_at(&work, separation__ORIGIN_RAIL + INT64_C(1)));
+    (*across) = u - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0)));
+    (*down) = z - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(1)));
     (*stretch) = 1.0;
     if (tracer == contact_plane__TRACER_WHEEL)
     {
-        locus__outline_jet(&y_track, &z_track, slope, stretch, bend, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), u, z, (*slope), (*bend));
-        (*across) = y_track - (*cspan_at(&work, separation__ORIGIN_WHEEL));
-        (*down) = z_track - (*cspan_at(&work, separation__ORIGIN_WHEEL + INT64_C(1)));
+        locus__outline_jet(&y_track, &z_track, slope, stretch, bend, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), u, z, (*slope), (*bend));
+        (*across) = y_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_WHEEL + INT64_C(0)));
+        (*down) = z_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_WHEEL + INT64_C(1)));
     }
     return 0;
 }
@@ -59,8 +59,8 @@ static OUT_OF_LINE double separation__curve_speed(array_double_1d tables, array_
     double bend;
     double speed;
     speed = 1.0;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    if ((tracer == contact_plane__TRACER_RAIL) || ((*cspan_at(&work, at + locus__PLACE_YAWED)) == 0.0))
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    if ((tracer == contact_plane__TRACER_RAIL) || (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)))
     {
         profile_table__height_slope(&z, &slope, tables, separation__curve_table(tables, tracer), u);
         speed = sqrt(1.0 + slope * slope);
@@ -169,17 +169,17 @@ static OUT_OF_LINE double separation__within(array_double_1d tables, int64_t tra
  */
 static OUT_OF_LINE int64_t separation__open_origin(array_double_1d tables, array_double_1d work, double station, double gap, double abscissa, double y, double spacing)
 {
-    if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) != layout__SEPARATION_NORMAL)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
-        (*cspan_at(&work, separation__ORIGIN_STATION)) = station;
-        (*cspan_at(&work, separation__ORIGIN_GAP)) = gap;
-        (*cspan_at(&work, separation__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) == layout__SEPARATION_CHORD)
+        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station;
+        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap;
+        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_CHORD)
         {
-            (*cspan_at(&work, separation__ORIGIN_SPACING)) = spacing;
+            (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
-        separation__open_curve(tables, work, contact_plane__TRACER_RAIL, separation__ORIGIN_RAIL, abscissa);
-        separation__open_curve(tables, work, contact_plane__TRACER_WHEEL, separation__ORIGIN_WHEEL, y);
+        separation__open_curve(tables, work, contact_plane__TRACER_RAIL, separation__AT_RAIL_ORIGIN, abscissa);
+        separation__open_curve(tables, work, contact_plane__TRACER_WHEEL, separation__AT_WHEEL_ORIGIN, y);
     }
     return INT64_C(0);
 }
@@ -290,8 +290,8 @@ static OUT_OF_LINE int64_t separation__move_station(array_double_1d tables, arra
     double chord;
     int64_t i;
     int64_t exists;
-    way = station - (*cspan_at(&work, contact_plane__TRACER_STATION));
-    spacing = (*cspan_at(&work, separation__ORIGIN_SPACING));
+    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    spacing = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING));
     exists = INT64_C(1);
     if (spacing == 0.0)
     {
@@ -328,7 +328,7 @@ static OUT_OF_LINE int64_t separation__move_across(array_double_1d tables, array
     double stretch;
     double bend;
     double following;
-    u = separation__within(tables, contact_plane__TRACER_WHEEL, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
+    u = separation__within(tables, contact_plane__TRACER_WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
     for (i = INT64_C(0); i < separation__ITERATIONS; i += INT64_C(1))
     {
         separation__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_WHEEL, u);
@@ -338,7 +338,7 @@ static OUT_OF_LINE int64_t separation__move_across(array_double_1d tables, array
         }
         if (fabs(across - lateral) < separation__SHARP)
         {
-            (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = u;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = u;
             return INT64_C(1);
         }
         following = separation__within(tables, contact_plane__TRACER_WHEEL, u - (across - lateral) / stretch);
@@ -365,16 +365,16 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
     double slope;
     double stretch;
     double bend;
-    per_station = (*cspan_at(&work, contact_plane__FRAME_COS));
-    lateral = (station - (*cspan_at(&work, separation__ORIGIN_STATION))) * per_station;
+    per_station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    lateral = (station - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION))) * per_station;
     (*exists) = separation__move_across(tables, work, lateral);
-    (*cspan_at(&work, contact_plane__TRACER_RAIL)) = (*cspan_at(&work, separation__ORIGIN_RAIL)) + lateral;
-    if (separation__within(tables, contact_plane__TRACER_RAIL, (*cspan_at(&work, contact_plane__TRACER_RAIL))) != (*cspan_at(&work, contact_plane__TRACER_RAIL)))
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0))) + lateral;
+    if (separation__within(tables, contact_plane__TRACER_RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL))) != (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)))
     {
         (*exists) = INT64_C(0);
     }
-    separation__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, tables, work, contact_plane__TRACER_RAIL, (*cspan_at(&work, contact_plane__TRACER_RAIL)));
-    separation__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_WHEEL, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
+    separation__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, tables, work, contact_plane__TRACER_RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
+    separation__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
     bend = rail_bend - bend / stretch;
     (*result_0) = rail_down - down;
     (*result_1) = (rail_slope - slope) * per_station;
@@ -413,11 +413,11 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
     double size;
     on_rail = separation__move_station(tables, work, contact_plane__TRACER_RAIL, station);
     on_wheel = separation__move_station(tables, work, contact_plane__TRACER_WHEEL, station);
-    separation__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_RAIL, (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+    separation__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     rail_cos = 1.0 / sqrt(1.0 + slope * slope);
     rail_sin = slope * rail_cos;
     rail_turn = bend * rail_cos * rail_cos * rail_cos;
-    separation__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_WHEEL, (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
+    separation__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, tables, work, contact_plane__TRACER_WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope);
     wheel_sin = slope * wheel_cos;
     wheel_turn = bend / stretch * wheel_cos * wheel_cos * wheel_cos;
@@ -451,12 +451,12 @@ static OUT_OF_LINE int64_t separation__lean_away(double* result_0, double* resul
     double cosine;
     double along;
     double across;
-    profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)));
+    profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     cosine = 1.0 / sqrt(1.0 + slope * slope);
-    along = cosine * ((*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work, contact_plane__FRAME_SIN)));
-    across = cosine * (slope * (*cspan_at(&work, contact_plane__FRAME_COS)) - (*cspan_at(&work, contact_plane__FRAME_SIN)));
-    (*result_0) = (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * (1.0 - along);
-    (*result_1) = (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * across * bend * cosine * cosine * cosine;
+    along = cosine * ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)));
+    across = cosine * (slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)));
+    (*result_0) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * (1.0 - along);
+    (*result_1) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across * bend * cosine * cosine * cosine;
     return 0;
 }
 
@@ -478,9 +478,9 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     {
         separation__equidistant_rise(gap, rate, bend, &exists, tables, work, station);
     }
-    (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*gap) += (*cspan_at(&work, separation__ORIGIN_GAP));
-    if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+    (*gap) += (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP));
+    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
         separation__lean_away(&lack, &more, tables, work);
         (*gap) += lack;
@@ -490,9 +490,9 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     {
         (*gap) = contact_plane__NO_GAP;
     }
-    profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, contact_plane__TRACER_WHEEL)));
-    wheel_bend = pressed__mean_bend(tables, work, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), wheel_bend);
-    (*curvature) = contact_plane__longitudinal_curvature(tables, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), z, slope, wheel_bend);
+    profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
+    wheel_bend = pressed__mean_bend(tables, work, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), wheel_bend);
+    (*curvature) = contact_plane__longitudinal_curvature(tables, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
     return 0;
 }
 
@@ -504,8 +504,8 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
 static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
 {
     int64_t kind;
-    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0))
+    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
+    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
         contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);
     }

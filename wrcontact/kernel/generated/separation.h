@@ -22,11 +22,8 @@
 #include "pressed.h"
 #include "profile_table.h"
 
-static const int64_t separation__ORIGIN_STATION = INT64_C(43819);
-static const int64_t separation__ORIGIN_GAP = INT64_C(43820);
-static const int64_t separation__ORIGIN_RAIL = INT64_C(43821);
-static const int64_t separation__ORIGIN_WHEEL = INT64_C(43823);
-static const int64_t separation__ORIGIN_SPACING = INT64_C(43825);
+static const int64_t separation__AT_RAIL_ORIGIN = INT64_C(43821);
+static const int64_t separation__AT_WHEEL_ORIGIN = INT64_C(43823);
 static const double separation__SHARP = 1e-13;
 static const int64_t separation__ITERATIONS = INT64_C(40);
 static const double separation__GAUSS_1 = 0.2386191860831969;

@@ -5,18 +5,6 @@
 
 #include "side.h"
 
-/* Offset in the workspace of the outputs of side ``index`` (0 left, 1 right). */
-static inline int64_t side__side_outputs(int64_t index)
-{
-    return layout__WORK_OUTPUTS + layout__OUT_LEFT + (layout__OUT_RIGHT - layout__OUT_LEFT) * index;
-}
-
-/* Offset in the workspace of the force and moment of side ``index``. */
-static inline int64_t side__side_resultant(int64_t index)
-{
-    return layout__WORK_SUPPORT + layout__SUPPORT_BLOCK * index + side__SUPPORT_RESULTANT;
-}
-
 /* Zeros in a side's outputs. */
 static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t out)
 {
@@ -35,12 +23,12 @@ static inline int64_t side__clear_from(array_double_1d tables, array_double_1d w
     int64_t i;
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
-    outline__fill_apart(tables, work, out, (*cspan_at(&tables, layout__SET_ABSENT)));
+    outline__fill_apart(tables, work, out, (*cspan_at(&tables, layout__TABLES_ABSENT)));
     if (first <= layout__SIDE_PENETRATION)
     {
-        (*cspan_at(&work, out + layout__SIDE_PATCH_COUNT)) = (*cspan_at(&tables, layout__SET_ABSENT));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     return INT64_C(0);
 }
@@ -50,7 +38,7 @@ static inline int64_t side__first_unwanted(array_double_1d tables)
 {
     int64_t depth;
     int64_t first;
-    depth = (int64_t)((*cspan_at(&tables, layout__SET_DEPTH)));
+    depth = (int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH)));
     first = layout__SIDE_SIZE;
     if (depth == layout__DEPTH_PATCHES)
     {
@@ -69,7 +57,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* status, array_dou
     int64_t met;
     int64_t region;
     (*status) = layout__VALID;
-    normal_contact__solve_normal(count, &met, tables, work, state, layout__WORK_SIDE + layout__SIDE_BLOCK * index, side__side_outputs(index), force, prescribed);
+    normal_contact__solve_normal(count, &met, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, force, prescribed);
     if (met == INT64_C(0))
     {
         (*status) = layout__NOT_CONVERGED;
@@ -78,7 +66,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* status, array_dou
     {
         for (region = INT64_C(0); region < (*count); region += INT64_C(1))
         {
-            resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)), side__side_resultant(index));
+            resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
         }
     }
     return 0;
@@ -89,11 +77,11 @@ static inline int64_t side__rest_side(array_double_1d tables, array_double_1d wo
 {
     int64_t side;
     int64_t status;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    side__clear_side(tables, work, side__side_outputs(index));
-    resultant__clear_resultant(work, side__side_resultant(index));
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    side__clear_side(tables, work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     status = layout__UNLOADED;
-    if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_BEST))) == INT64_C(0))
+    if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))) == INT64_C(0))
     {
         status = layout__OFF_PROFILE;
     }
@@ -110,7 +98,7 @@ static inline int64_t side__step_side(array_double_1d tables, array_double_1d wo
     status = side__rest_side(tables, work, state, index);
     if (status == layout__UNLOADED)
     {
-        penetration = (*cspan_at(&tables, layout__SET_PENETRATION_LEFT + index));
+        penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
         pressed = force;
         if (isfinite(penetration))
         {
@@ -119,7 +107,7 @@ static inline int64_t side__step_side(array_double_1d tables, array_double_1d wo
         if (pressed > 0.0)
         {
             status = layout__VALID;
-            if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) != layout__DEPTH_GEOMETRY)
+            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
             {
                 side__load_side(&count, &status, tables, work, state, index, force, penetration);
             }
@@ -138,11 +126,11 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     int64_t deep;
     double aside;
     double shift;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
-    height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
-    side__clear_side(tables, work, side__side_outputs(index));
-    resultant__clear_resultant(work, side__side_resultant(index));
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + sink;
+    side__clear_side(tables, work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
     {
         /* it overlaps most at the end of a profile */
@@ -166,17 +154,17 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
     int64_t block;
     double stiffness;
     double lever;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
     total = 0.0;
     weight = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        stiffness = (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SHARE)) * (*cspan_at(&work, block + regions__REGION_COS));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        stiffness = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_COS));
         weight += stiffness;
-        total += stiffness * gap__gap_per_roll(tables, work, at, (*cspan_at(&work, block + regions__REGION_WHEEL)));
+        total += stiffness * gap__gap_per_roll(tables, work, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));
     }
-    lever = gap__gap_per_roll(tables, work, at, (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST_Y)));
+    lever = gap__gap_per_roll(tables, work, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
     if (weight > 0.0)
     {
         lever = total / weight;

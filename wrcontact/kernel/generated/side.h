@@ -13,16 +13,8 @@
 #include "normal_contact.h"
 #include "outline.h"
 #include "overlaps.h"
-#include "regions.h"
 #include "resultant.h"
 
-static const int64_t side__SUPPORT_FIRST = INT64_C(0);
-static const int64_t side__SUPPORT_HEIGHT = INT64_C(1);
-static const int64_t side__SUPPORT_LEVER = INT64_C(2);
-static const int64_t side__SUPPORT_RESULTANT = INT64_C(8);
-
-static inline int64_t side__side_outputs(int64_t index);
-static inline int64_t side__side_resultant(int64_t index);
 static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t out);
 static inline int64_t side__clear_from(array_double_1d tables, array_double_1d work, int64_t out, int64_t first);
 static inline int64_t side__first_unwanted(array_double_1d tables);

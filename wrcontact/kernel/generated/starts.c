@@ -13,7 +13,7 @@ static inline int64_t starts__nearest_start(array_double_1d tables, double shift
     int64_t base;
     double u;
     int64_t row;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_STARTS)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS)));
     u = (shift - (*cspan_at(&tables, base + starts__START_FIRST))) * (*cspan_at(&tables, base + starts__START_PER_METRE)) + 0.5;
     if (!((u >= 0.0) && (u < (*cspan_at(&tables, base + starts__START_COUNT)))))
     {

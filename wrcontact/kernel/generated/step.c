@@ -22,7 +22,7 @@ static inline int64_t step__inputs_valid(array_double_1d work)
     }
     if (valid == INT64_C(1))
     {
-        if (((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER))) > 1.0))
+        if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))) > 1.0))
         {
             valid = INT64_C(0);
         }
@@ -35,15 +35,15 @@ static inline int64_t step__inputs_in_range(array_double_1d tables, array_double
 {
     int64_t inside;
     inside = INT64_C(1);
-    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT))) > (*cspan_at(&tables, layout__SET_LATERAL_LIMIT)))
+    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT))) > (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)))
     {
         inside = INT64_C(0);
     }
-    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW))) > (*cspan_at(&tables, layout__SET_YAW_LIMIT)))
+    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) > (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)))
     {
         inside = INT64_C(0);
     }
-    if (((int64_t)((*cspan_at(&tables, layout__SET_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL))) > roll__ROLL_LIMIT))
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL))) > roll__ROLL_LIMIT))
     {
         inside = INT64_C(0);
     }
@@ -59,8 +59,8 @@ static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array
     double guess;
     int64_t warm;
     int64_t row;
-    shift = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
-    guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL_GUESS));
+    shift = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_GUESS));
     warm = INT64_C(0);
     if (guess == 0.0)
     {
@@ -68,15 +68,15 @@ static inline int64_t step__find_roll(double* result_0, int64_t* result_1, array
         if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < step__NEAR_SHIFT)))
         {
             guess = (*cspan_at(&state, layout__STATE_ROLL));
-            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
-            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
             warm = INT64_C(1);
         }
         else if (row >= INT64_C(0))
         {
             guess = (*cspan_at(&tables, row + starts__START_ROLL));
-            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, row + starts__START_LEFT));
-            (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y)) = (*cspan_at(&tables, row + starts__START_RIGHT));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, row + starts__START_LEFT));
+            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, row + starts__START_RIGHT));
             warm = INT64_C(1);
         }
     }
@@ -90,7 +90,7 @@ static inline double step__side_force(array_double_1d work, int64_t index)
     double sign;
     double result;
     sign = (double)(INT64_C(2) * index - INT64_C(1));
-    result = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LOAD_TRANSFER)));
+    result = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
     return result;
 }
 
@@ -99,7 +99,7 @@ static inline int64_t step__is_wanted(array_double_1d tables, int64_t index)
 {
     int64_t wanted;
     wanted = INT64_C(0);
-    if (((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) == layout__SIDES_LEFT + index))
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) == layout__SIDES_LEFT + index))
     {
         wanted = INT64_C(1);
     }
@@ -113,11 +113,11 @@ static inline int64_t step__stand_rigid(array_double_1d tables, array_double_1d 
     int64_t outcome;
     int64_t status;
     status = layout__VALID;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
-        resultant__clear_resultant(work, side__side_resultant(index));
+        resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
@@ -139,8 +139,8 @@ static inline int64_t step__stand_elastic(array_double_1d tables, array_double_1
     double roll;
     int64_t status;
     elastic__solve_elastic(&roll, &status, tables, work, state, rigid_roll, step__side_force(work, INT64_C(0)), step__side_force(work, INT64_C(1)));
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORT + side__SUPPORT_HEIGHT)) + (*cspan_at(&work, layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT)));
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) + (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)));
     return status;
 }
 
@@ -148,9 +148,9 @@ static inline int64_t step__stand_elastic(array_double_1d tables, array_double_1
 static inline int64_t step__remember(array_double_1d work, array_double_1d state, double roll)
 {
     (*cspan_at(&state, layout__STATE_ROLL)) = roll;
-    (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
-    (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
-    (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_LATERAL_SHIFT));
+    (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+    (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
+    (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
     (*cspan_at(&state, layout__STATE_WARM)) = 1.0;
     return INT64_C(0);
 }
@@ -171,16 +171,16 @@ static inline int64_t step__withhold(array_double_1d tables, array_double_1d wor
         }
         if (first < layout__SIDE_SIZE)
         {
-            side__clear_from(tables, work, side__side_outputs(index), first);
+            side__clear_from(tables, work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, first);
         }
     }
-    partial = ((int64_t)((*cspan_at(&tables, layout__SET_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_GEOMETRY);
-    if (partial && ((int64_t)((*cspan_at(&tables, layout__SET_MODE))) == layout__MODE_RIGID))
+    partial = ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY);
+    if (partial && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_RIGID))
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_FORCE + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_MOMENT + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
     }
     return INT64_C(0);
@@ -200,7 +200,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     {
         return layout__OFF_PROFILE;
     }
-    mode = (int64_t)((*cspan_at(&tables, layout__SET_MODE)));
+    mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
     status = layout__VALID;
     if (mode == layout__MODE_COMPLIANT)
     {
@@ -226,7 +226,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
             status = step__stand_elastic(tables, work, state, roll);
         }
     }
-    resultant__write_resultant(tables, work, side__side_resultant(INT64_C(0)), side__side_resultant(INT64_C(1)));
+    resultant__write_resultant(tables, work, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
     step__withhold(tables, work);
     return status;
 }

@@ -139,8 +139,8 @@ static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t
     int64_t islands;
     for (region = INT64_C(0); region < layout__REGION_LIMIT; region += INT64_C(1))
     {
-        (*cspan_at(&work, regions__region_block(region) + regions__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, regions__region_block(region) + regions__REGION_MOMENT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = 0.0;
     }
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
@@ -155,19 +155,19 @@ static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t
         if ((*cspan_at(&work, lines + first)) > 0.0)
         {
             last = strips__run_end(work, strips, first);
-            block = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + first))));
+            block = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + first)));
             start = strips__run_edge(work, strips, first, last, -INT64_C(1));
             stop = strips__run_edge(work, strips, last, first, INT64_C(1));
-            patches__open_island(work, islands, start, -atan((*cspan_at(&work, block + regions__REGION_LEAN))));
+            patches__open_island(work, islands, start, -atan((*cspan_at(&work, block + layout__REGION_LEAN))));
             at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * islands;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
                 load = (*cspan_at(&work, lines + i)) * (*cspan_at(&work, widths + i));
                 (*cspan_at(&work, at + patches__ISLAND_LOAD)) += load;
                 (*cspan_at(&work, at + patches__ISLAND_MOMENT)) += load * (*cspan_at(&work, stations + i));
-                carrier = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i))));
-                (*cspan_at(&work, carrier + regions__REGION_CARRIED)) += load;
-                (*cspan_at(&work, carrier + regions__REGION_MOMENT)) += load * (*cspan_at(&work, stations + i));
+                carrier = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
+                (*cspan_at(&work, carrier + layout__REGION_CARRIED)) += load;
+                (*cspan_at(&work, carrier + layout__REGION_MOMENT)) += load * (*cspan_at(&work, stations + i));
             }
             (*cspan_at(&work, at + patches__ISLAND_STOP)) = stop;
             (*cspan_at(&work, at + patches__ISLAND_AREA)) = strip_patches__run_area(work, first, last, start, stop);

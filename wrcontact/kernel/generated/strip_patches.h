@@ -12,7 +12,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "patches.h"
-#include "regions.h"
 #include "strips.h"
 
 static inline double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i);

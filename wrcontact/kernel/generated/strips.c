@@ -27,8 +27,8 @@ static inline double strips__zone_excess(array_double_1d work, int64_t block, in
     double level;
     double beyond;
     double below;
-    below = strips__ZONE * penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - (*cspan_at(&work, gaps + k));
-    level = (*cspan_at(&work, block + regions__REGION_LEVEL)) - (*cspan_at(&work, rises + k));
+    below = strips__ZONE * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - (*cspan_at(&work, gaps + k));
+    level = (*cspan_at(&work, block + layout__REGION_LEVEL)) - (*cspan_at(&work, rises + k));
     beyond = level + strips__BEYOND * penetration;
     if (beyond < below)
     {
@@ -54,15 +54,15 @@ static inline double strips__zone_end(array_double_1d work, int64_t region, int6
     int64_t k;
     double outer;
     double station;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     rises = nodes__node_field(region, nodes__NODE_RISE);
-    last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-    bound = (*cspan_at(&work, block + regions__REGION_HIGH));
+    last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+    bound = (*cspan_at(&work, block + layout__REGION_HIGH));
     if (direction < INT64_C(0))
     {
-        last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
-        bound = (*cspan_at(&work, block + regions__REGION_LOW));
+        last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
+        bound = (*cspan_at(&work, block + layout__REGION_LOW));
     }
     inner = strips__zone_excess(work, block, gaps, rises, INT64_C(0), penetration);
     reach = 0.0;
@@ -80,7 +80,7 @@ static inline double strips__zone_end(array_double_1d work, int64_t region, int6
             inner = outer;
         }
     }
-    station = (*cspan_at(&work, block + regions__REGION_STATION)) + (double)(direction) * reach * (*cspan_at(&work, block + regions__REGION_SPACING));
+    station = (*cspan_at(&work, block + layout__REGION_STATION)) + (double)(direction) * reach * (*cspan_at(&work, block + layout__REGION_SPACING));
     if ((station - bound) * (double)(direction) > 0.0)
     {
         station = bound;
@@ -94,8 +94,8 @@ static inline double strips__node_weight(array_double_1d work, int64_t region, i
     int64_t block;
     double share;
     double weight;
-    block = regions__region_block(region);
-    share = 1.0 - ((*cspan_at(&work, block + regions__REGION_GAP)) + (*cspan_at(&work, nodes__node_field(region, nodes__NODE_GAP) + k))) / penetration;
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    share = 1.0 - ((*cspan_at(&work, block + layout__REGION_GAP)) + (*cspan_at(&work, nodes__node_field(region, nodes__NODE_GAP) + k))) / penetration;
     weight = 0.0;
     if (share > 0.0)
     {
@@ -109,16 +109,16 @@ static inline int64_t strips__cell_overlap(double* result_0, double* start, arra
 {
     double spacing;
     double stop;
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
-    (*start) = (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * (double)(k);
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
+    (*start) = (*cspan_at(&work, block + layout__REGION_STATION)) + spacing * (double)(k);
     stop = (*start) + spacing;
-    if ((*start) < (*cspan_at(&work, block + regions__REGION_START)))
+    if ((*start) < (*cspan_at(&work, block + layout__REGION_START)))
     {
-        (*start) = (*cspan_at(&work, block + regions__REGION_START));
+        (*start) = (*cspan_at(&work, block + layout__REGION_START));
     }
-    if (stop > (*cspan_at(&work, block + regions__REGION_STOP)))
+    if (stop > (*cspan_at(&work, block + layout__REGION_STOP)))
     {
-        stop = (*cspan_at(&work, block + regions__REGION_STOP));
+        stop = (*cspan_at(&work, block + layout__REGION_STOP));
     }
     (*result_0) = stop - (*start);
     return 0;
@@ -135,11 +135,11 @@ static inline double strips__weigh_region(array_double_1d work, int64_t region, 
     double length;
     double start;
     double total;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     total = 0.0;
-    before = strips__node_weight(work, region, (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))), penetration);
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    before = strips__node_weight(work, region, (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))), penetration);
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         after = strips__node_weight(work, region, k + INT64_C(1), penetration);
         strips__cell_overlap(&length, &start, work, block, k);
@@ -169,30 +169,30 @@ static inline int64_t strips__place_strips(array_double_1d tables, array_double_
     width = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        share = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration;
-        (*cspan_at(&work, block + regions__REGION_START)) = strips__zone_end(work, region, -INT64_C(1), share);
-        (*cspan_at(&work, block + regions__REGION_STOP)) = strips__zone_end(work, region, INT64_C(1), share);
-        (*cspan_at(&work, block + regions__REGION_WEIGHT)) = strips__weigh_region(work, region, share);
-        weight += (*cspan_at(&work, block + regions__REGION_WEIGHT));
-        width += (*cspan_at(&work, block + regions__REGION_STOP)) - (*cspan_at(&work, block + regions__REGION_START));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        share = (*cspan_at(&work, block + layout__REGION_TURN)) * penetration;
+        (*cspan_at(&work, block + layout__REGION_START)) = strips__zone_end(work, region, -INT64_C(1), share);
+        (*cspan_at(&work, block + layout__REGION_STOP)) = strips__zone_end(work, region, INT64_C(1), share);
+        (*cspan_at(&work, block + layout__REGION_WEIGHT)) = strips__weigh_region(work, region, share);
+        weight += (*cspan_at(&work, block + layout__REGION_WEIGHT));
+        width += (*cspan_at(&work, block + layout__REGION_STOP)) - (*cspan_at(&work, block + layout__REGION_START));
     }
     strips = INT64_C(0);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        length = (*cspan_at(&work, block + regions__REGION_STOP)) - (*cspan_at(&work, block + regions__REGION_START));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        length = (*cspan_at(&work, block + layout__REGION_STOP)) - (*cspan_at(&work, block + layout__REGION_START));
         if ((length > 0.0) && (weight > 0.0))
         {
             even = strips__EVEN / width;
             graded = (1.0 - strips__EVEN) / weight;
-            share = even * length + graded * (*cspan_at(&work, block + regions__REGION_WEIGHT));
-            own = (int64_t)((*cspan_at(&tables, layout__SET_STRIPS)) * share + 0.5);
+            share = even * length + graded * (*cspan_at(&work, block + layout__REGION_WEIGHT));
+            own = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)) * share + 0.5);
             if (own < strips__LEAST)
             {
                 own = strips__LEAST;
             }
-            strips = strips__divide_zone(work, region, (*cspan_at(&work, block + regions__REGION_TURN)) * penetration, strips, own, even, graded, share);
+            strips = strips__divide_zone(work, region, (*cspan_at(&work, block + layout__REGION_TURN)) * penetration, strips, own, even, graded, share);
         }
     }
     return strips;
@@ -218,18 +218,18 @@ static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, 
     double start;
     double density;
     double cut;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     regions = strips__strip_field(strips__STRIP_REGION);
-    offset = (*cspan_at(&work, block + regions__REGION_OFFSET));
+    offset = (*cspan_at(&work, block + layout__REGION_OFFSET));
     each = share / (double)(own);
     done = 0.0;
     made = INT64_C(0);
-    edge = (*cspan_at(&work, block + regions__REGION_START));
-    before = strips__node_weight(work, region, (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))), penetration);
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    edge = (*cspan_at(&work, block + layout__REGION_START));
+    before = strips__node_weight(work, region, (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))), penetration);
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         after = strips__node_weight(work, region, k + INT64_C(1), penetration);
         strips__cell_overlap(&length, &start, work, block, k);
@@ -252,7 +252,7 @@ static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, 
     while(made < own)
     {
         /* the last one, and any that rounding has left over */
-        cut = edge + ((*cspan_at(&work, block + regions__REGION_STOP)) - edge) / (double)(own - made);
+        cut = edge + ((*cspan_at(&work, block + layout__REGION_STOP)) - edge) / (double)(own - made);
         (*cspan_at(&work, stations + strips + made)) = offset + 0.5 * (edge + cut);
         (*cspan_at(&work, widths + strips + made)) = cut - edge;
         (*cspan_at(&work, regions + strips + made)) = (double)(region);
@@ -304,16 +304,16 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
     double gap;
     double turn;
     (*region) = (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
-    block = regions__region_block((*region));
-    u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + regions__REGION_OFFSET)) - (*cspan_at(&work, block + regions__REGION_STATION))) / (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * (*region);
+    u = ((*cspan_at(&work, strips__strip_field(strips__STRIP_STATION) + i)) - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION))) / (*cspan_at(&work, block + layout__REGION_SPACING));
     (*k) = (int64_t)(u + (double)(layout__NODE_MIDDLE)) - layout__NODE_MIDDLE;
-    if ((*k) > (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1))
+    if ((*k) > (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) - INT64_C(1))
     {
-        (*k) = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1);
+        (*k) = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) - INT64_C(1);
     }
-    if ((*k) < (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))))
+    if ((*k) < (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))))
     {
-        (*k) = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+        (*k) = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
     }
     (*x) = u - (double)((*k));
     gap = strips__cubic_value(work, nodes__node_field((*region), nodes__NODE_GAP) + (*k), (*x));
@@ -322,16 +322,16 @@ static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* 
         /* beside a sudden rise a cubic falls below the region's smallest gap */
         gap = 0.0;
     }
-    (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
+    (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = (*cspan_at(&work, block + layout__REGION_GAP)) + gap;
     (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) = strips__node_value(work, (*region), nodes__NODE_A, (*k), (*x));
-    (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = (*cspan_at(&work, block + regions__REGION_TURN));
+    (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = (*cspan_at(&work, block + layout__REGION_TURN));
     if (contact_plane__is_yawed(work) == INT64_C(1))
     {
         /* the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients) */
-        turn = (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE));
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + gap * (*cspan_at(&work, block + regions__REGION_UPRIGHT_B));
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) *= (*cspan_at(&work, block + regions__REGION_UPRIGHT_A));
-        (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn * (*cspan_at(&work, block + regions__REGION_TURN));
+        turn = (*cspan_at(&work, block + layout__REGION_UPRIGHT_SHARE));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) = turn * (*cspan_at(&work, block + layout__REGION_GAP)) + gap * (*cspan_at(&work, block + layout__REGION_UPRIGHT_B));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_A) + i)) *= (*cspan_at(&work, block + layout__REGION_UPRIGHT_A));
+        (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i)) = turn * (*cspan_at(&work, block + layout__REGION_TURN));
     }
     return 0;
 }
@@ -369,7 +369,7 @@ static inline int64_t strips__describe_strips(array_double_1d work, int64_t stri
         strips__locate_strip(&region, &k, &x, work, i);
         line = strips__node_value(work, region, nodes__NODE_LINE, k, x);
         length = strips__node_value(work, region, nodes__NODE_LENGTH, k, x);
-        level = (*cspan_at(&work, regions__region_block(region) + regions__REGION_LEVEL)) - strips__node_value(work, region, nodes__NODE_RISE, k, x);
+        level = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_LEVEL)) - strips__node_value(work, region, nodes__NODE_RISE, k, x);
         (*cspan_at(&work, strips__strip_field(strips__STRIP_HERTZ) + i)) = line * length;
         loaded = 0.0;
         square = 0.0;
@@ -379,7 +379,7 @@ static inline int64_t strips__describe_strips(array_double_1d work, int64_t stri
             square = level / length;
         }
         below = penetration - (*cspan_at(&work, strips__strip_field(strips__STRIP_GAP) + i)) / (*cspan_at(&work, strips__strip_field(strips__STRIP_TURN) + i));
-        below *= (*cspan_at(&work, regions__region_block(region) + regions__REGION_TURN));
+        below *= (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_TURN));
         inside = strips__INSIDE * strips__INSIDE * below / length;
         if (inside > square)
         {
@@ -593,7 +593,7 @@ static inline int64_t strips__fill_influence(array_double_1d tables, array_doubl
     int64_t row;
     int64_t distances;
     int64_t j;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_INFLUENCE)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE)));
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     halves = strips__strip_field(strips__STRIP_HALF);
@@ -755,14 +755,14 @@ static inline double strips__solve_loaded(array_double_1d tables, array_double_1
         i = (int64_t)((*cspan_at(&work, ranks + rank)));
         half = (*cspan_at(&work, strips__strip_field(strips__STRIP_HALF) + i));
         /* what of it counts for the prescribed force */
-        half *= (*cspan_at(&work, regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)))) + regions__REGION_SHARE));
+        half *= (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i))) + layout__REGION_SHARE));
         unit_load += half * (*cspan_at(&work, row + size));
         rest_load += half * (*cspan_at(&work, row + size + INT64_C(1)));
     }
     penetration = prescribed;
     if (by_penetration == INT64_C(0))
     {
-        penetration = (force / (0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS))) + rest_load) / unit_load;
+        penetration = (force / (0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS))) + rest_load) / unit_load;
     }
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
@@ -875,7 +875,7 @@ static inline int64_t strips__correct_lengths(array_double_1d tables, array_doub
     stations = strips__strip_field(strips__STRIP_STATION);
     halves = strips__strip_field(strips__STRIP_HALF);
     shares = strips__strip_field(strips__STRIP_SHARE);
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS));
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
         line = 0.0;
@@ -1034,7 +1034,7 @@ static inline int64_t strips__correct_strips(double* result_0, int64_t* result_1
     }
     penetration = predicted;
     met = INT64_C(0);
-    sweeps = (int64_t)((*cspan_at(&tables, layout__SET_SWEEPS)));
+    sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
         strips__fill_influence(tables, work, strips, count);

@@ -21,7 +21,6 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "nodes.h"
-#include "regions.h"
 
 static const int64_t strips__STRIP_STATION = INT64_C(0);
 static const int64_t strips__STRIP_WIDTH = INT64_C(1);

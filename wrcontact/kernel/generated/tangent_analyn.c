@@ -157,17 +157,17 @@ static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* 
     double reach;
     double v3;
     double v4;
-    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
-    v1 = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
+    v1 = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
     v2 = v1 / spacing;
-    reach_t = ((*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION)) - v2 * spacing_t) / spacing;
+    reach_t = ((*cspan_at(&work_t, block + layout__REGION_HIGH)) - (*cspan_at(&work_t, block + layout__REGION_STATION)) - v2 * spacing_t) / spacing;
     reach = v2 - (double)(k);
     if (outward < INT64_C(0))
     {
-        v3 = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+        v3 = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
         v4 = v3 / spacing;
-        reach_t = ((*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW)) - v4 * spacing_t) / spacing;
+        reach_t = ((*cspan_at(&work_t, block + layout__REGION_STATION)) - (*cspan_at(&work_t, block + layout__REGION_LOW)) - v4 * spacing_t) / spacing;
         reach = v4 + (double)(k);
     }
     if (reach < stop)
@@ -234,9 +234,9 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
     double v8;
     double v9;
     double v10;
-    block = regions__region_block(region);
-    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     load_t = 0.0;
@@ -247,10 +247,10 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
     {
         for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
         {
-            last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+            last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
             if (outward < INT64_C(0))
             {
-                last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+                last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
             }
             d_before_t = level_t - (*cspan_at(&work_t, rises - outward));
             d_before = level - (*cspan_at(&work, rises - outward));
@@ -348,20 +348,20 @@ static inline int64_t tangent_analyn__influence_t(double* result, double* result
     (*result) = 0.0;
     if (first != second)
     {
-        one = regions__region_block(first);
-        other = regions__region_block(second);
-        distance_t = (*cspan_at(&work_t, one + regions__REGION_OFFSET)) + (*cspan_at(&work_t, one + regions__REGION_MIDDLE)) - (*cspan_at(&work_t, other + regions__REGION_OFFSET)) - (*cspan_at(&work_t, other + regions__REGION_MIDDLE));
-        distance = (*cspan_at(&work, one + regions__REGION_OFFSET)) + (*cspan_at(&work, one + regions__REGION_MIDDLE)) - (*cspan_at(&work, other + regions__REGION_OFFSET)) - (*cspan_at(&work, other + regions__REGION_MIDDLE));
+        one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
+        other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
+        distance_t = (*cspan_at(&work_t, one + layout__REGION_OFFSET)) + (*cspan_at(&work_t, one + layout__REGION_MIDDLE)) - (*cspan_at(&work_t, other + layout__REGION_OFFSET)) - (*cspan_at(&work_t, other + layout__REGION_MIDDLE));
+        distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
         tangent_analyn__region_lead_t(&v1, &v1_t, work, work_t, first, second);
         along_t = v1_t;
         along = v1;
-        squares_t = (*cspan_at(&work_t, one + regions__REGION_SQUARE)) + (*cspan_at(&work_t, other + regions__REGION_SQUARE));
-        squares = (*cspan_at(&work, one + regions__REGION_SQUARE)) + (*cspan_at(&work, other + regions__REGION_SQUARE));
+        squares_t = (*cspan_at(&work_t, one + layout__REGION_SQUARE)) + (*cspan_at(&work_t, other + layout__REGION_SQUARE));
+        squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
         v2 = distance * distance + along * along + analyn__ELONGATED * squares;
         v3 = sqrt(v2);
         apart_t = tangent_rates__root_rate(v3, distance_t * distance + distance * distance_t + (along_t * along + along * along_t) + analyn__ELONGATED * squares_t);
         apart = v3;
-        v4 = M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS));
+        v4 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
         v5 = v4 * apart;
         v6 = 1.0 / v5;
         (*result_t) = (-v6) * (v4 * apart_t) / v5;
@@ -376,16 +376,12 @@ static inline int64_t tangent_analyn__influence_t(double* result, double* result
 /* Tangent of ``region_lead``. */
 static inline int64_t tangent_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
 {
-    int64_t k1;
-    int64_t k2;
     (*lead_t) = 0.0;
     (*lead) = 0.0;
     if (analyn__planes_cosine(work, first, second) < analyn__LEANING)
     {
-        k1 = regions__region_block(first) + regions__REGION_ALONG;
-        k2 = regions__region_block(second) + regions__REGION_ALONG;
-        (*lead_t) = (*cspan_at(&work_t, k1)) - (*cspan_at(&work_t, k2));
-        (*lead) = (*cspan_at(&work, k1)) - (*cspan_at(&work, k2));
+        (*lead_t) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * first + layout__REGION_ALONG)) - (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * second + layout__REGION_ALONG));
+        (*lead) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * first + layout__REGION_ALONG)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * second + layout__REGION_ALONG));
     }
     return 0;
 }
@@ -395,14 +391,14 @@ static inline int64_t tangent_analyn__planes_cosine_t(double* cosine, double* co
 {
     int64_t one;
     int64_t other;
-    one = regions__region_block(first);
-    other = regions__region_block(second);
+    one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
+    other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
     (*cosine_t) = 0.0;
     (*cosine) = 1.0;
-    if (((*cspan_at(&work, one + regions__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + regions__REGION_OWN)) == 1.0))
+    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
-        (*cosine_t) = (*cspan_at(&work_t, one + regions__REGION_COS)) * (*cspan_at(&work, other + regions__REGION_COS)) + (*cspan_at(&work, one + regions__REGION_COS)) * (*cspan_at(&work_t, other + regions__REGION_COS)) + ((*cspan_at(&work_t, one + regions__REGION_SIN)) * (*cspan_at(&work, other + regions__REGION_SIN)) + (*cspan_at(&work, one + regions__REGION_SIN)) * (*cspan_at(&work_t, other + regions__REGION_SIN)));
-        (*cosine) = (*cspan_at(&work, one + regions__REGION_COS)) * (*cspan_at(&work, other + regions__REGION_COS)) + (*cspan_at(&work, one + regions__REGION_SIN)) * (*cspan_at(&work, other + regions__REGION_SIN));
+        (*cosine_t) = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
+        (*cosine) = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
         if ((*cosine) < 0.0)
         {
             (*cosine_t) = 0.0;
@@ -425,14 +421,14 @@ static inline int64_t tangent_analyn__load_regions_t(double* total, double* tota
     (*total) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, i, (*cspan_at(&work, block + regions__REGION_LEVEL)), (*cspan_at(&work_t, block + regions__REGION_LEVEL)));
-        (*cspan_at(&work_t, block + regions__REGION_LOAD)) = load_t;
-        (*cspan_at(&work, block + regions__REGION_LOAD)) = load;
-        (*cspan_at(&work_t, block + regions__REGION_STIFFNESS)) = stiffness_t;
-        (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = stiffness;
-        (*total_t) = (*total_t) + ((*cspan_at(&work_t, block + regions__REGION_SHARE)) * load + (*cspan_at(&work, block + regions__REGION_SHARE)) * load_t);
-        (*total) = (*total) + (*cspan_at(&work, block + regions__REGION_SHARE)) * load;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, i, (*cspan_at(&work, block + layout__REGION_LEVEL)), (*cspan_at(&work_t, block + layout__REGION_LEVEL)));
+        (*cspan_at(&work_t, block + layout__REGION_LOAD)) = load_t;
+        (*cspan_at(&work, block + layout__REGION_LOAD)) = load;
+        (*cspan_at(&work_t, block + layout__REGION_STIFFNESS)) = stiffness_t;
+        (*cspan_at(&work, block + layout__REGION_STIFFNESS)) = stiffness;
+        (*total_t) = (*total_t) + ((*cspan_at(&work_t, block + layout__REGION_SHARE)) * load + (*cspan_at(&work, block + layout__REGION_SHARE)) * load_t);
+        (*total) = (*total) + (*cspan_at(&work, block + layout__REGION_SHARE)) * load;
     }
     return 0;
 }
@@ -445,7 +441,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     int64_t size;
     int64_t width;
     int64_t i;
-    int64_t level;
+    int64_t region;
     double v1;
     double v1_t;
     double total_t;
@@ -460,7 +456,6 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     double v2_t;
     double share_t;
     double share;
-    int64_t k3;
     double rest_t;
     double rest;
     double load;
@@ -468,8 +463,8 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     double stiffness;
     double stiffness_t;
     double per_level;
+    double n3;
     double n4;
-    double n5;
     given_t = penetration_t;
     given = penetration;
     analyn__solve_levels(&penetration, met, tables, work, state, count, force, penetration, prescribed, sharp);
@@ -484,8 +479,8 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     width = size + INT64_C(2);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        level = regions__region_block(i) + regions__REGION_LEVEL;
-        (*cspan_at(&work_t, level)) = 0.0;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = 0.0;
     }
     tangent_analyn__load_regions_t(&v1, &v1_t, tables, work, work_t, count);
     total_t = v1_t;
@@ -493,7 +488,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     last = layout__WORK_SYSTEM + width * count;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         row = layout__WORK_SYSTEM + width * i;
         pushed_t = 0.0;
         pushed = 0.0;
@@ -502,16 +497,15 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
             tangent_analyn__influence_t(&v2, &v2_t, tables, work, work_t, i, j);
             share_t = v2_t;
             share = v2;
-            k3 = regions__region_block(j) + regions__REGION_LOAD;
-            pushed_t = pushed_t + (share_t * (*cspan_at(&work, k3)) + share * (*cspan_at(&work_t, k3)));
-            pushed = pushed + share * (*cspan_at(&work, k3));
+            pushed_t = pushed_t + (share_t * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
+            pushed = pushed + share * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             (*cspan_at(&work_t, row + j)) = 0.0;
             (*cspan_at(&work, row + j)) = share;
         }
-        rest_t = (*cspan_at(&work_t, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work_t, block + regions__REGION_GAP)) - pushed_t;
-        rest = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - pushed;
+        rest_t = (*cspan_at(&work_t, block + layout__REGION_TURN)) * penetration - (*cspan_at(&work_t, block + layout__REGION_GAP)) - pushed_t;
+        rest = (*cspan_at(&work, block + layout__REGION_TURN)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed;
         (*cspan_at(&work_t, row + count)) = 0.0;
-        (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + regions__REGION_TURN));
+        (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + layout__REGION_TURN));
         (*cspan_at(&work_t, row + size)) = 0.0;
         (*cspan_at(&work, row + size)) = rest_t;
         (*cspan_at(&work_t, row + size + INT64_C(1))) = 0.0;
@@ -519,9 +513,9 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     }
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
-        block = regions__region_block(j);
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, j, (*cspan_at(&work, block + regions__REGION_LEVEL)), 1.0);
-        per_level = load_t - (*cspan_at(&work_t, block + regions__REGION_LOAD));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * j;
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, j, (*cspan_at(&work, block + layout__REGION_LEVEL)), 1.0);
+        per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             (*cspan_at(&work_t, layout__WORK_SYSTEM + width * i + j)) = 0.0;
@@ -534,7 +528,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
         if (prescribed == INT64_C(0))
         {
             (*cspan_at(&work_t, last + j)) = 0.0;
-            (*cspan_at(&work, last + j)) = (*cspan_at(&work, block + regions__REGION_SHARE)) * per_level;
+            (*cspan_at(&work, last + j)) = (*cspan_at(&work, block + layout__REGION_SHARE)) * per_level;
         }
     }
     (*cspan_at(&work_t, last + count)) = 0.0;
@@ -553,10 +547,10 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     strips__eliminate(work, size);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        level = regions__region_block(i) + regions__REGION_LEVEL;
-        (*cspan_at(&work_t, level)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * i + size));
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * i + size));
     }
-    tangent_analyn__load_regions_t(&n4, &n5, tables, work, work_t, count);
+    tangent_analyn__load_regions_t(&n3, &n4, tables, work, work_t, count);
     penetration_t = (*cspan_at(&work, last + size));
     (*result_0) = penetration;
     (*result_1) = penetration_t;

@@ -10,7 +10,6 @@
 #include "analyn.h"
 #include "layout.h"
 #include "nodes.h"
-#include "regions.h"
 #include "strips.h"
 #include "tangent_rates.h"
 

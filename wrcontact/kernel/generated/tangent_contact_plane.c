@@ -31,13 +31,13 @@ static inline int64_t tangent_contact_plane__open_frame_t(double* z, double* z_t
     double cosine;
     double sine_t;
     double sine;
-    tangent_profile_table__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
+    tangent_profile_table__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, at, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
     (*y_track_t) = (*y_track_t) + aside_t;
     (*y_track) = (*y_track) + aside;
     abscissa_t = (*y_track_t);
-    abscissa = (*y_track) - (*cspan_at(&tables, layout__SET_RAIL_Y));
-    tangent_profile_table__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+    abscissa = (*y_track) - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+    tangent_profile_table__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + (*rail_slope) * (*rail_slope);
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -45,40 +45,40 @@ static inline int64_t tangent_contact_plane__open_frame_t(double* z, double* z_t
     cosine = v3;
     sine_t = (*rail_slope_t) * cosine + (*rail_slope) * cosine_t;
     sine = (*rail_slope) * cosine;
-    (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA)) = abscissa_t;
-    (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) = abscissa;
-    (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT)) = height_t;
-    (*cspan_at(&work, contact_plane__FRAME_HEIGHT)) = height;
-    (*cspan_at(&work_t, contact_plane__FRAME_Y)) = y_t;
-    (*cspan_at(&work, contact_plane__FRAME_Y)) = y;
-    (*cspan_at(&work_t, contact_plane__FRAME_COS)) = cosine_t;
-    (*cspan_at(&work, contact_plane__FRAME_COS)) = cosine;
-    (*cspan_at(&work_t, contact_plane__FRAME_SIN)) = sine_t;
-    (*cspan_at(&work, contact_plane__FRAME_SIN)) = sine;
-    (*cspan_at(&work_t, contact_plane__FRAME_SHIFT)) = shift_t;
-    (*cspan_at(&work, contact_plane__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work_t, contact_plane__FRAME_PLACE)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_PLACE)) = (double)(at);
-    (*cspan_at(&work_t, contact_plane__FRAME_Z)) = (*z_t);
-    (*cspan_at(&work, contact_plane__FRAME_Z)) = (*z);
-    (*cspan_at(&work_t, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work_t, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine_t + ((*cspan_at(&work_t, at + locus__PLACE_SIN_ROLL)) * sine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine_t);
-    (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work_t, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work_t, at + locus__PLACE_COS_ROLL)) * sine + (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine_t - ((*cspan_at(&work_t, at + locus__PLACE_SIN_ROLL)) * cosine + (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine_t);
-    (*cspan_at(&work, contact_plane__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work_t, contact_plane__FRAME_LIFT)) = z_track_t + shift_t - height_t;
-    (*cspan_at(&work, contact_plane__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work_t, contact_plane__FRAME_ASIDE)) = aside_t;
-    (*cspan_at(&work, contact_plane__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work_t, contact_plane__FRAME_RAISE)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_RAISE)) = 0.0;
-    (*cspan_at(&work_t, contact_plane__FRAME_POSE)) = shift_t;
-    (*cspan_at(&work, contact_plane__FRAME_POSE)) = shift;
-    (*cspan_at(&work_t, contact_plane__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work_t, contact_plane__FRAME_PRESSED)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 0.0;
-    (*cspan_at(&work_t, contact_plane__FRAME_BLUR)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_BLUR)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) = abscissa_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) = abscissa;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_Y)) = y_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y)) = y;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) = cosine_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) = cosine;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)) = sine_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) = sine;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)) = shift_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) = shift;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLACE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)) = (double)(at);
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_Z)) = (*z_t);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Z)) = (*z);
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL_COS)) = (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) * cosine_t + ((*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL)) * sine + (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) * sine_t);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS)) = (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) * sine;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL_SIN)) = (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL)) * sine + (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) * sine_t - ((*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL)) * cosine + (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) * cosine_t);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_SIN)) = (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) * cosine;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT)) = z_track_t + shift_t - height_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ASIDE)) = aside_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE)) = aside;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_POSE)) = shift_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)) = shift;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PRESSED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(0);
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = 0.0;
     tangent_contact_plane__start_tracer_t(work, work_t, 0.0, 0.0, abscissa, abscissa_t, y, y_t);
     (*mismatch_t) = (*rail_slope_t) - outline_slope_t;
     (*mismatch) = (*rail_slope) - outline_slope;
@@ -93,20 +93,20 @@ static inline int64_t tangent_contact_plane__open_frame_t(double* z, double* z_t
 /* Tangent of ``start_tracer``. */
 static inline int64_t tangent_contact_plane__start_tracer_t(array_double_1d work, array_double_1d work_t, double station, double station_t, double abscissa, double abscissa_t, double y, double y_t)
 {
-    (*cspan_at(&work_t, contact_plane__TRACER_STATION)) = station_t;
-    (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*cspan_at(&work_t, contact_plane__TRACER_RAIL)) = abscissa_t;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
-    (*cspan_at(&work_t, contact_plane__TRACER_RAIL_RATE)) = (*cspan_at(&work_t, contact_plane__FRAME_COS));
-    (*cspan_at(&work, contact_plane__TRACER_RAIL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
-    (*cspan_at(&work_t, contact_plane__TRACER_RAIL_BEND)) = 0.0;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL_BEND)) = 0.0;
-    (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) = y_t;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
-    (*cspan_at(&work_t, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work_t, contact_plane__FRAME_COS));
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = (*cspan_at(&work, contact_plane__FRAME_COS));
-    (*cspan_at(&work_t, contact_plane__TRACER_WHEEL_BEND)) = 0.0;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL_RATE)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL_RATE)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL_BEND)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL_BEND)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_BEND)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_BEND)) = 0.0;
     return INT64_C(0);
 }
 
@@ -143,16 +143,16 @@ static inline int64_t tangent_contact_plane__longitudinal_curvature_t(double* cu
     double v12;
     double v13;
     double v14;
-    r_t = (*cspan_at(&place_t, at + locus__PLACE_RADIUS)) + z_t;
-    r = (*cspan_at(&place, at + locus__PLACE_RADIUS)) + z;
+    r_t = (*cspan_at(&place_t, at + layout__PLACE_RADIUS)) + z_t;
+    r = (*cspan_at(&place, at + layout__PLACE_RADIUS)) + z;
     v1 = 1.0 / r;
     (*curvature_t) = (-v1) * r_t / r;
     (*curvature) = v1;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
     {
         return 0;
     }
-    if ((*cspan_at(&place, at + locus__PLACE_YAWED)) == 0.0)
+    if (!((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0))
     {
         v2 = 1.0 + slope * slope;
         v3 = sqrt(v2);
@@ -164,12 +164,12 @@ static inline int64_t tangent_contact_plane__longitudinal_curvature_t(double* cu
     else
     {
         tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, place, place_t, at, slope, slope_t);
-        e1_t = (*cspan_at(&place_t, at + locus__PLACE_COS_YAW));
-        e1 = (*cspan_at(&place, at + locus__PLACE_COS_YAW));
-        e2_t = (*cspan_at(&place_t, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_COS_ROLL)) + (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place_t, at + locus__PLACE_COS_ROLL));
-        e2 = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_COS_ROLL));
-        e3_t = (*cspan_at(&place_t, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_ROLL)) + (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place_t, at + locus__PLACE_SIN_ROLL));
-        e3 = (*cspan_at(&place, at + locus__PLACE_SIN_YAW)) * (*cspan_at(&place, at + locus__PLACE_SIN_ROLL));
+        e1_t = (*cspan_at(&place_t, at + layout__PLACE_COS_YAW));
+        e1 = (*cspan_at(&place, at + layout__PLACE_COS_YAW));
+        e2_t = (*cspan_at(&place_t, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_COS_ROLL)) + (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place_t, at + layout__PLACE_COS_ROLL));
+        e2 = (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_COS_ROLL));
+        e3_t = (*cspan_at(&place_t, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_SIN_ROLL)) + (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place_t, at + layout__PLACE_SIN_ROLL));
+        e3 = (*cspan_at(&place, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&place, at + layout__PLACE_SIN_ROLL));
         around_t = e1_t * cos_phi + e1 * cos_phi_t - (e3_t * sin_phi + e3 * sin_phi_t);
         around = e1 * cos_phi - e3 * sin_phi;
         v6 = 1.0 + slope * slope;
@@ -255,7 +255,7 @@ static inline int64_t tangent_contact_plane__trace_profile_t(double* result_0, d
     sine = (*cspan_at(&work, frame + INT64_C(1)));
     start = (*cspan_at(&tables, base + profile_table__START));
     stop = (*cspan_at(&tables, base + profile_table__STOP));
-    tangent_contact_plane__first_abscissa_t(&v1, &v1_t, work, work_t, tracer, station - (*cspan_at(&work, contact_plane__TRACER_STATION)), station_t - (*cspan_at(&work_t, contact_plane__TRACER_STATION)));
+    tangent_contact_plane__first_abscissa_t(&v1, &v1_t, work, work_t, tracer, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
     u_t = v1_t;
     u = v1;
     (*exists) = INT64_C(0);
@@ -337,7 +337,7 @@ static inline int64_t tangent_contact_plane__trace_rail_t(double* ordinate, doub
     double slope_t;
     double height;
     double height_t;
-    tangent_contact_plane__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), contact_plane__TRACER_RAIL, contact_plane__FRAME_COS, station, station_t, tolerance, tolerance_t, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA)), (*cspan_at(&work, contact_plane__FRAME_HEIGHT)), (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT)));
+    tangent_contact_plane__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), contact_plane__TRACER_RAIL, contact_plane__AT_PLANE, station, station_t, tolerance, tolerance_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
     return 0;
 }
 
@@ -353,14 +353,14 @@ static inline int64_t tangent_contact_plane__trace_wheel_t(double* ordinate, dou
     double z_t;
     double v1;
     double v1_t;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    if ((*cspan_at(&work, at + locus__PLACE_YAWED)) == 0.0)
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    if (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0))
     {
-        lift_t = (*cspan_at(&work_t, contact_plane__FRAME_LIFT));
-        lift = (*cspan_at(&work, contact_plane__FRAME_LIFT));
-        tangent_contact_plane__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), contact_plane__TRACER_WHEEL, contact_plane__FRAME_WHEEL_COS, station - lift * (*cspan_at(&work, contact_plane__FRAME_SIN)), station_t - (lift_t * (*cspan_at(&work, contact_plane__FRAME_SIN)) + lift * (*cspan_at(&work_t, contact_plane__FRAME_SIN))), tolerance, tolerance_t, (*cspan_at(&work, contact_plane__FRAME_Y)), (*cspan_at(&work_t, contact_plane__FRAME_Y)), (*cspan_at(&work, contact_plane__FRAME_Z)), (*cspan_at(&work_t, contact_plane__FRAME_Z)));
-        (*ordinate_t) = (*ordinate_t) - (lift_t * (*cspan_at(&work, contact_plane__FRAME_COS)) + lift * (*cspan_at(&work_t, contact_plane__FRAME_COS)));
-        (*ordinate) = (*ordinate) - lift * (*cspan_at(&work, contact_plane__FRAME_COS));
+        lift_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT));
+        lift = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT));
+        tangent_contact_plane__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), contact_plane__TRACER_WHEEL, contact_plane__AT_WHEEL_PLANE, station - lift * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)), station_t - (lift_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + lift * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN))), tolerance, tolerance_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_Y)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Z)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_Z)));
+        (*ordinate_t) = (*ordinate_t) - (lift_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + lift * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)));
+        (*ordinate) = (*ordinate) - lift * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
         tangent_contact_plane__longitudinal_curvature_t(&v1, &v1_t, tables, work, work_t, at, z, z_t, slope, slope_t, (*bend), (*bend_t));
         (*curvature_t) = v1_t;
         (*curvature) = v1;
@@ -436,18 +436,18 @@ static inline int64_t tangent_contact_plane__trace_outline_t(double* result_0, d
     double v13_t;
     double v14;
     double v15;
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-    cosine_t = (*cspan_at(&work_t, contact_plane__FRAME_COS));
-    cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-    sine_t = (*cspan_at(&work_t, contact_plane__FRAME_SIN));
-    sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
+    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    sine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN));
+    sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     start = (*cspan_at(&tables, wheel + profile_table__START));
     stop = (*cspan_at(&tables, wheel + profile_table__STOP));
-    left_t = (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA)) - (*cspan_at(&work_t, contact_plane__FRAME_ASIDE));
-    left = (*cspan_at(&tables, layout__SET_RAIL_Y)) + (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)) - (*cspan_at(&work, contact_plane__FRAME_ASIDE));
-    above_t = (*cspan_at(&work_t, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT));
-    above = (*cspan_at(&work, contact_plane__FRAME_SHIFT)) - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-    tangent_contact_plane__first_abscissa_t(&v1, &v1_t, work, work_t, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, contact_plane__TRACER_STATION)), station_t - (*cspan_at(&work_t, contact_plane__TRACER_STATION)));
+    left_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ASIDE));
+    left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE));
+    above_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    above = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    tangent_contact_plane__first_abscissa_t(&v1, &v1_t, work, work_t, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
     y_t = v1_t;
     y = v1;
     (*exists) = INT64_C(0);
@@ -522,13 +522,13 @@ static inline int64_t tangent_contact_plane__trace_outline_t(double* result_0, d
     (*turn_t) = ((((-outline_rate_t) * per_stretch + v7 * per_stretch_t) * per_along + v8 * per_along_t) * per_along + v9 * per_along_t) * per_along + v10 * per_along_t;
     (*turn) = v10 * per_along;
     v11 = offset * per_along;
-    (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) = y_t - ((offset_t * per_along + offset * per_along_t) * per_stretch + v11 * per_stretch_t);
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y - v11 * per_stretch;
-    (*cspan_at(&work_t, contact_plane__TRACER_WHEEL_RATE)) = per_along_t * per_stretch + per_along * per_stretch_t;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = per_along * per_stretch;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y_t - ((offset_t * per_along + offset * per_along_t) * per_stretch + v11 * per_stretch_t);
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y - v11 * per_stretch;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = per_along_t * per_stretch + per_along * per_stretch_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = per_along * per_stretch;
     v12 = (*turn) * sine;
-    (*cspan_at(&work_t, contact_plane__TRACER_WHEEL_BEND)) = ((*turn_t) * sine + (*turn) * sine_t) * per_stretch + v12 * per_stretch_t;
-    (*cspan_at(&work, contact_plane__TRACER_WHEEL_BEND)) = v12 * per_stretch;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_BEND)) = ((*turn_t) * sine + (*turn) * sine_t) * per_stretch + v12 * per_stretch_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_BEND)) = v12 * per_stretch;
     tangent_contact_plane__longitudinal_curvature_t(&v13, &v13_t, tables, work, work_t, at, z, z_t, slope, slope_t, bend, bend_t);
     (*curvature_t) = v13_t;
     (*curvature) = v13;
@@ -561,10 +561,10 @@ static inline int64_t tangent_contact_plane__normal_gap_t(double* gap, double* g
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
     tangent_contact_plane__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, tables, work, work_t, station, station_t, tolerance, tolerance_t);
     tangent_contact_plane__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, tables, work, work_t, station, station_t, tolerance, tolerance_t);
-    (*cspan_at(&work_t, contact_plane__TRACER_STATION)) = station_t;
-    (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*gap_t) = wheel_height_t - rail_height_t + (*cspan_at(&work_t, contact_plane__FRAME_RAISE));
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, contact_plane__FRAME_RAISE));
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+    (*gap_t) = wheel_height_t - rail_height_t + (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED));
+    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED));
     if ((on_rail == INT64_C(0)) || (on_wheel == INT64_C(0)))
     {
         (*gap_t) = 0.0;
@@ -596,17 +596,17 @@ static inline int64_t tangent_contact_plane__ridge_place_t(double* result_0, dou
     double lateral_t;
     double lateral;
     double v3;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, at, slope, slope_t);
-    r_t = (*cspan_at(&work_t, at + locus__PLACE_RADIUS)) + z_t;
-    r = (*cspan_at(&work, at + locus__PLACE_RADIUS)) + z;
-    v1 = (*cspan_at(&work, at + locus__PLACE_ARM)) + y;
+    r_t = (*cspan_at(&work_t, at + layout__PLACE_RADIUS)) + z_t;
+    r = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
+    v1 = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
     v2 = r * cos_phi;
-    lateral_t = ((*cspan_at(&work_t, at + locus__PLACE_ARM)) + y_t) * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, at + locus__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, at + locus__PLACE_SIN_ROLL)));
-    lateral = v1 * (*cspan_at(&work, at + locus__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, at + locus__PLACE_SIN_ROLL));
-    v3 = (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r;
-    (*result_0) = v3 * sin_phi - (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral;
-    (*result_1) = ((*cspan_at(&work_t, at + locus__PLACE_COS_YAW)) * r + (*cspan_at(&work, at + locus__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, at + locus__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, at + locus__PLACE_SIN_YAW)) * lateral_t);
+    lateral_t = ((*cspan_at(&work_t, at + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL)));
+    lateral = v1 * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+    v3 = (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r;
+    (*result_0) = v3 * sin_phi - (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral;
+    (*result_1) = ((*cspan_at(&work_t, at + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, at + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral_t);
     return 0;
 }

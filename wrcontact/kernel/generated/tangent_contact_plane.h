@@ -10,7 +10,6 @@
 #include "contact_plane.h"
 #include "gap.h"
 #include "layout.h"
-#include "locus.h"
 #include "profile_table.h"
 #include "tangent_locus.h"
 #include "tangent_profile_table.h"

@@ -7,11 +7,8 @@
 #define WRCONTACT_KERNEL_TANGENT_CONTACT_POINT_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "contact_point.h"
 #include "layout.h"
-#include "locus.h"
-#include "regions.h"
 #include "tangent_contact_plane.h"
 #include "tangent_lateral_curvature.h"
 #include "tangent_locus.h"

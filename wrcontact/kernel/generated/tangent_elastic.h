@@ -7,10 +7,8 @@
 #define WRCONTACT_KERNEL_TANGENT_ELASTIC_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "elastic.h"
 #include "layout.h"
-#include "side.h"
 #include "tangent_side.h"
 
 static inline int64_t tangent_elastic__carry_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double height, double height_t);

@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "gap.h"
 #include "layout.h"
-#include "locus.h"
 #include "tangent_locus.h"
 #include "tangent_profile_table.h"
 

@@ -11,18 +11,18 @@ static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, a
     double yaw_t;
     double yaw;
     tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
-    yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_YAW));
-    yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_YAW));
+    yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
     if ((yaw == 0.0) && (yaw_t != 0.0))
     {
-        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
-        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
-        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_COS_YAW)) = cos(yaw);
-        (*cspan_at(&work_t, roll__RIGHT_PLACE + locus__PLACE_YAWED)) = 0.0;
-        (*cspan_at(&work, roll__RIGHT_PLACE + locus__PLACE_YAWED)) = 1.0;
-        tangent_locus__turn_wheelset_t(work, work_t, roll__RIGHT_PLACE, roll, roll_t);
-        tangent_locus__mirror_place_t(work, work_t, roll__RIGHT_PLACE, roll__LEFT_PLACE);
+        (*cspan_at(&work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
+        (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
+        (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_YAWED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_YAWED)) = (double)(1);
+        tangent_locus__turn_wheelset_t(work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), roll, roll_t);
+        tangent_locus__mirror_place_t(work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), layout__WORK_PLACES);
     }
     return INT64_C(0);
 }
@@ -41,17 +41,17 @@ static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables,
     double rate;
     double rate_t;
     double v1;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
     y_t = 0.0;
-    y = (*cspan_at(&work, side + layout__SIDE_BEST_Y));
+    y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, at, y, y_t);
     v1 = -mismatch;
     y_t = (-mismatch_t) / rate;
     tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, at, y, y_t);
-    (*cspan_at(&work_t, side + layout__SIDE_BEST_Y)) = y_t;
-    (*cspan_at(&work, side + layout__SIDE_BEST_Y)) = y;
-    (*cspan_at(&work_t, side + layout__SIDE_BEST)) = gap_t;
+    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)) = y_t;
+    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) = gap_t;
     return INT64_C(0);
 }
 
@@ -79,14 +79,14 @@ static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* resu
     double lever_t;
     double lever;
     double v3;
-    (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL));
+    (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
     tangent_implicit__place_moving_t(tables, work, work_t, (*roll), 0.0);
-    left = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BEST_Y));
-    right = (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK + layout__SIDE_BEST_Y));
-    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, roll__LEFT_PLACE, left, 0.0);
-    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, roll__RIGHT_PLACE, right, 0.0);
-    tangent_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, roll__RIGHT_PLACE, right, 0.0);
-    tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, roll__LEFT_PLACE, left, 0.0);
+    left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+    right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
+    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__WORK_PLACES, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
+    tangent_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
+    tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__WORK_PLACES, left, 0.0);
     lever_t = v1_t + v2_t;
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
@@ -117,7 +117,6 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
     double roll;
     double height_t;
     double height;
-    int64_t left;
     int64_t right;
     double lack_left;
     double lack_right;
@@ -128,25 +127,24 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
     double determinant;
     double height_rate;
     double roll_rate;
-    roll_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL));
-    roll = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL));
-    height_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT));
-    height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT));
-    left = layout__WORK_SUPPORT + side__SUPPORT_HEIGHT;
-    right = layout__WORK_SUPPORT + layout__SUPPORT_BLOCK + side__SUPPORT_HEIGHT;
+    roll_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
+    roll = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
+    height_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
+    height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
+    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
-    if (fabs((*cspan_at(&work, left)) - height) + fabs((*cspan_at(&work, right)) - height) > 10000.0 * elastic__ELASTIC_SHARP)
+    if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > 10000.0 * elastic__ELASTIC_SHARP)
     {
         return INT64_C(1);
     }
-    lack_left = (*cspan_at(&work_t, left));
-    lack_right = (*cspan_at(&work_t, right));
+    lack_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    lack_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 1.0);
-    left_height = (*cspan_at(&work_t, left)) - lack_left - 1.0;
-    right_height = (*cspan_at(&work_t, right)) - lack_right - 1.0;
+    left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - lack_left - 1.0;
+    right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - lack_right - 1.0;
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 1.0, height, 0.0);
-    left_roll = (*cspan_at(&work_t, left)) - lack_left;
-    right_roll = (*cspan_at(&work_t, right)) - lack_right;
+    left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - lack_left;
+    right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - lack_right;
     determinant = left_height * right_roll - right_height * left_roll;
     if (determinant == 0.0)
     {
@@ -155,10 +153,10 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
     height_rate = (lack_right * left_roll - lack_left * right_roll) / determinant;
     roll_rate = (lack_left * right_height - lack_right * left_height) / determinant;
     tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, roll_rate, height, height_rate);
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll_rate;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height_rate;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height;
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_rate;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_rate;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
     return INT64_C(0);
 }
 
@@ -170,15 +168,15 @@ static inline int64_t tangent_implicit__follow_compliant_t(array_double_1d table
     double height_t;
     double height;
     int64_t index;
-    roll_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_ROLL));
-    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_ROLL));
-    height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
-    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__IN_VERTICAL_SHIFT));
+    roll_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll_t;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_ROLL)) = roll;
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height_t;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUT_VERTICAL_SHIFT)) = height;
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_t;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
+    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_t;
+    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         tangent_implicit__follow_minimum_t(tables, work, work_t, index);
@@ -198,7 +196,7 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     int64_t index;
     int64_t n2;
     int64_t outcome;
-    mode = (int64_t)((*cspan_at(&tables, layout__SET_MODE)));
+    mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
     outcome = INT64_C(0);
     if (mode == layout__MODE_RIGID)
     {
@@ -221,7 +219,7 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     {
         tangent_implicit__follow_compliant_t(tables, work, work_t, state);
     }
-    tangent_resultant__write_resultant_t(tables, work, work_t, side__side_resultant(INT64_C(0)), side__side_resultant(INT64_C(1)));
+    tangent_resultant__write_resultant_t(tables, work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
     tangent_step__withhold_t(tables, work, work_t);
     return outcome;
 }

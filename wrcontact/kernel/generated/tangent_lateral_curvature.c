@@ -55,10 +55,10 @@ static inline int64_t tangent_lateral_curvature__relative_curvature_t(double* re
     double rail_t;
     double rail;
     double v3;
-    tangent_lateral_curvature__profile_curvature_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL_CURVATURE))), y, y_t);
+    tangent_lateral_curvature__profile_curvature_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE))), y, y_t);
     wheel_t = v1_t;
     wheel = v1;
-    tangent_lateral_curvature__profile_curvature_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL_CURVATURE))), abscissa, abscissa_t);
+    tangent_lateral_curvature__profile_curvature_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE))), abscissa, abscissa_t);
     rail_t = v2_t;
     rail = v2;
     v3 = wheel + rail;

@@ -7,7 +7,7 @@
 #define WRCONTACT_KERNEL_TANGENT_LOCUS_H
 
 #include "../native/spans.h"
-#include "locus.h"
+#include "layout.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d place, array_double_1d place_t, int64_t at, double roll, double roll_t);

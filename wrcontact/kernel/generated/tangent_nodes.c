@@ -52,9 +52,9 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
     double station;
     int64_t k9;
     int64_t k10;
-    block = regions__region_block(region);
-    (*cspan_at(&work_t, block + regions__REGION_SPACING)) = spacing_t;
-    (*cspan_at(&work, block + regions__REGION_SPACING)) = spacing;
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    (*cspan_at(&work_t, block + layout__REGION_SPACING)) = spacing_t;
+    (*cspan_at(&work, block + layout__REGION_SPACING)) = spacing;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
     tolerance_t = nodes__TRACE_SHARE * spacing_t;
@@ -65,14 +65,14 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
         tolerance = nodes__FINEST_TRACE;
     }
     prepared = INT64_C(0);
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
-    origin_t = (*cspan_at(&work_t, block + regions__REGION_STATION));
-    origin = (*cspan_at(&work, block + regions__REGION_STATION));
-    tangent_contact_plane__start_tracer_t(work, work_t, origin, origin_t, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
-    tangent_separation__open_origin_t(tables, work, work_t, origin, origin_t, (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work_t, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)), spacing, spacing_t);
+    origin_t = (*cspan_at(&work_t, block + layout__REGION_STATION));
+    origin = (*cspan_at(&work, block + layout__REGION_STATION));
+    tangent_contact_plane__start_tracer_t(work, work_t, origin, origin_t, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+    tangent_separation__open_origin_t(tables, work, work_t, origin, origin_t, (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work_t, block + layout__REGION_GAP)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)), spacing, spacing_t);
     tangent_separation__separation_t(&gap, &gap_t, &first_rate, &first_rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, origin, origin_t, tolerance, tolerance_t);
     (*cspan_at(&work_t, gaps)) = 0.0;
     (*cspan_at(&work, gaps)) = 0.0;
@@ -81,13 +81,13 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
     if (prepared == INT64_C(1))
     {
         k1 = nodes__node_field(region, nodes__NODE_B);
-        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)), (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
+        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
         (*cspan_at(&work_t, k1)) = v2_t;
         (*cspan_at(&work, k1)) = v2;
     }
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
-        tangent_contact_plane__start_tracer_t(work, work_t, origin, origin_t, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+        tangent_contact_plane__start_tracer_t(work, work_t, origin, origin_t, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
         rate_t = first_rate_t;
         rate = first_rate;
         reach_t = high_reach_t;
@@ -113,7 +113,7 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
                 if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
                 {
                     step = INT64_C(1);
-                    tangent_contact_plane__start_tracer_t(work, work_t, origin, origin_t, (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+                    tangent_contact_plane__start_tracer_t(work, work_t, origin, origin_t, (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
                     at = direction * (traced + step);
                     v4 = (double)(at);
                     tangent_separation__separation_t(&gap, &gap_t, &next_rate, &next_rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, origin + spacing * v4, origin_t + spacing_t * v4, tolerance, tolerance_t);
@@ -126,14 +126,14 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
                 }
                 else
                 {
-                    (*cspan_at(&work_t, gaps + at)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
-                    (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+                    (*cspan_at(&work_t, gaps + at)) = gap_t - (*cspan_at(&work_t, block + layout__REGION_GAP));
+                    (*cspan_at(&work, gaps + at)) = gap - (*cspan_at(&work, block + layout__REGION_GAP));
                     (*cspan_at(&work_t, longitudinal + at)) = 0.5 * curvature_t;
                     (*cspan_at(&work, longitudinal + at)) = 0.5 * curvature;
                     if (prepared == INT64_C(1))
                     {
                         k6 = nodes__node_field(region, nodes__NODE_B) + at;
-                        tangent_lateral_curvature__relative_curvature_t(&v7, &v7_t, tables, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)), (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
+                        tangent_lateral_curvature__relative_curvature_t(&v7, &v7_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
                         (*cspan_at(&work_t, k6)) = v7_t;
                         (*cspan_at(&work, k6)) = v7;
                     }
@@ -167,7 +167,7 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
             {
                 passed = k;
             }
-            else if ((station > (*cspan_at(&work, block + regions__REGION_HIGH))) || (station < (*cspan_at(&work, block + regions__REGION_LOW))))
+            else if ((station > (*cspan_at(&work, block + layout__REGION_HIGH))) || (station < (*cspan_at(&work, block + layout__REGION_LOW))))
             {
                 passed = k;
             }
@@ -178,13 +178,13 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
         }
         if (direction < INT64_C(0))
         {
-            (*cspan_at(&work_t, block + regions__REGION_FIRST)) = 0.0;
-            (*cspan_at(&work, block + regions__REGION_FIRST)) = (double)(-passed);
+            (*cspan_at(&work_t, block + layout__REGION_FIRST)) = 0.0;
+            (*cspan_at(&work, block + layout__REGION_FIRST)) = (double)((double)(-passed));
         }
         else
         {
-            (*cspan_at(&work_t, block + regions__REGION_LAST)) = 0.0;
-            (*cspan_at(&work, block + regions__REGION_LAST)) = (double)(passed);
+            (*cspan_at(&work_t, block + layout__REGION_LAST)) = 0.0;
+            (*cspan_at(&work, block + layout__REGION_LAST)) = (double)((double)(passed));
         }
     }
     return INT64_C(0);
@@ -281,16 +281,16 @@ static inline int64_t tangent_nodes__end_region_t(array_double_1d work, array_do
 {
     if (direction > INT64_C(0))
     {
-        if (station + (*cspan_at(&work, block + regions__REGION_SPACING)) < (*cspan_at(&work, block + regions__REGION_HIGH)))
+        if (station + (*cspan_at(&work, block + layout__REGION_SPACING)) < (*cspan_at(&work, block + layout__REGION_HIGH)))
         {
-            (*cspan_at(&work_t, block + regions__REGION_HIGH)) = station_t;
-            (*cspan_at(&work, block + regions__REGION_HIGH)) = station;
+            (*cspan_at(&work_t, block + layout__REGION_HIGH)) = station_t;
+            (*cspan_at(&work, block + layout__REGION_HIGH)) = station;
         }
     }
-    else if (station - (*cspan_at(&work, block + regions__REGION_SPACING)) > (*cspan_at(&work, block + regions__REGION_LOW)))
+    else if (station - (*cspan_at(&work, block + layout__REGION_SPACING)) > (*cspan_at(&work, block + layout__REGION_LOW)))
     {
-        (*cspan_at(&work_t, block + regions__REGION_LOW)) = station_t;
-        (*cspan_at(&work, block + regions__REGION_LOW)) = station;
+        (*cspan_at(&work_t, block + layout__REGION_LOW)) = station_t;
+        (*cspan_at(&work, block + layout__REGION_LOW)) = station;
     }
     return INT64_C(0);
 }
@@ -336,63 +336,61 @@ static inline int64_t tangent_nodes__second_difference_t(double* v5, double* res
 }
 
 /* Tangent of ``secant_curvature``. */
-static inline int64_t tangent_nodes__secant_curvature_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t window, double middle, double middle_t)
+static inline int64_t tangent_nodes__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t window, double middle, double middle_t)
 {
     int64_t gaps;
-    int64_t k1;
     double spacing_t;
     double spacing;
-    double v2;
+    double v1;
     double s_t;
     double s;
-    double v3;
-    double v5;
+    double v2;
+    double v4;
     double width_t;
     double width;
+    double v5;
     double v6;
-    double v7;
     double edge_t;
     double edge;
+    double v7;
     double v8;
     double v9;
     double v10;
     double v11;
     double v12;
-    double v13;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
-    k1 = regions__region_block(region) + regions__REGION_SPACING;
-    spacing_t = (*cspan_at(&work_t, k1));
-    spacing = (*cspan_at(&work, k1));
+    spacing_t = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_SPACING));
     if ((k >= window) || (k <= -window))
     {
-        v2 = (double)(k);
-        s_t = spacing_t * v2;
-        s = spacing * v2;
-        v3 = s * s;
-        (*v4) = (*cspan_at(&work, gaps + k)) / v3;
-        (*result_1) = ((*cspan_at(&work_t, gaps + k)) - (*v4) * (s_t * s + s * s_t)) / v3;
+        v1 = (double)(k);
+        s_t = spacing_t * v1;
+        s = spacing * v1;
+        v2 = s * s;
+        (*v3) = (*cspan_at(&work, gaps + k)) / v2;
+        (*result_1) = ((*cspan_at(&work_t, gaps + k)) - (*v3) * (s_t * s + s * s_t)) / v2;
         return 0;
     }
-    v5 = (double)(window);
-    width_t = spacing_t * v5;
-    width = spacing * v5;
-    v6 = width * width;
-    v7 = (*cspan_at(&work, gaps + window)) / v6;
-    edge_t = ((*cspan_at(&work_t, gaps + window)) - v7 * (width_t * width + width * width_t)) / v6;
-    edge = v7;
+    v4 = (double)(window);
+    width_t = spacing_t * v4;
+    width = spacing * v4;
+    v5 = width * width;
+    v6 = (*cspan_at(&work, gaps + window)) / v5;
+    edge_t = ((*cspan_at(&work_t, gaps + window)) - v6 * (width_t * width + width * width_t)) / v5;
+    edge = v6;
     if (k < INT64_C(0))
     {
-        v8 = width * width;
-        v9 = (*cspan_at(&work, gaps - window)) / v8;
-        edge_t = ((*cspan_at(&work_t, gaps - window)) - v9 * (width_t * width + width * width_t)) / v8;
-        edge = v9;
+        v7 = width * width;
+        v8 = (*cspan_at(&work, gaps - window)) / v7;
+        edge_t = ((*cspan_at(&work_t, gaps - window)) - v8 * (width_t * width + width * width_t)) / v7;
+        edge = v8;
     }
-    v10 = edge - middle;
-    v11 = fabs((double)(k));
-    v12 = v10 * v11;
-    v13 = (double)(window);
-    (*v4) = middle + v12 / v13;
-    (*result_1) = middle_t + (edge_t - middle_t) * v11 / v13;
+    v9 = edge - middle;
+    v10 = fabs((double)(k));
+    v11 = v9 * v10;
+    v12 = (double)(window);
+    (*v3) = middle + v11 / v12;
+    (*result_1) = middle_t + (edge_t - middle_t) * v10 / v12;
     return 0;
 }
 
@@ -441,9 +439,9 @@ static inline int64_t tangent_nodes__adaptive_curvatures_t(double* secant, doubl
     double v6_t;
     double v5;
     double v5_t;
-    block = regions__region_block(region);
-    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     tangent_nodes__secant_curvature_t(&v1, &v1_t, work, work_t, region, k, window, middle, middle_t);
     (*secant_t) = v1_t;
     (*secant) = v1;
@@ -471,12 +469,12 @@ static inline int64_t tangent_nodes__adaptive_curvatures_t(double* secant, doubl
         (*B_t) = least_t;
         (*B) = least;
     }
-    (*side_t) = (*cspan_at(&work_t, block + regions__REGION_SIDE_HIGH));
-    (*side) = (*cspan_at(&work, block + regions__REGION_SIDE_HIGH));
+    (*side_t) = (*cspan_at(&work_t, block + layout__REGION_SIDE_HIGH));
+    (*side) = (*cspan_at(&work, block + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
     {
-        (*side_t) = (*cspan_at(&work_t, block + regions__REGION_SIDE_LOW));
-        (*side) = (*cspan_at(&work, block + regions__REGION_SIDE_LOW));
+        (*side_t) = (*cspan_at(&work_t, block + layout__REGION_SIDE_LOW));
+        (*side) = (*cspan_at(&work, block + layout__REGION_SIDE_LOW));
     }
     if ((*side) < least)
     {
@@ -543,13 +541,13 @@ static inline int64_t tangent_nodes__weigh_nodes_t(array_double_1d tables, array
     int64_t k12;
     double v13;
     int64_t k14;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     longitudinal = nodes__node_field(region, nodes__NODE_A);
-    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     yawed = contact_plane__is_yawed(work);
     prepared = INT64_C(0);
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
@@ -563,10 +561,10 @@ static inline int64_t tangent_nodes__weigh_nodes_t(array_double_1d tables, array
     {
         tangent_nodes__turn_region_t(&alpha_turn, &alpha_turn_t, &beta_turn, &beta_turn_t, &nr_turn, &nr_turn_t, tables, work, work_t, region);
     }
-    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
-    v1 = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH)));
+    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
+    v1 = (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH));
+    mean_t = 0.5 * ((*cspan_at(&work_t, block + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, block + layout__REGION_WIDTH_HIGH)));
     mean = 0.5 * v1;
     tangent_nodes__second_difference_t(&v2, &v2_t, work, work_t, gaps, spacing, spacing_t, window);
     middle_t = v2_t;
@@ -576,8 +574,8 @@ static inline int64_t tangent_nodes__weigh_nodes_t(array_double_1d tables, array
         middle_t = 0.0;
         middle = 0.0;
     }
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         A_t = (*cspan_at(&work_t, longitudinal + k));
         A = (*cspan_at(&work, longitudinal + k));
@@ -630,7 +628,7 @@ static inline int64_t tangent_nodes__weigh_nodes_t(array_double_1d tables, array
         (*cspan_at(&work_t, k11)) = beta_t * (*cspan_at(&work, gaps + k)) + beta * (*cspan_at(&work_t, gaps + k));
         (*cspan_at(&work, k11)) = beta * (*cspan_at(&work, gaps + k));
         k12 = nodes__node_field(region, nodes__NODE_LINE) + k;
-        v13 = (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)) / nr;
+        v13 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
         (*cspan_at(&work_t, k12)) = (-v13) * nr_t / nr;
         (*cspan_at(&work, k12)) = v13;
         k14 = nodes__node_field(region, nodes__NODE_LENGTH) + k;
@@ -671,13 +669,13 @@ static inline int64_t tangent_nodes__turn_region_t(double* v5, double* result_1,
     double share_t;
     double v3;
     double v4;
-    block = regions__region_block(region);
-    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     k1 = nodes__node_field(region, nodes__NODE_A);
     A_t = (*cspan_at(&work_t, k1));
     A = (*cspan_at(&work, k1));
-    v2 = (*cspan_at(&work, block + regions__REGION_SIDE_LOW)) + (*cspan_at(&work, block + regions__REGION_SIDE_HIGH));
-    B_t = 0.5 * ((*cspan_at(&work_t, block + regions__REGION_SIDE_LOW)) + (*cspan_at(&work_t, block + regions__REGION_SIDE_HIGH)));
+    v2 = (*cspan_at(&work, block + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, block + layout__REGION_SIDE_HIGH));
+    B_t = 0.5 * ((*cspan_at(&work_t, block + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, block + layout__REGION_SIDE_HIGH)));
     B = 0.5 * v2;
     if (B < nodes__FLOOR * A)
     {
@@ -685,18 +683,18 @@ static inline int64_t tangent_nodes__turn_region_t(double* v5, double* result_1,
         B = nodes__FLOOR * A;
     }
     tangent_hertz__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
-    tangent_hertz__skewed_coefficients_t(&turned_alpha, &turned_alpha_t, &turned_beta, &turned_beta_t, &turned_nr, &turned_nr_t, tables, base, A, A_t, B, B_t, (*cspan_at(&work, block + regions__REGION_SLANT)), (*cspan_at(&work_t, block + regions__REGION_SLANT)));
-    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    tangent_hertz__skewed_coefficients_t(&turned_alpha, &turned_alpha_t, &turned_beta, &turned_beta_t, &turned_nr, &turned_nr_t, tables, base, A, A_t, B, B_t, (*cspan_at(&work, block + layout__REGION_SLANT)), (*cspan_at(&work_t, block + layout__REGION_SLANT)));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         tangent_hertz__upright_rule_t(&upright_A, &upright_A_t, &upright_B, &upright_B_t, &share, &share_t, tables, base, turned_alpha * A, turned_alpha_t * A + turned_alpha * A_t, turned_beta * B, turned_beta_t * B + turned_beta * B_t, turned_nr, turned_nr_t);
         v3 = upright_A / A;
-        (*cspan_at(&work_t, block + regions__REGION_UPRIGHT_A)) = (upright_A_t - v3 * A_t) / A;
-        (*cspan_at(&work, block + regions__REGION_UPRIGHT_A)) = v3;
+        (*cspan_at(&work_t, block + layout__REGION_UPRIGHT_A)) = (upright_A_t - v3 * A_t) / A;
+        (*cspan_at(&work, block + layout__REGION_UPRIGHT_A)) = v3;
         v4 = upright_B / B;
-        (*cspan_at(&work_t, block + regions__REGION_UPRIGHT_B)) = (upright_B_t - v4 * B_t) / B;
-        (*cspan_at(&work, block + regions__REGION_UPRIGHT_B)) = v4;
-        (*cspan_at(&work_t, block + regions__REGION_UPRIGHT_SHARE)) = share_t;
-        (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE)) = share;
+        (*cspan_at(&work_t, block + layout__REGION_UPRIGHT_B)) = (upright_B_t - v4 * B_t) / B;
+        (*cspan_at(&work, block + layout__REGION_UPRIGHT_B)) = v4;
+        (*cspan_at(&work_t, block + layout__REGION_UPRIGHT_SHARE)) = share_t;
+        (*cspan_at(&work, block + layout__REGION_UPRIGHT_SHARE)) = share;
     }
     (*v5) = turned_alpha / alpha;
     (*v6) = turned_beta / beta;

@@ -10,7 +10,6 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "nodes.h"
-#include "regions.h"
 #include "tangent_contact_plane.h"
 #include "tangent_hertz.h"
 #include "tangent_lateral_curvature.h"
@@ -23,7 +22,7 @@ static inline int64_t tangent_nodes__fill_between_t(array_double_1d work, array_
 static inline int64_t tangent_nodes__extrapolate_node_t(array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t longitudinal, int64_t at, int64_t direction);
 static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, double low_reach, double low_reach_t, double high_reach, double high_reach_t, double spacing, double spacing_t, int64_t window, int64_t stride);
 static inline int64_t tangent_nodes__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t at, double spacing, double spacing_t, int64_t window);
-static inline int64_t tangent_nodes__secant_curvature_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t window, double middle, double middle_t);
+static inline int64_t tangent_nodes__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t window, double middle, double middle_t);
 static inline int64_t tangent_nodes__windowed_curvature_t(double* v4, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t);
 static inline int64_t tangent_nodes__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t);
 static inline int64_t tangent_nodes__turn_region_t(double* v5, double* result_1, double* v6, double* result_3, double* v7, double* result_5, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region);

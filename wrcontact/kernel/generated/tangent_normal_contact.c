@@ -72,18 +72,18 @@ static inline int64_t tangent_normal_contact__measure_widths_t(array_double_1d t
     double v14;
     double v14_t;
     double v16;
-    block = regions__region_block(region);
-    bend_t = (*cspan_at(&work_t, block + regions__REGION_BEND));
-    bend = (*cspan_at(&work, block + regions__REGION_BEND));
-    if (bend < normal_contact__LEAST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE)))
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    bend_t = (*cspan_at(&work_t, block + layout__REGION_BEND));
+    bend = (*cspan_at(&work, block + layout__REGION_BEND));
+    if (bend < normal_contact__LEAST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE)))
     {
-        bend_t = normal_contact__LEAST_BEND * (*cspan_at(&work_t, block + regions__REGION_CURVATURE));
-        bend = normal_contact__LEAST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        bend_t = normal_contact__LEAST_BEND * (*cspan_at(&work_t, block + layout__REGION_CURVATURE));
+        bend = normal_contact__LEAST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE));
     }
-    if (bend > normal_contact__MOST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE)))
+    if (bend > normal_contact__MOST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE)))
     {
-        bend_t = normal_contact__MOST_BEND * (*cspan_at(&work_t, block + regions__REGION_CURVATURE));
-        bend = normal_contact__MOST_BEND * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        bend_t = normal_contact__MOST_BEND * (*cspan_at(&work_t, block + layout__REGION_CURVATURE));
+        bend = normal_contact__MOST_BEND * (*cspan_at(&work, block + layout__REGION_CURVATURE));
     }
     v1 = 2.0 * level;
     v2 = v1 / bend;
@@ -92,34 +92,34 @@ static inline int64_t tangent_normal_contact__measure_widths_t(array_double_1d t
     low = v3;
     high_t = low_t;
     high = low;
-    if ((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0)
+    if ((*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)) > 0.0)
     {
-        v4 = level / (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL));
+        v4 = level / (*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL));
         v5 = sqrt(v4);
-        grown_t = tangent_rates__root_rate(v5, (level_t - v4 * (*cspan_at(&work_t, block + regions__REGION_WIDTH_LEVEL))) / (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)));
+        grown_t = tangent_rates__root_rate(v5, (level_t - v4 * (*cspan_at(&work_t, block + layout__REGION_WIDTH_LEVEL))) / (*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)));
         grown = v5;
-        low_t = (*cspan_at(&work_t, block + regions__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) * grown_t;
-        low = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) * grown;
-        high_t = (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown_t;
-        high = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) * grown;
+        low_t = (*cspan_at(&work_t, block + layout__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) * grown_t;
+        low = (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) * grown;
+        high_t = (*cspan_at(&work_t, block + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) * grown_t;
+        high = (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) * grown;
     }
     tangent_regions__width_rule_t(&v6, &v6_t, tables, work, work_t, state, block, 1.0, 0.0, level, level_t, high, high_t);
     high_t = v6_t;
     high = v6;
-    high_reached_t = (*cspan_at(&work_t, block + regions__REGION_REACHED));
-    high_reached = (*cspan_at(&work, block + regions__REGION_REACHED));
+    high_reached_t = (*cspan_at(&work_t, block + layout__REGION_REACHED));
+    high_reached = (*cspan_at(&work, block + layout__REGION_REACHED));
     slant_t = 0.0;
     slant = 0.0;
-    start_t = (*cspan_at(&work_t, contact_plane__TRACER_STATION));
-    start = (*cspan_at(&work, contact_plane__TRACER_STATION));
+    start_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        tangent_contact_plane__ridge_place_t(&v7, &v7_t, tables, work, work_t, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)));
+        tangent_contact_plane__ridge_place_t(&v7, &v7_t, tables, work, work_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
         slant_t = v7_t;
         slant = v7;
     }
-    if (!((*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) > 0.0))
+    if (!((*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)) > 0.0))
     {
         low_t = high_t;
         low = high;
@@ -129,34 +129,34 @@ static inline int64_t tangent_normal_contact__measure_widths_t(array_double_1d t
     low = v8;
     if (yawed == INT64_C(1))
     {
-        tangent_contact_plane__ridge_place_t(&v9, &v9_t, tables, work, work_t, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)));
+        tangent_contact_plane__ridge_place_t(&v9, &v9_t, tables, work, work_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
         slant_t = slant_t - v9_t;
         slant = slant - v9;
-        if (start > (*cspan_at(&work, contact_plane__TRACER_STATION)))
+        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)))
         {
-            v10 = start - (*cspan_at(&work, contact_plane__TRACER_STATION));
+            v10 = start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
             v11 = slant / v10;
-            (*cspan_at(&work_t, block + regions__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, contact_plane__TRACER_STATION)))) / v10;
-            (*cspan_at(&work, block + regions__REGION_SLANT)) = v11;
+            (*cspan_at(&work_t, block + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)))) / v10;
+            (*cspan_at(&work, block + layout__REGION_SLANT)) = v11;
         }
     }
     v13 = low + high;
     tangent_normal_contact__side_curvature_t(&v12, &v12_t, high_reached, high_reached_t, high, high_t, 0.5 * v13, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, block + regions__REGION_SIDE_HIGH)) = v12_t;
-    (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)) = v12;
+    (*cspan_at(&work_t, block + layout__REGION_SIDE_HIGH)) = v12_t;
+    (*cspan_at(&work, block + layout__REGION_SIDE_HIGH)) = v12;
     v15 = low + high;
-    tangent_normal_contact__side_curvature_t(&v14, &v14_t, (*cspan_at(&work, block + regions__REGION_REACHED)), (*cspan_at(&work_t, block + regions__REGION_REACHED)), low, low_t, 0.5 * v15, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, block + regions__REGION_SIDE_LOW)) = v14_t;
-    (*cspan_at(&work, block + regions__REGION_SIDE_LOW)) = v14;
-    (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH)) = high_t;
-    (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) = high;
-    (*cspan_at(&work_t, block + regions__REGION_WIDTH_LOW)) = low_t;
-    (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work_t, block + regions__REGION_WIDTH_LEVEL)) = level_t;
-    (*cspan_at(&work, block + regions__REGION_WIDTH_LEVEL)) = level;
+    tangent_normal_contact__side_curvature_t(&v14, &v14_t, (*cspan_at(&work, block + layout__REGION_REACHED)), (*cspan_at(&work_t, block + layout__REGION_REACHED)), low, low_t, 0.5 * v15, 0.5 * (low_t + high_t));
+    (*cspan_at(&work_t, block + layout__REGION_SIDE_LOW)) = v14_t;
+    (*cspan_at(&work, block + layout__REGION_SIDE_LOW)) = v14;
+    (*cspan_at(&work_t, block + layout__REGION_WIDTH_HIGH)) = high_t;
+    (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) = high;
+    (*cspan_at(&work_t, block + layout__REGION_WIDTH_LOW)) = low_t;
+    (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) = low;
+    (*cspan_at(&work_t, block + layout__REGION_WIDTH_LEVEL)) = level_t;
+    (*cspan_at(&work, block + layout__REGION_WIDTH_LEVEL)) = level;
     v16 = high - low;
-    (*cspan_at(&work_t, block + regions__REGION_MIDDLE)) = (*cspan_at(&work_t, block + regions__REGION_STATION)) + 0.5 * (high_t - low_t);
-    (*cspan_at(&work, block + regions__REGION_MIDDLE)) = (*cspan_at(&work, block + regions__REGION_STATION)) + 0.5 * v16;
+    (*cspan_at(&work_t, block + layout__REGION_MIDDLE)) = (*cspan_at(&work_t, block + layout__REGION_STATION)) + 0.5 * (high_t - low_t);
+    (*cspan_at(&work, block + layout__REGION_MIDDLE)) = (*cspan_at(&work, block + layout__REGION_STATION)) + 0.5 * v16;
     return INT64_C(0);
 }
 
@@ -204,16 +204,16 @@ static inline int64_t tangent_normal_contact__zone_share_t(double* share, double
         side = nodes__FLOOR * A;
     }
     spread = normal_contact__SPREAD;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         spread = normal_contact__STRIP_SPREAD;
     }
     v2 = A / side;
-    tangent_hertz__table_value_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), INT64_C(0), log(v2), (A_t - v2 * side_t) / side / v2);
+    tangent_hertz__table_value_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(v2), (A_t - v2 * side_t) / side / v2);
     v3 = spread / v1;
     (*share_t) = (-v3) * v1_t / v1;
     (*share) = v3;
-    if (((*share) > normal_contact__COVER) || ((int64_t)((*cspan_at(&tables, layout__SET_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    if (((*share) > normal_contact__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         (*share_t) = 0.0;
         (*share) = normal_contact__COVER;
@@ -258,70 +258,70 @@ static inline int64_t tangent_normal_contact__prepare_regions_t(array_double_1d 
     double v10;
     int64_t k11;
     double v12;
-    window = (int64_t)((*cspan_at(&tables, layout__SET_NODES)) * normal_contact__WINDOW + 0.5);
+    window = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)) * normal_contact__WINDOW + 0.5);
     stride = normal_contact__node_stride(tables);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        level_t = (*cspan_at(&work_t, block + regions__REGION_LEVEL));
-        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        level_t = (*cspan_at(&work_t, block + layout__REGION_LEVEL));
+        level = (*cspan_at(&work, block + layout__REGION_LEVEL));
         tangent_planes__enter_plane_t(work, work_t, i);
         tangent_normal_contact__measure_widths_t(tables, work, work_t, state, i, normal_contact__MEASURED * level, normal_contact__MEASURED * level_t);
-        v1 = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
-        mean_t = 0.5 * ((*cspan_at(&work_t, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH)));
+        v1 = (*cspan_at(&work, block + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH));
+        mean_t = 0.5 * ((*cspan_at(&work_t, block + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, block + layout__REGION_WIDTH_HIGH)));
         mean = 0.5 * v1;
-        widest_t = (*cspan_at(&work_t, block + regions__REGION_WIDTH_LOW));
-        widest = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW));
-        if ((*cspan_at(&work, block + regions__REGION_WIDTH_HIGH)) > widest)
+        widest_t = (*cspan_at(&work_t, block + layout__REGION_WIDTH_LOW));
+        widest = (*cspan_at(&work, block + layout__REGION_WIDTH_LOW));
+        if ((*cspan_at(&work, block + layout__REGION_WIDTH_HIGH)) > widest)
         {
-            widest_t = (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH));
-            widest = (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
+            widest_t = (*cspan_at(&work_t, block + layout__REGION_WIDTH_HIGH));
+            widest = (*cspan_at(&work, block + layout__REGION_WIDTH_HIGH));
         }
-        v2 = level / (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        v2 = level / (*cspan_at(&work, block + layout__REGION_CURVATURE));
         v3 = sqrt(v2);
-        least_t = normal_contact__NARROWEST * tangent_rates__root_rate(v3, (level_t - v2 * (*cspan_at(&work_t, block + regions__REGION_CURVATURE))) / (*cspan_at(&work, block + regions__REGION_CURVATURE)));
+        least_t = normal_contact__NARROWEST * tangent_rates__root_rate(v3, (level_t - v2 * (*cspan_at(&work_t, block + layout__REGION_CURVATURE))) / (*cspan_at(&work, block + layout__REGION_CURVATURE)));
         least = normal_contact__NARROWEST * v3;
         if (mean < least)
         {
             mean_t = least_t;
             mean = least;
         }
-        spacing_t = mean_t / (*cspan_at(&tables, layout__SET_NODES));
-        spacing = mean / (*cspan_at(&tables, layout__SET_NODES));
+        spacing_t = mean_t / (*cspan_at(&tables, layout__TABLES_NODES));
+        spacing = mean / (*cspan_at(&tables, layout__TABLES_NODES));
         if (widest * enlarge > normal_contact__WIDEST * spacing)
         {
             v4 = widest * enlarge;
             spacing_t = (widest_t * enlarge + widest * enlarge_t) / normal_contact__WIDEST;
             spacing = v4 / normal_contact__WIDEST;
         }
-        A_t = 0.5 * (*cspan_at(&work_t, block + regions__REGION_CURVATURE));
-        A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
+        A_t = 0.5 * (*cspan_at(&work_t, block + layout__REGION_CURVATURE));
+        A = 0.5 * (*cspan_at(&work, block + layout__REGION_CURVATURE));
         v5 = level * enlarge;
-        tangent_normal_contact__zone_share_t(&v6, &v6_t, tables, A, A_t, (*cspan_at(&work, block + regions__REGION_SIDE_LOW)), (*cspan_at(&work_t, block + regions__REGION_SIDE_LOW)));
+        tangent_normal_contact__zone_share_t(&v6, &v6_t, tables, A, A_t, (*cspan_at(&work, block + layout__REGION_SIDE_LOW)), (*cspan_at(&work_t, block + layout__REGION_SIDE_LOW)));
         low_reach_t = (level_t * enlarge + level * enlarge_t) * v6 + v5 * v6_t;
         low_reach = v5 * v6;
         v7 = level * enlarge;
-        tangent_normal_contact__zone_share_t(&v8, &v8_t, tables, A, A_t, (*cspan_at(&work, block + regions__REGION_SIDE_HIGH)), (*cspan_at(&work_t, block + regions__REGION_SIDE_HIGH)));
+        tangent_normal_contact__zone_share_t(&v8, &v8_t, tables, A, A_t, (*cspan_at(&work, block + layout__REGION_SIDE_HIGH)), (*cspan_at(&work_t, block + layout__REGION_SIDE_HIGH)));
         high_reach_t = (level_t * enlarge + level * enlarge_t) * v8 + v7 * v8_t;
         high_reach = v7 * v8;
-        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) && (contact_plane__is_yawed(work) == INT64_C(1)))
+        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (contact_plane__is_yawed(work) == INT64_C(1)))
         {
             v9 = (double)(stride);
             v10 = spacing * v9;
-            (*cspan_at(&work_t, contact_plane__FRAME_BLUR)) = spacing_t * v9 * (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS)) + v10 * (*cspan_at(&work_t, contact_plane__FRAME_WHEEL_COS));
-            (*cspan_at(&work, contact_plane__FRAME_BLUR)) = v10 * (*cspan_at(&work, contact_plane__FRAME_WHEEL_COS));
+            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR)) = spacing_t * v9 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS)) + v10 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL_COS));
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = v10 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS));
         }
         tangent_nodes__lay_nodes_t(tables, work, work_t, state, i, low_reach, low_reach_t, high_reach, high_reach_t, spacing, spacing_t, window, stride);
         tangent_nodes__weigh_nodes_t(tables, work, work_t, i, window);
-        if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL))
+        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
         {
             tangent_normal_contact__mean_normal_t(tables, work, work_t, i, level, level_t);
         }
         tangent_planes__leave_plane_t(work, work_t, i);
         k11 = nodes__node_field(i, nodes__NODE_LENGTH);
         v12 = level / (*cspan_at(&work, k11));
-        (*cspan_at(&work_t, block + regions__REGION_SQUARE)) = (level_t - v12 * (*cspan_at(&work_t, k11))) / (*cspan_at(&work, k11));
-        (*cspan_at(&work, block + regions__REGION_SQUARE)) = v12;
+        (*cspan_at(&work_t, block + layout__REGION_SQUARE)) = (level_t - v12 * (*cspan_at(&work_t, k11))) / (*cspan_at(&work, k11));
+        (*cspan_at(&work, block + layout__REGION_SQUARE)) = v12;
     }
     return INT64_C(0);
 }
@@ -337,15 +337,15 @@ static inline int64_t tangent_normal_contact__rail_per_station_t(double* v3, dou
     double v2;
     double along_t;
     double along;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     along_t = tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t);
     along = v2;
-    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0)
+    if (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0))
     {
-        along_t = (*cspan_at(&work_t, contact_plane__FRAME_COS)) + (slope_t * (*cspan_at(&work, contact_plane__FRAME_SIN)) + slope * (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
-        along = (*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work, contact_plane__FRAME_SIN));
+        along_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)));
+        along = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     }
     (*v3) = 1.0 / along;
     (*result_1) = (-(*v3)) * along_t / along;
@@ -392,7 +392,7 @@ static inline int64_t tangent_normal_contact__mean_normal_t(array_double_1d tabl
     double v7_t;
     double v10;
     double v11;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     total_t = 0.0;
@@ -403,19 +403,19 @@ static inline int64_t tangent_normal_contact__mean_normal_t(array_double_1d tabl
     sines = 0.0;
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
-        x_t = (*cspan_at(&work_t, block + regions__REGION_RAIL));
-        x = (*cspan_at(&work, block + regions__REGION_RAIL));
+        x_t = (*cspan_at(&work_t, block + layout__REGION_RAIL));
+        x = (*cspan_at(&work, block + layout__REGION_RAIL));
         v1 = (double)(direction);
-        step_t = v1 * (*cspan_at(&work_t, block + regions__REGION_SPACING));
-        step = v1 * (*cspan_at(&work, block + regions__REGION_SPACING));
-        last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
+        step_t = v1 * (*cspan_at(&work_t, block + layout__REGION_SPACING));
+        step = v1 * (*cspan_at(&work, block + layout__REGION_SPACING));
+        last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
         if (direction < INT64_C(0))
         {
-            last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+            last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
         }
         for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
         {
-            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x, x_t);
+            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
             v2 = 1.0 + slope * slope;
             v3 = sqrt(v2);
             v4 = 1.0 / v3;
@@ -450,15 +450,15 @@ static inline int64_t tangent_normal_contact__mean_normal_t(array_double_1d tabl
     if (total > 0.0)
     {
         v10 = cosines / total;
-        (*cspan_at(&work_t, block + regions__REGION_COS)) = (cosines_t - v10 * total_t) / total;
-        (*cspan_at(&work, block + regions__REGION_COS)) = v10;
+        (*cspan_at(&work_t, block + layout__REGION_COS)) = (cosines_t - v10 * total_t) / total;
+        (*cspan_at(&work, block + layout__REGION_COS)) = v10;
         v11 = sines / total;
-        (*cspan_at(&work_t, block + regions__REGION_SIN)) = (sines_t - v11 * total_t) / total;
-        (*cspan_at(&work, block + regions__REGION_SIN)) = v11;
-        if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+        (*cspan_at(&work_t, block + layout__REGION_SIN)) = (sines_t - v11 * total_t) / total;
+        (*cspan_at(&work, block + layout__REGION_SIN)) = v11;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work_t, block + regions__REGION_SHARE)) = (*cspan_at(&work_t, block + regions__REGION_COS));
-            (*cspan_at(&work, block + regions__REGION_SHARE)) = (*cspan_at(&work, block + regions__REGION_COS));
+            (*cspan_at(&work_t, block + layout__REGION_SHARE)) = (*cspan_at(&work_t, block + layout__REGION_COS));
+            (*cspan_at(&work, block + layout__REGION_SHARE)) = (*cspan_at(&work, block + layout__REGION_COS));
         }
     }
     return INT64_C(0);
@@ -473,16 +473,16 @@ static inline int64_t tangent_normal_contact__start_levels_t(array_double_1d wor
     double level;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = regions__region_block(i);
-        level_t = (*cspan_at(&work_t, block + regions__REGION_TURN)) * penetration + (*cspan_at(&work, block + regions__REGION_TURN)) * penetration_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
-        level = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration - (*cspan_at(&work, block + regions__REGION_GAP));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        level_t = (*cspan_at(&work_t, block + layout__REGION_TURN)) * penetration + (*cspan_at(&work, block + layout__REGION_TURN)) * penetration_t - (*cspan_at(&work_t, block + layout__REGION_GAP));
+        level = (*cspan_at(&work, block + layout__REGION_TURN)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP));
         if (level < 0.1 * penetration)
         {
             level_t = 0.1 * penetration_t;
             level = 0.1 * penetration;
         }
-        (*cspan_at(&work_t, block + regions__REGION_LEVEL)) = level_t;
-        (*cspan_at(&work, block + regions__REGION_LEVEL)) = level;
+        (*cspan_at(&work_t, block + layout__REGION_LEVEL)) = level_t;
+        (*cspan_at(&work, block + layout__REGION_LEVEL)) = level;
     }
     return INT64_C(0);
 }
@@ -490,7 +490,6 @@ static inline int64_t tangent_normal_contact__start_levels_t(array_double_1d wor
 /* Tangent of ``estimate_penetration``. */
 static inline int64_t tangent_normal_contact__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t)
 {
-    int64_t block;
     double A_t;
     double A;
     double v1;
@@ -510,15 +509,14 @@ static inline int64_t tangent_normal_contact__estimate_penetration_t(double* v8,
     double stiffness;
     double v6;
     double v7;
-    block = regions__region_block(INT64_C(0));
-    A_t = 0.5 * (*cspan_at(&work_t, block + regions__REGION_CURVATURE));
-    A = 0.5 * (*cspan_at(&work, block + regions__REGION_CURVATURE));
-    tangent_normal_contact__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)), 0.0);
+    A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CURVATURE));
+    A = 0.5 * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
+    tangent_normal_contact__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     guess_t = v1_t;
     guess = v1;
     tangent_normal_contact__measure_widths_t(tables, work, work_t, state, INT64_C(0), guess, guess_t);
-    v2 = (*cspan_at(&work, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work, block + regions__REGION_WIDTH_HIGH));
-    width_t = 0.5 * ((*cspan_at(&work_t, block + regions__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, block + regions__REGION_WIDTH_HIGH)));
+    v2 = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_HIGH));
+    width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
     B_t = nodes__FLOOR * A_t;
     B = nodes__FLOOR * A;
@@ -534,7 +532,7 @@ static inline int64_t tangent_normal_contact__estimate_penetration_t(double* v8,
         B_t = (guess_t - v4 * (width_t * width + width * width_t)) / v3;
         B = v4;
     }
-    tangent_hertz__hertz_stiffness_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_HERTZ))), A, A_t, B, B_t, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)), 0.0);
+    tangent_hertz__hertz_stiffness_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v5_t;
     stiffness = v5;
     v6 = force / stiffness;
@@ -548,34 +546,30 @@ static inline int64_t tangent_normal_contact__estimate_penetration_t(double* v8,
 static inline int64_t tangent_normal_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double penetration, double penetration_t)
 {
     int64_t i;
-    int64_t k1;
-    int64_t k2;
+    int64_t n1;
+    int64_t n2;
     int64_t n3;
-    int64_t n4;
-    int64_t n5;
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        k1 = regions__region_block(i) + regions__REGION_WIDTH_LEVEL;
-        (*cspan_at(&work_t, k1)) = 0.0;
-        (*cspan_at(&work, k1)) = 0.0;
-        k2 = regions__region_block(i) + regions__REGION_SLANT;
-        (*cspan_at(&work_t, k2)) = 0.0;
-        (*cspan_at(&work, k2)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_LEVEL)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_LEVEL)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = INT64_C(1);
-    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n3 = tangent_overlaps__gather_overlaps_t(tables, work, work_t, state);
-        count = n3;
+        n1 = tangent_overlaps__gather_overlaps_t(tables, work, work_t, state);
+        count = n1;
     }
     else
     {
         tangent_regions__open_contact_region_t(tables, work, work_t, state);
-        n4 = tangent_regions__find_regions_t(tables, work, work_t, state, side, penetration, penetration_t);
-        count = n4;
-        n5 = tangent_regions__bound_regions_t(tables, work, work_t, state, count, penetration, penetration_t);
-        count = n5;
+        n2 = tangent_regions__find_regions_t(tables, work, work_t, state, side, penetration, penetration_t);
+        count = n2;
+        n3 = tangent_regions__bound_regions_t(tables, work, work_t, state, count, penetration, penetration_t);
+        count = n3;
         tangent_planes__give_planes_t(tables, work, work_t, state, count);
     }
     tangent_normal_contact__start_levels_t(work, work_t, count, penetration, penetration_t);
@@ -583,18 +577,14 @@ static inline int64_t tangent_normal_contact__gather_regions_t(array_double_1d t
 }
 
 /* Tangent of ``first_penetration``. */
-static inline int64_t tangent_normal_contact__first_penetration_t(double* v2, double* v2_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t)
+static inline int64_t tangent_normal_contact__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t)
 {
-    int64_t k1;
-    int64_t k3;
-    double v4;
+    double v2;
     tangent_regions__open_contact_region_t(tables, work, work_t, state);
-    k1 = regions__region_block(INT64_C(0)) + regions__REGION_WIDTH_LEVEL;
-    (*cspan_at(&work_t, k1)) = 0.0;
-    (*cspan_at(&work, k1)) = 0.0;
-    k3 = regions__region_block(INT64_C(0)) + regions__REGION_SHARE;
-    v4 = force / (*cspan_at(&work, k3));
-    tangent_normal_contact__estimate_penetration_t(v2, v2_t, tables, work, work_t, state, v4, (force_t - v4 * (*cspan_at(&work_t, k3))) / (*cspan_at(&work, k3)));
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
+    v2 = force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE));
+    tangent_normal_contact__estimate_penetration_t(v1, v1_t, tables, work, work_t, state, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
     return 0;
 }
 
@@ -608,7 +598,7 @@ static inline int64_t tangent_normal_contact__solve_estimated_t(double* penetrat
     if (((*met) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
         (*count) = INT64_C(1);
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             tangent_overlaps__keep_deepest_t(work, work_t);
             tangent_overlaps__gather_overlaps_t(tables, work, work_t, state);
@@ -639,9 +629,9 @@ static inline int64_t tangent_normal_contact__solve_analyn_t(double* penetration
     {
         by_penetration = INT64_C(1);
     }
-    if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        tangent_normal_contact__solve_estimated_t(penetration, penetration_t, count, met, tables, work, work_t, state, side, force, force_t, (*cspan_at(&work, contact_plane__FRAME_DEPTH)), (*cspan_at(&work_t, contact_plane__FRAME_DEPTH)), by_penetration);
+        tangent_normal_contact__solve_estimated_t(penetration, penetration_t, count, met, tables, work, work_t, state, side, force, force_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)), by_penetration);
         return 0;
     }
     if (by_penetration == INT64_C(0))
@@ -701,10 +691,10 @@ static inline int64_t tangent_normal_contact__solve_fine_t(double* result_0_0001
             start = penetration;
             laid_t = penetration_t;
             laid = penetration;
-            if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+            if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
             {
-                laid_t = (*cspan_at(&work_t, contact_plane__FRAME_DEPTH));
-                laid = (*cspan_at(&work, contact_plane__FRAME_DEPTH));
+                laid_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH));
+                laid = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
             }
             tangent_normal_contact__start_levels_t(work, work_t, count, laid, laid_t);
         }
@@ -723,7 +713,6 @@ static inline int64_t tangent_normal_contact__solve_hertz_t(double* penetration,
     double A;
     double B_t;
     double B;
-    int64_t block;
     double v1;
     double v1_t;
     double stiffness_t;
@@ -761,29 +750,28 @@ static inline int64_t tangent_normal_contact__solve_hertz_t(double* penetration,
     double v18;
     double pressure_t;
     double pressure;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_HERTZ)));
-    A_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_CURVATURE_X));
-    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_X));
-    B_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_CURVATURE_Y));
-    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_CURVATURE_Y));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    A_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_CURVATURE_X));
+    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_X));
+    B_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_CURVATURE_Y));
+    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_Y));
     if (!(B > nodes__FLOOR * A))
     {
         B_t = nodes__FLOOR * A_t;
         B = nodes__FLOOR * A;
     }
-    block = regions__region_block(INT64_C(0));
-    tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, base, A, A_t, B, B_t, (*cspan_at(&tables, layout__SET_CONTACT_MODULUS)), 0.0);
+    tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, base, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v1_t;
     stiffness = v1;
     (*penetration_t) = prescribed_t;
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
-        v2 = (*cspan_at(&work, block + regions__REGION_SHARE)) * stiffness;
+        v2 = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness;
         v3 = force / v2;
         v4 = 2.0 / 3.0;
         v5 = pow(v3, v4);
-        (*penetration_t) = tangent_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, block + regions__REGION_SHARE)) * stiffness + (*cspan_at(&work, block + regions__REGION_SHARE)) * stiffness_t)) / v2);
+        (*penetration_t) = tangent_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v2);
         (*penetration) = v5;
     }
     v6 = stiffness * (*penetration);
@@ -792,14 +780,14 @@ static inline int64_t tangent_normal_contact__solve_hertz_t(double* penetration,
     load = v6 * v7;
     v8 = 1.5 * stiffness;
     v9 = sqrt((*penetration));
-    (*cspan_at(&work_t, block + regions__REGION_STIFFNESS)) = 1.5 * stiffness_t * v9 + v8 * tangent_rates__root_rate(v9, (*penetration_t));
-    (*cspan_at(&work, block + regions__REGION_STIFFNESS)) = v8 * v9;
-    (*cspan_at(&work_t, block + regions__REGION_CARRIED)) = load_t;
-    (*cspan_at(&work, block + regions__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, block + regions__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, block + regions__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v9 + v8 * tangent_rates__root_rate(v9, (*penetration_t));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STIFFNESS)) = v8 * v9;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CARRIED)) = load_t;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SLANT)) = 0.0;
     tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
     v10 = one_alpha * A;
     v11 = (*penetration) / v10;
@@ -818,39 +806,39 @@ static inline int64_t tangent_normal_contact__solve_hertz_t(double* penetration,
     v18 = v17 / area;
     pressure_t = (1.5 * load_t - v18 * area_t) / area;
     pressure = v18;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH_COUNT)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = 1.0;
-    (*cspan_at(&work_t, side + layout__SIDE_PENETRATION)) = (*penetration_t);
-    (*cspan_at(&work, side + layout__SIDE_PENETRATION)) = (*penetration);
-    (*cspan_at(&work_t, side + layout__SIDE_NORMAL_FORCE)) = load_t;
-    (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
-    (*cspan_at(&work_t, side + layout__SIDE_AREA)) = area_t;
-    (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
-    (*cspan_at(&work_t, side + layout__SIDE_MAX_PRESSURE)) = pressure_t;
-    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * a_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH_WIDTH)) = 2.0 * b_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_NORMAL_FORCE)) = load_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_AREA)) = area_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_AREA)) = area;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_LENGTH)) = 2.0 * a_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_WIDTH)) = 2.0 * b_t;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work_t, side + layout__SIDE_CONTACT_ANGLE));
-    (*cspan_at(&work, side + layout__SIDE_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_CONTACT_ANGLE));
-    if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 1.0;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PENETRATION)) = (*penetration_t);
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PENETRATION)) = (*penetration);
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_AREA)) = area_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * a_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * a;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = 2.0 * b_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = 2.0 * b;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_NORMAL_FORCE)) = load_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_AREA)) = area_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_AREA)) = area;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_LENGTH)) = 2.0 * a_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_WIDTH)) = 2.0 * b_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CENTROID)) = 0.0;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        tangent_normal_contact__write_ellipse_t(work, work_t, outline__outline_place(tables, side), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), a, a_t, b, b_t, pressure, pressure_t);
+        tangent_normal_contact__write_ellipse_t(work, work_t, outline__outline_place(tables, work, side), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), a, a_t, b, b_t, pressure, pressure_t);
     }
     return 0;
 }
@@ -889,14 +877,14 @@ static inline int64_t tangent_normal_contact__solve_normal_t(int64_t* count, int
     int64_t n4;
     (*met) = INT64_C(1);
     (*count) = INT64_C(1);
-    if ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_HERTZ)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_HERTZ)
     {
         tangent_normal_contact__solve_hertz_t(&n1, &n2, tables, work, work_t, outputs, force, force_t, prescribed, prescribed_t);
     }
     else
     {
         tangent_normal_contact__solve_analyn_t(&penetration, &penetration_t, count, met, tables, work, work_t, state, side, force, force_t, prescribed, prescribed_t);
-        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__SET_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
+        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
         {
             by_penetration = INT64_C(0);
             if (isfinite(prescribed))
@@ -909,9 +897,9 @@ static inline int64_t tangent_normal_contact__solve_normal_t(int64_t* count, int
                 n3 = tangent_strip_patches__gather_strips_t(work, work_t, strips);
                 islands = n3;
                 tangent_patches__write_patches_t(work, work_t, outputs, islands);
-                if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+                if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
                 {
-                    tangent_strip_patches__write_strip_outline_t(work, work_t, outline__outline_place(tables, outputs), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), strips, islands);
+                    tangent_strip_patches__write_strip_outline_t(work, work_t, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), strips, islands);
                 }
             }
         }
@@ -920,13 +908,13 @@ static inline int64_t tangent_normal_contact__solve_normal_t(int64_t* count, int
             n4 = tangent_patches__gather_islands_t(tables, work, work_t, (*count));
             islands = n4;
             tangent_patches__write_patches_t(work, work_t, outputs, islands);
-            if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) == layout__DEPTH_ALL)
+            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
             {
-                tangent_patches__write_outline_t(work, work_t, outputs, outline__outline_place(tables, outputs), (int64_t)((*cspan_at(&tables, layout__SET_STATIONS))), (*count), islands);
+                tangent_patches__write_outline_t(work, work_t, outputs, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count), islands);
             }
         }
-        (*cspan_at(&work_t, outputs + layout__SIDE_PENETRATION)) = penetration_t;
-        (*cspan_at(&work, outputs + layout__SIDE_PENETRATION)) = penetration;
+        (*cspan_at(&work_t, outputs + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
+        (*cspan_at(&work, outputs + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     }
     return 0;
 }

@@ -13,7 +13,6 @@
 #include "nodes.h"
 #include "normal_contact.h"
 #include "outline.h"
-#include "regions.h"
 #include "tangent_analyn.h"
 #include "tangent_contact_plane.h"
 #include "tangent_hertz.h"
@@ -37,7 +36,7 @@ static inline int64_t tangent_normal_contact__prepare_regions_t(array_double_1d 
 static inline int64_t tangent_normal_contact__start_levels_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 static inline int64_t tangent_normal_contact__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t);
 static inline int64_t tangent_normal_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double penetration, double penetration_t);
-static inline int64_t tangent_normal_contact__first_penetration_t(double* v2, double* v2_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t);
+static inline int64_t tangent_normal_contact__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t);
 static inline int64_t tangent_normal_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t by_penetration);
 static inline int64_t tangent_normal_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double estimate, double estimate_t, int64_t by_penetration);
 static inline int64_t tangent_normal_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);

@@ -11,10 +11,10 @@ static inline int64_t tangent_outline__fill_apart_t(array_double_1d tables, arra
     int64_t stations;
     int64_t place;
     int64_t i;
-    stations = (int64_t)((*cspan_at(&tables, layout__SET_STATIONS)));
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     if (stations != layout__STATION_COUNT)
     {
-        place = outline__outline_place(tables, out);
+        place = outline__outline_place(tables, work, out);
         for (i = INT64_C(0); i < INT64_C(3) * stations; i += INT64_C(1))
         {
             (*cspan_at(&work_t, place + i)) = value_t;

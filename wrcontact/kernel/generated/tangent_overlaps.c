@@ -48,10 +48,10 @@ static inline int64_t tangent_overlaps__touching_shift_t(double* result_0, doubl
     x = (*cspan_at(&work, block + overlaps__DEEP_RAIL));
     y_t = (*cspan_at(&work_t, block + overlaps__DEEP_WHEEL));
     y = (*cspan_at(&work, block + overlaps__DEEP_WHEEL));
-    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
+    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t);
-    tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), x, x_t);
-    (*result_0) = x + (*cspan_at(&tables, layout__SET_RAIL_Y)) - y_track;
+    tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x, x_t);
+    (*result_0) = x + (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - y_track;
     (*result_1) = x_t - y_track_t;
     (*result_2) = z_rail - z_track;
     (*result_3) = z_rail_t - z_track_t;
@@ -61,14 +61,14 @@ static inline int64_t tangent_overlaps__touching_shift_t(double* result_0, doubl
 /* Tangent of ``press_frame``. */
 static inline int64_t tangent_overlaps__press_frame_t(array_double_1d work, array_double_1d work_t, double height, double height_t, double depth, double depth_t, double gap, double gap_t)
 {
-    (*cspan_at(&work_t, contact_plane__FRAME_POSE)) = height_t;
-    (*cspan_at(&work, contact_plane__FRAME_POSE)) = height;
-    (*cspan_at(&work_t, contact_plane__FRAME_DEPTH)) = depth_t;
-    (*cspan_at(&work, contact_plane__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work_t, contact_plane__FRAME_PRESSED)) = 0.0;
-    (*cspan_at(&work, contact_plane__FRAME_PRESSED)) = 1.0;
-    (*cspan_at(&work_t, contact_plane__FRAME_RAISE)) = gap_t;
-    (*cspan_at(&work, contact_plane__FRAME_RAISE)) = gap;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_POSE)) = height_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)) = height;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) = depth_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = depth;
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PRESSED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(1);
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = gap_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = gap;
     return INT64_C(0);
 }
 
@@ -129,53 +129,53 @@ static inline int64_t tangent_overlaps__gather_overlaps_t(array_double_1d tables
     int64_t count;
     count = (int64_t)((*cspan_at(&work, overlaps__DEEP_COUNT)));
     contact = overlaps__deepest_entry(work);
-    cosine_t = (*cspan_at(&work_t, contact_plane__FRAME_COS));
-    cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-    abscissa_t = (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA));
-    abscissa = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-    height_t = (*cspan_at(&work_t, contact_plane__FRAME_POSE));
-    height = (*cspan_at(&work, contact_plane__FRAME_POSE));
-    depth_t = (*cspan_at(&work_t, contact_plane__FRAME_DEPTH));
-    depth = (*cspan_at(&work, contact_plane__FRAME_DEPTH));
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
+    cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
+    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    abscissa_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    height_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_POSE));
+    height = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE));
+    depth_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH));
+    depth = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
         deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * region;
-        (*cspan_at(&work_t, block + regions__REGION_STATION)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
-        (*cspan_at(&work_t, block + regions__REGION_GAP)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
-        (*cspan_at(&work_t, block + regions__REGION_RAIL)) = (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL));
-        (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, deep + overlaps__DEEP_RAIL));
-        (*cspan_at(&work_t, block + regions__REGION_WHEEL)) = (*cspan_at(&work_t, deep + overlaps__DEEP_WHEEL));
-        (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, deep + overlaps__DEEP_WHEEL));
+        (*cspan_at(&work_t, block + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work_t, block + layout__REGION_GAP)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_GAP)) = 0.0;
+        (*cspan_at(&work_t, block + layout__REGION_RAIL)) = (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL));
+        (*cspan_at(&work, block + layout__REGION_RAIL)) = (*cspan_at(&work, deep + overlaps__DEEP_RAIL));
+        (*cspan_at(&work_t, block + layout__REGION_WHEEL)) = (*cspan_at(&work_t, deep + overlaps__DEEP_WHEEL));
+        (*cspan_at(&work, block + layout__REGION_WHEEL)) = (*cspan_at(&work, deep + overlaps__DEEP_WHEEL));
         tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, rail, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL)));
         tangent_regions__lean_region_t(tables, work, work_t, block, m, m_t);
         if (region != contact)
         {
             tangent_overlaps__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, at, region, height, height_t);
             tangent_contact_plane__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, at, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), (*cspan_at(&work_t, deep + overlaps__DEEP_WHEEL)), aside, aside_t, shift, shift_t);
-            (*cspan_at(&work_t, block + regions__REGION_OWN)) = 0.0;
-            (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
-            v6 = (*cspan_at(&work, block + regions__REGION_COS)) / cosine;
-            (*cspan_at(&work_t, block + regions__REGION_TURN)) = ((*cspan_at(&work_t, block + regions__REGION_COS)) - v6 * cosine_t) / cosine;
-            (*cspan_at(&work, block + regions__REGION_TURN)) = v6;
-            (*cspan_at(&work_t, block + regions__REGION_GAP)) = (*cspan_at(&work_t, block + regions__REGION_TURN)) * depth + (*cspan_at(&work, block + regions__REGION_TURN)) * depth_t - (*cspan_at(&work_t, deep + overlaps__DEEP_DEPTH));
-            (*cspan_at(&work, block + regions__REGION_GAP)) = (*cspan_at(&work, block + regions__REGION_TURN)) * depth - (*cspan_at(&work, deep + overlaps__DEEP_DEPTH));
+            (*cspan_at(&work_t, block + layout__REGION_OWN)) = 0.0;
+            (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(1);
+            v6 = (*cspan_at(&work, block + layout__REGION_COS)) / cosine;
+            (*cspan_at(&work_t, block + layout__REGION_TURN)) = ((*cspan_at(&work_t, block + layout__REGION_COS)) - v6 * cosine_t) / cosine;
+            (*cspan_at(&work, block + layout__REGION_TURN)) = v6;
+            (*cspan_at(&work_t, block + layout__REGION_GAP)) = (*cspan_at(&work_t, block + layout__REGION_TURN)) * depth + (*cspan_at(&work, block + layout__REGION_TURN)) * depth_t - (*cspan_at(&work_t, deep + overlaps__DEEP_DEPTH));
+            (*cspan_at(&work, block + layout__REGION_GAP)) = (*cspan_at(&work, block + layout__REGION_TURN)) * depth - (*cspan_at(&work, deep + overlaps__DEEP_DEPTH));
             tangent_pressed__rail_length_t(&v7, &v7_t, tables, abscissa, abscissa_t, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL)));
-            (*cspan_at(&work_t, block + regions__REGION_OFFSET)) = v7_t;
-            (*cspan_at(&work, block + regions__REGION_OFFSET)) = v7;
-            tangent_overlaps__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work_t, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work_t, block + regions__REGION_GAP)));
+            (*cspan_at(&work_t, block + layout__REGION_OFFSET)) = v7_t;
+            (*cspan_at(&work, block + layout__REGION_OFFSET)) = v7;
+            tangent_overlaps__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work_t, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work_t, block + layout__REGION_GAP)));
         }
         tangent_contact_plane__start_tracer_t(work, work_t, 0.0, 0.0, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), (*cspan_at(&work_t, deep + overlaps__DEEP_WHEEL)));
         tangent_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, 0.0, 0.0);
-        (*cspan_at(&work_t, block + regions__REGION_BEND)) = bend_t;
-        (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-        (*cspan_at(&work_t, block + regions__REGION_CURVATURE)) = curvature_t;
-        (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+        (*cspan_at(&work_t, block + layout__REGION_BEND)) = bend_t;
+        (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
+        (*cspan_at(&work_t, block + layout__REGION_CURVATURE)) = curvature_t;
+        (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
         low_t = 0.0;
         low = (*cspan_at(&tables, rail + profile_table__START));
         high_t = 0.0;
@@ -191,11 +191,11 @@ static inline int64_t tangent_overlaps__gather_overlaps_t(array_double_1d tables
             high = (*cspan_at(&work, deep + overlaps__DEEP_HUMP));
         }
         tangent_pressed__rail_length_t(&v8, &v8_t, tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL)), low, low_t);
-        (*cspan_at(&work_t, block + regions__REGION_LOW)) = v8_t;
-        (*cspan_at(&work, block + regions__REGION_LOW)) = v8;
+        (*cspan_at(&work_t, block + layout__REGION_LOW)) = v8_t;
+        (*cspan_at(&work, block + layout__REGION_LOW)) = v8;
         tangent_pressed__rail_length_t(&v9, &v9_t, tables, (*cspan_at(&work, deep + overlaps__DEEP_RAIL)), (*cspan_at(&work_t, deep + overlaps__DEEP_RAIL)), high, high_t);
-        (*cspan_at(&work_t, block + regions__REGION_HIGH)) = v9_t;
-        (*cspan_at(&work, block + regions__REGION_HIGH)) = v9;
+        (*cspan_at(&work_t, block + layout__REGION_HIGH)) = v9_t;
+        (*cspan_at(&work, block + layout__REGION_HIGH)) = v9;
         tangent_planes__keep_frame_t(work, work_t, region);
         tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }

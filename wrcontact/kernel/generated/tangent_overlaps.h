@@ -7,11 +7,9 @@
 #define WRCONTACT_KERNEL_TANGENT_OVERLAPS_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "layout.h"
 #include "overlaps.h"
 #include "profile_table.h"
-#include "regions.h"
 #include "tangent_contact_plane.h"
 #include "tangent_locus.h"
 #include "tangent_planes.h"

@@ -282,15 +282,15 @@ static inline int64_t tangent_patches__load_nodes_t(array_double_1d work, array_
     double v2;
     double v3;
     double v4;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     rises = nodes__node_field(region, nodes__NODE_RISE);
     lines = nodes__node_field(region, nodes__NODE_LINE);
     lengths = nodes__node_field(region, nodes__NODE_LENGTH);
     loads = nodes__node_field(region, nodes__NODE_LOAD);
     squares = nodes__node_field(region, nodes__NODE_SQUARE);
     pressures = nodes__node_field(region, nodes__NODE_PRESSURE);
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         d_t = level_t - (*cspan_at(&work_t, rises + k));
         d = level - (*cspan_at(&work, rises + k));
@@ -404,20 +404,20 @@ static inline int64_t tangent_patches__gather_islands_t(array_double_1d tables, 
     islands = INT64_C(0);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        level_t = (*cspan_at(&work_t, block + regions__REGION_LEVEL));
-        level = (*cspan_at(&work, block + regions__REGION_LEVEL));
-        (*cspan_at(&work_t, block + regions__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work_t, block + regions__REGION_MOMENT)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_MOMENT)) = 0.0;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        level_t = (*cspan_at(&work_t, block + layout__REGION_LEVEL));
+        level = (*cspan_at(&work, block + layout__REGION_LEVEL));
+        (*cspan_at(&work_t, block + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work_t, block + layout__REGION_MOMENT)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_MOMENT)) = 0.0;
         if (level > 0.0)
         {
-            angle_t = -((*cspan_at(&work_t, block + regions__REGION_LEAN)) / (1.0 + (*cspan_at(&work, block + regions__REGION_LEAN)) * (*cspan_at(&work, block + regions__REGION_LEAN))));
-            angle = -atan((*cspan_at(&work, block + regions__REGION_LEAN)));
+            angle_t = -((*cspan_at(&work_t, block + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN))));
+            angle = -atan((*cspan_at(&work, block + layout__REGION_LEAN)));
             tangent_patches__load_nodes_t(work, work_t, region, level, level_t);
-            k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-            for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+            k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+            for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
                 n1 = tangent_patches__gather_cell_t(work, work_t, region, level, level_t, k, islands, angle, angle_t);
                 islands = n1;
@@ -454,9 +454,9 @@ static inline int64_t tangent_patches__gather_cell_t(array_double_1d work, array
     int64_t joined;
     int64_t at;
     double v3;
-    block = regions__region_block(region);
-    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     outward = INT64_C(1);
     low = k;
     if (k < INT64_C(0))
@@ -468,7 +468,7 @@ static inline int64_t tangent_patches__gather_cell_t(array_double_1d work, array
     high = low + outward;
     rises = nodes__node_field(region, nodes__NODE_RISE);
     tangent_analyn__cell_part_t(&start, &start_t, &stop, &stop_t, level - (*cspan_at(&work, rises + before)), level_t - (*cspan_at(&work_t, rises + before)), level - (*cspan_at(&work, rises + low)), level_t - (*cspan_at(&work_t, rises + low)), level - (*cspan_at(&work, rises + high)), level_t - (*cspan_at(&work_t, rises + high)));
-    if ((k == (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1)))
+    if ((k == (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) - INT64_C(1)))
     {
         tangent_analyn__clip_to_bound_t(&v1, &v1_t, work, work_t, block, low, outward, stop, stop_t);
         stop_t = v1_t;
@@ -477,8 +477,8 @@ static inline int64_t tangent_patches__gather_cell_t(array_double_1d work, array
     if (stop > start)
     {
         v2 = (double)(low);
-        inner_t = (*cspan_at(&work_t, block + regions__REGION_OFFSET)) + (*cspan_at(&work_t, block + regions__REGION_STATION)) + spacing_t * v2;
-        inner = (*cspan_at(&work, block + regions__REGION_OFFSET)) + (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * v2;
+        inner_t = (*cspan_at(&work_t, block + layout__REGION_OFFSET)) + (*cspan_at(&work_t, block + layout__REGION_STATION)) + spacing_t * v2;
+        inner = (*cspan_at(&work, block + layout__REGION_OFFSET)) + (*cspan_at(&work, block + layout__REGION_STATION)) + spacing * v2;
         begin_t = inner_t + (spacing_t * start + spacing * start_t);
         begin = inner + spacing * start;
         end_t = inner_t + (spacing_t * stop + spacing * stop_t);
@@ -533,13 +533,11 @@ static inline int64_t tangent_patches__add_cell_t(array_double_1d work, array_do
     double area_t;
     double area;
     double v4;
-    int64_t k5;
-    int64_t k6;
+    double v5;
+    double v6;
+    double v6_t;
     double v7;
-    double v8;
-    double v8_t;
-    double v9;
-    double v9_t;
+    double v7_t;
     loads = nodes__node_field(region, nodes__NODE_LOAD);
     squares = nodes__node_field(region, nodes__NODE_SQUARE);
     pressures = nodes__node_field(region, nodes__NODE_PRESSURE);
@@ -557,30 +555,28 @@ static inline int64_t tangent_patches__add_cell_t(array_double_1d work, array_do
     v4 = width * step;
     moment_t = inner_t * load + inner * load_t + ((width_t * step + width * step_t) * moment + v4 * moment_t);
     moment = inner * load + v4 * moment;
-    k5 = regions__region_block(region) + regions__REGION_CARRIED;
-    (*cspan_at(&work_t, k5)) = (*cspan_at(&work_t, k5)) + load_t;
-    (*cspan_at(&work, k5)) = (*cspan_at(&work, k5)) + load;
-    k6 = regions__region_block(region) + regions__REGION_MOMENT;
-    (*cspan_at(&work_t, k6)) = (*cspan_at(&work_t, k6)) + moment_t;
-    (*cspan_at(&work, k6)) = (*cspan_at(&work, k6)) + moment;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) + load_t;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) + load;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) + moment_t;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) + moment;
     (*cspan_at(&work_t, at + patches__ISLAND_LOAD)) = (*cspan_at(&work_t, at + patches__ISLAND_LOAD)) + load_t;
     (*cspan_at(&work, at + patches__ISLAND_LOAD)) = (*cspan_at(&work, at + patches__ISLAND_LOAD)) + load;
     (*cspan_at(&work_t, at + patches__ISLAND_MOMENT)) = (*cspan_at(&work_t, at + patches__ISLAND_MOMENT)) + moment_t;
     (*cspan_at(&work, at + patches__ISLAND_MOMENT)) = (*cspan_at(&work, at + patches__ISLAND_MOMENT)) + moment;
-    v7 = 2.0 * width;
-    (*cspan_at(&work_t, at + patches__ISLAND_AREA)) = (*cspan_at(&work_t, at + patches__ISLAND_AREA)) + (2.0 * width_t * area + v7 * area_t);
-    (*cspan_at(&work, at + patches__ISLAND_AREA)) = (*cspan_at(&work, at + patches__ISLAND_AREA)) + v7 * area;
+    v5 = 2.0 * width;
+    (*cspan_at(&work_t, at + patches__ISLAND_AREA)) = (*cspan_at(&work_t, at + patches__ISLAND_AREA)) + (2.0 * width_t * area + v5 * area_t);
+    (*cspan_at(&work, at + patches__ISLAND_AREA)) = (*cspan_at(&work, at + patches__ISLAND_AREA)) + v5 * area;
     if ((*cspan_at(&work, squares + low)) > (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)))
     {
-        tangent_patches__peak_square_t(&v8, &v8_t, work, work_t, squares, low);
-        (*cspan_at(&work_t, at + patches__ISLAND_HALF_LENGTH)) = v8_t;
-        (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = v8;
+        tangent_patches__peak_square_t(&v6, &v6_t, work, work_t, squares, low);
+        (*cspan_at(&work_t, at + patches__ISLAND_HALF_LENGTH)) = v6_t;
+        (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = v6;
     }
     if ((*cspan_at(&work, pressures + low)) > (*cspan_at(&work, at + patches__ISLAND_PRESSURE)))
     {
-        tangent_patches__peak_square_t(&v9, &v9_t, work, work_t, pressures, low);
-        (*cspan_at(&work_t, at + patches__ISLAND_PRESSURE)) = v9_t;
-        (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = v9;
+        tangent_patches__peak_square_t(&v7, &v7_t, work, work_t, pressures, low);
+        (*cspan_at(&work_t, at + patches__ISLAND_PRESSURE)) = v7_t;
+        (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = v7;
     }
     return INT64_C(0);
 }
@@ -636,26 +632,26 @@ static inline int64_t tangent_patches__write_patches_t(array_double_1d work, arr
             half = (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH));
         }
     }
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH_COUNT)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_PATCH_COUNT)) = (double)(islands);
-    (*cspan_at(&work_t, side + layout__SIDE_NORMAL_FORCE)) = load_t;
-    (*cspan_at(&work, side + layout__SIDE_NORMAL_FORCE)) = load;
-    (*cspan_at(&work_t, side + layout__SIDE_AREA)) = area_t;
-    (*cspan_at(&work, side + layout__SIDE_AREA)) = area;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)(islands);
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_AREA)) = area_t;
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
     v1 = sqrt(pressure);
-    (*cspan_at(&work_t, side + layout__SIDE_MAX_PRESSURE)) = tangent_rates__root_rate(v1, pressure_t);
-    (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)) = v1;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = tangent_rates__root_rate(v1, pressure_t);
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = v1;
     v2 = sqrt(half);
-    (*cspan_at(&work_t, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * tangent_rates__root_rate(v2, half_t);
-    (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)) = 2.0 * v2;
+    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * tangent_rates__root_rate(v2, half_t);
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * v2;
     if (islands > INT64_C(0))
     {
         last = layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1));
-        (*cspan_at(&work_t, side + layout__SIDE_PATCH_WIDTH)) = (*cspan_at(&work_t, last + patches__ISLAND_STOP)) - (*cspan_at(&work_t, layout__WORK_ISLANDS + patches__ISLAND_START));
-        (*cspan_at(&work, side + layout__SIDE_PATCH_WIDTH)) = (*cspan_at(&work, last + patches__ISLAND_STOP)) - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
+        (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work_t, last + patches__ISLAND_STOP)) - (*cspan_at(&work_t, layout__WORK_ISLANDS + patches__ISLAND_START));
+        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, last + patches__ISLAND_STOP)) - (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
         v3 = moment / load;
-        (*cspan_at(&work_t, side + layout__SIDE_PATCH_CENTROID)) = (moment_t - v3 * load_t) / load;
-        (*cspan_at(&work, side + layout__SIDE_PATCH_CENTROID)) = v3;
+        (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (moment_t - v3 * load_t) / load;
+        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = v3;
     }
     for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
     {
@@ -677,7 +673,7 @@ static inline int64_t tangent_patches__write_patches_t(array_double_1d work, arr
         }
         if (heaviest >= INT64_C(0))
         {
-            tangent_patches__write_patch_t(work, work_t, side + layout__SIDE_PATCH + layout__PATCH_SIZE * rank, heaviest);
+            tangent_patches__write_patch_t(work, work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_SIZE * rank, heaviest);
             (*cspan_at(&work_t, heaviest + patches__ISLAND_LOAD)) = 0.0;
             (*cspan_at(&work, heaviest + patches__ISLAND_LOAD)) = 0.0;
         }
@@ -755,24 +751,24 @@ static inline int64_t tangent_patches__write_outline_t(array_double_1d work, arr
             {
                 for (region = INT64_C(0); region < count; region += INT64_C(1))
                 {
-                    block = regions__region_block(region);
-                    own_t = station_t - (*cspan_at(&work_t, block + regions__REGION_OFFSET));
-                    own = station - (*cspan_at(&work, block + regions__REGION_OFFSET));
-                    if ((own >= (*cspan_at(&work, block + regions__REGION_LOW))) && (own <= (*cspan_at(&work, block + regions__REGION_HIGH))) && (half == 0.0))
+                    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+                    own_t = station_t - (*cspan_at(&work_t, block + layout__REGION_OFFSET));
+                    own = station - (*cspan_at(&work, block + layout__REGION_OFFSET));
+                    if ((own >= (*cspan_at(&work, block + layout__REGION_LOW))) && (own <= (*cspan_at(&work, block + layout__REGION_HIGH))) && (half == 0.0))
                     {
                         tangent_patches__strip_at_t(&half, &half_t, &pressure, &pressure_t, work, work_t, region, own, own_t);
                     }
                 }
             }
-            if (half > 0.5 * (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH)))
+            if (half > 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)))
             {
-                half_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_PATCH_LENGTH));
-                half = 0.5 * (*cspan_at(&work, side + layout__SIDE_PATCH_LENGTH));
+                half_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_LENGTH));
+                half = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH));
             }
-            if (pressure > (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE)))
+            if (pressure > (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)))
             {
-                pressure_t = (*cspan_at(&work_t, side + layout__SIDE_MAX_PRESSURE));
-                pressure = (*cspan_at(&work, side + layout__SIDE_MAX_PRESSURE));
+                pressure_t = (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MAX_PRESSURE));
+                pressure = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE));
             }
             (*cspan_at(&work_t, place + j)) = station_t;
             (*cspan_at(&work, place + j)) = station;
@@ -812,18 +808,18 @@ static inline int64_t tangent_patches__strip_at_t(double* half, double* half_t, 
     double square;
     double v5;
     double v6;
-    block = regions__region_block(region);
-    level_t = (*cspan_at(&work_t, block + regions__REGION_LEVEL));
-    level = (*cspan_at(&work, block + regions__REGION_LEVEL));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    level_t = (*cspan_at(&work_t, block + layout__REGION_LEVEL));
+    level = (*cspan_at(&work, block + layout__REGION_LEVEL));
     (*half_t) = 0.0;
     (*half) = 0.0;
     (*pressure_t) = 0.0;
     (*pressure) = 0.0;
-    v1 = station - (*cspan_at(&work, block + regions__REGION_STATION));
-    v2 = v1 / (*cspan_at(&work, block + regions__REGION_SPACING));
-    u_t = (station_t - (*cspan_at(&work_t, block + regions__REGION_STATION)) - v2 * (*cspan_at(&work_t, block + regions__REGION_SPACING))) / (*cspan_at(&work, block + regions__REGION_SPACING));
+    v1 = station - (*cspan_at(&work, block + layout__REGION_STATION));
+    v2 = v1 / (*cspan_at(&work, block + layout__REGION_SPACING));
+    u_t = (station_t - (*cspan_at(&work_t, block + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, block + layout__REGION_SPACING))) / (*cspan_at(&work, block + layout__REGION_SPACING));
     u = v2;
-    inside = (u > (*cspan_at(&work, block + regions__REGION_FIRST))) && (u < (*cspan_at(&work, block + regions__REGION_LAST)));
+    inside = (u > (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))));
     if ((level > 0.0) && inside)
     {
         outward = INT64_C(1);

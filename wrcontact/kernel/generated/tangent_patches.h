@@ -10,7 +10,6 @@
 #include "layout.h"
 #include "nodes.h"
 #include "patches.h"
-#include "regions.h"
 #include "tangent_analyn.h"
 #include "tangent_rates.h"
 

@@ -44,10 +44,10 @@ static inline int64_t tangent_planes__bound_abscissa_t(double* abscissa, double*
     (*abscissa) = bound;
     if (fabs(bound) < regions__FAR)
     {
-        tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+        tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, bound, bound_t, regions__TRACE, 0.0);
-        (*abscissa_t) = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-        (*abscissa) = (*cspan_at(&work, contact_plane__TRACER_RAIL));
+        (*abscissa_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+        (*abscissa) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
     }
     return 0;
 }
@@ -65,11 +65,11 @@ static inline int64_t tangent_planes__bound_station_t(double* station, double* s
     (*station) = abscissa;
     if (fabs(abscissa) < regions__FAR)
     {
-        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
-        v1 = abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-        v2 = height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-        (*station_t) = (abscissa_t - (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + v1 * (*cspan_at(&work_t, contact_plane__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN)) + v2 * (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
-        (*station) = v1 * (*cspan_at(&work, contact_plane__FRAME_COS)) + v2 * (*cspan_at(&work, contact_plane__FRAME_SIN));
+        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+        v1 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+        v2 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+        (*station_t) = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)));
+        (*station) = v1 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v2 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
     }
     return 0;
 }
@@ -130,55 +130,55 @@ static inline int64_t tangent_planes__own_plane_t(array_double_1d tables, array_
     double v5;
     double v5_t;
     int64_t found;
-    block = regions__region_block(region);
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    tangent_touching__pair_rule_t(&y, &y_t, &abscissa, &abscissa_t, &depth, &depth_t, &aside, &aside_t, &shift, &shift_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, contact_plane__FRAME_SHIFT)), (*cspan_at(&work_t, contact_plane__FRAME_SHIFT)));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    tangent_touching__pair_rule_t(&y, &y_t, &abscissa, &abscissa_t, &depth, &depth_t, &aside, &aside_t, &shift, &shift_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)));
     if (found == INT64_C(1))
     {
-        tangent_planes__bound_abscissa_t(&v1, &v1_t, tables, work, work_t, state, block, (*cspan_at(&work, block + regions__REGION_LOW)), (*cspan_at(&work_t, block + regions__REGION_LOW)));
+        tangent_planes__bound_abscissa_t(&v1, &v1_t, tables, work, work_t, state, block, (*cspan_at(&work, block + layout__REGION_LOW)), (*cspan_at(&work_t, block + layout__REGION_LOW)));
         low_t = v1_t;
         low = v1;
-        tangent_planes__bound_abscissa_t(&v2, &v2_t, tables, work, work_t, state, block, (*cspan_at(&work, block + regions__REGION_HIGH)), (*cspan_at(&work_t, block + regions__REGION_HIGH)));
+        tangent_planes__bound_abscissa_t(&v2, &v2_t, tables, work, work_t, state, block, (*cspan_at(&work, block + layout__REGION_HIGH)), (*cspan_at(&work_t, block + layout__REGION_HIGH)));
         high_t = v2_t;
         high = v2;
         tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
-        cosine_t = (*cspan_at(&work_t, contact_plane__FRAME_COS));
-        cosine = (*cspan_at(&work, contact_plane__FRAME_COS));
-        sine_t = (*cspan_at(&work_t, contact_plane__FRAME_SIN));
-        sine = (*cspan_at(&work, contact_plane__FRAME_SIN));
-        (*cspan_at(&work_t, block + regions__REGION_STATION)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
-        (*cspan_at(&work_t, block + regions__REGION_RAIL)) = abscissa_t;
-        (*cspan_at(&work, block + regions__REGION_RAIL)) = abscissa;
-        (*cspan_at(&work_t, block + regions__REGION_WHEEL)) = y_t;
-        (*cspan_at(&work, block + regions__REGION_WHEEL)) = y;
-        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+        cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
+        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+        sine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN));
+        sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
+        (*cspan_at(&work_t, block + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work_t, block + layout__REGION_RAIL)) = abscissa_t;
+        (*cspan_at(&work, block + layout__REGION_RAIL)) = abscissa;
+        (*cspan_at(&work_t, block + layout__REGION_WHEEL)) = y_t;
+        (*cspan_at(&work, block + layout__REGION_WHEEL)) = y;
+        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
         tangent_regions__lean_region_t(tables, work, work_t, block, slope, slope_t);
-        (*cspan_at(&work_t, block + regions__REGION_OWN)) = 0.0;
-        (*cspan_at(&work, block + regions__REGION_OWN)) = 1.0;
-        tangent_pressed__rail_length_t(&v3, &v3_t, tables, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)), (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA)), abscissa, abscissa_t);
-        (*cspan_at(&work_t, block + regions__REGION_OFFSET)) = v3_t;
-        (*cspan_at(&work, block + regions__REGION_OFFSET)) = v3;
-        turn_t = (*cspan_at(&work_t, block + regions__REGION_COS)) * cosine + (*cspan_at(&work, block + regions__REGION_COS)) * cosine_t + ((*cspan_at(&work_t, block + regions__REGION_SIN)) * sine + (*cspan_at(&work, block + regions__REGION_SIN)) * sine_t);
-        turn = (*cspan_at(&work, block + regions__REGION_COS)) * cosine + (*cspan_at(&work, block + regions__REGION_SIN)) * sine;
-        (*cspan_at(&work_t, block + regions__REGION_TURN)) = turn_t;
-        (*cspan_at(&work, block + regions__REGION_TURN)) = turn;
-        (*cspan_at(&work_t, block + regions__REGION_GAP)) = -depth_t;
-        (*cspan_at(&work, block + regions__REGION_GAP)) = -depth;
+        (*cspan_at(&work_t, block + layout__REGION_OWN)) = 0.0;
+        (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(1);
+        tangent_pressed__rail_length_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), abscissa, abscissa_t);
+        (*cspan_at(&work_t, block + layout__REGION_OFFSET)) = v3_t;
+        (*cspan_at(&work, block + layout__REGION_OFFSET)) = v3;
+        turn_t = (*cspan_at(&work_t, block + layout__REGION_COS)) * cosine + (*cspan_at(&work, block + layout__REGION_COS)) * cosine_t + ((*cspan_at(&work_t, block + layout__REGION_SIN)) * sine + (*cspan_at(&work, block + layout__REGION_SIN)) * sine_t);
+        turn = (*cspan_at(&work, block + layout__REGION_COS)) * cosine + (*cspan_at(&work, block + layout__REGION_SIN)) * sine;
+        (*cspan_at(&work_t, block + layout__REGION_TURN)) = turn_t;
+        (*cspan_at(&work, block + layout__REGION_TURN)) = turn;
+        (*cspan_at(&work_t, block + layout__REGION_GAP)) = -depth_t;
+        (*cspan_at(&work, block + layout__REGION_GAP)) = -depth;
         tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, at, y, y_t, aside, aside_t, shift, shift_t);
-        (*cspan_at(&work_t, contact_plane__FRAME_RAISE)) = (*cspan_at(&work_t, block + regions__REGION_GAP));
-        (*cspan_at(&work, contact_plane__FRAME_RAISE)) = (*cspan_at(&work, block + regions__REGION_GAP));
+        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work_t, block + layout__REGION_GAP));
+        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, block + layout__REGION_GAP));
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, 0.0, 0.0, regions__TRACE, 0.0);
-        (*cspan_at(&work_t, block + regions__REGION_BEND)) = bend_t;
-        (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-        (*cspan_at(&work_t, block + regions__REGION_CURVATURE)) = curvature_t;
-        (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
+        (*cspan_at(&work_t, block + layout__REGION_BEND)) = bend_t;
+        (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
+        (*cspan_at(&work_t, block + layout__REGION_CURVATURE)) = curvature_t;
+        (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
         tangent_planes__bound_station_t(&v4, &v4_t, tables, work, work_t, low, low_t);
-        (*cspan_at(&work_t, block + regions__REGION_LOW)) = v4_t;
-        (*cspan_at(&work, block + regions__REGION_LOW)) = v4;
+        (*cspan_at(&work_t, block + layout__REGION_LOW)) = v4_t;
+        (*cspan_at(&work, block + layout__REGION_LOW)) = v4;
         tangent_planes__bound_station_t(&v5, &v5_t, tables, work, work_t, high, high_t);
-        (*cspan_at(&work_t, block + regions__REGION_HIGH)) = v5_t;
-        (*cspan_at(&work, block + regions__REGION_HIGH)) = v5;
+        (*cspan_at(&work_t, block + layout__REGION_HIGH)) = v5_t;
+        (*cspan_at(&work, block + layout__REGION_HIGH)) = v5;
         tangent_planes__keep_frame_t(work, work_t, region);
         tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }
@@ -216,10 +216,10 @@ static inline int64_t tangent_planes__line_up_t(array_double_1d tables, array_do
     double v1_t;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        tangent_contact_plane__ridge_place_t(&v1, &v1_t, tables, work, work_t, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
-        (*cspan_at(&work_t, block + regions__REGION_ALONG)) = v1_t;
-        (*cspan_at(&work, block + regions__REGION_ALONG)) = v1;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        tangent_contact_plane__ridge_place_t(&v1, &v1_t, tables, work, work_t, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+        (*cspan_at(&work_t, block + layout__REGION_ALONG)) = v1_t;
+        (*cspan_at(&work, block + layout__REGION_ALONG)) = v1;
     }
     return INT64_C(0);
 }
@@ -227,7 +227,7 @@ static inline int64_t tangent_planes__line_up_t(array_double_1d tables, array_do
 /* Tangent of ``enter_plane``. */
 static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
 {
-    if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_OWN)) == 1.0)
     {
         tangent_planes__use_frame_t(work, work_t, region);
     }
@@ -237,7 +237,7 @@ static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_
 /* Tangent of ``leave_plane``. */
 static inline int64_t tangent_planes__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
 {
-    if ((*cspan_at(&work, regions__region_block(region) + regions__REGION_OWN)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_OWN)) == 1.0)
     {
         tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }

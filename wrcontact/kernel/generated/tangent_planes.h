@@ -7,7 +7,6 @@
 #define WRCONTACT_KERNEL_TANGENT_PLANES_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "layout.h"
 #include "planes.h"
 #include "regions.h"

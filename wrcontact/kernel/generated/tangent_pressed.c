@@ -85,8 +85,8 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double v20_t;
     double curvature_t;
     double curvature;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, rail, abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
@@ -102,7 +102,7 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
         tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         across_t = y_track_t - abscissa_t;
-        across = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa;
+        across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
         down_t = z_track_t + height_t - z_rail_t;
         down = z_track + height - z_rail;
         rest_t = across_t + (down_t * m + down * m_t);
@@ -252,11 +252,11 @@ static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* res
     double v1;
     double v2;
     double v3;
-    blur_t = (*cspan_at(&work_t, contact_plane__FRAME_BLUR));
-    blur = (*cspan_at(&work, contact_plane__FRAME_BLUR));
+    blur_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR));
+    blur = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
-        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+        wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
         low_t = y_t - blur_t;
         low = y - blur;
         high_t = y_t + blur_t;
@@ -292,7 +292,7 @@ static inline int64_t tangent_pressed__rail_speed_t(double* v2, double* result_1
     double slope;
     double slope_t;
     double v1;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + slope * slope;
     (*v2) = sqrt(v1);
     (*result_1) = tangent_rates__root_rate((*v2), slope_t * slope + slope * slope_t);
@@ -413,7 +413,7 @@ static inline int64_t tangent_pressed__rail_abscissa_t(double* x, double* x_t, a
     (*x) = start;
     for (step = INT64_C(0); step < steps; step += INT64_C(1))
     {
-        tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*x), (*x_t));
+        tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*x), (*x_t));
         v2 = 1.0 + slope * slope;
         v3 = sqrt(v2);
         before_t = tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t);
@@ -483,10 +483,10 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     double v2;
     double v3;
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    way_t = station_t - (*cspan_at(&work_t, contact_plane__TRACER_STATION));
-    way = station - (*cspan_at(&work, contact_plane__TRACER_STATION));
-    tangent_pressed__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)), way, way_t);
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    way_t = station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    tangent_pressed__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), way, way_t);
     abscissa_t = v1_t;
     abscissa = v1;
     (*gap_t) = 0.0;
@@ -499,11 +499,11 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
     {
-        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &turn, &turn_t, &found_curvature, &found_curvature_t, &found, tables, work, work_t, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), abscissa, abscissa_t, (*cspan_at(&work, contact_plane__TRACER_WHEEL)) + way * (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) + (way_t * (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) + way * (*cspan_at(&work_t, contact_plane__TRACER_WHEEL_RATE))), (*cspan_at(&work, contact_plane__FRAME_POSE)), (*cspan_at(&work_t, contact_plane__FRAME_POSE)));
+        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &turn, &turn_t, &found_curvature, &found_curvature_t, &found, tables, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + way * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + (way_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) + way * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_POSE)));
         if (found == INT64_C(1))
         {
-            (*gap_t) = (*cspan_at(&work_t, contact_plane__FRAME_RAISE)) + (*cspan_at(&work_t, contact_plane__FRAME_DEPTH)) - overlap_t;
-            (*gap) = (*cspan_at(&work, contact_plane__FRAME_RAISE)) + (*cspan_at(&work, contact_plane__FRAME_DEPTH)) - overlap;
+            (*gap_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap_t;
+            (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;
             (*rate_t) = -rise_t;
             (*rate) = -rise;
             (*bend_t) = -turn_t;
@@ -512,17 +512,17 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
             (*curvature) = found_curvature;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                v2 = y - (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+                v2 = y - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
                 v3 = v2 / way;
-                (*cspan_at(&work_t, contact_plane__TRACER_WHEEL_RATE)) = (y_t - (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) - v3 * way_t) / way;
-                (*cspan_at(&work, contact_plane__TRACER_WHEEL_RATE)) = v3;
+                (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (y_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) - v3 * way_t) / way;
+                (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = v3;
             }
-            (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) = y_t;
-            (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = y;
-            (*cspan_at(&work_t, contact_plane__TRACER_RAIL)) = abscissa_t;
-            (*cspan_at(&work, contact_plane__TRACER_RAIL)) = abscissa;
-            (*cspan_at(&work_t, contact_plane__TRACER_STATION)) = station_t;
-            (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
+            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y_t;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y;
+            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa_t;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa;
+            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station_t;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
         }
     }
     return 0;
@@ -566,12 +566,12 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
     (*curvature_t) = 0.0;
     if ((*found) == INT64_C(1))
     {
-        tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
+        tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
         tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         v1 = z_track + height - z_rail;
         rest_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
-        rest = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa + v1 * m;
+        rest = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa + v1 * m;
         v2 = -rest;
         v3 = stretch * (1.0 + m * outline_slope);
         y_t = (-rest_t) / v3;

@@ -33,7 +33,7 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     double height_t;
     double slope;
     double slope_t;
-    block = regions__region_block(index);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * index;
     start_t = station_t;
     start = station;
     gap_t = 0.0;
@@ -100,19 +100,19 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
         station_t = station_t + move_t;
         station = station + move;
     }
-    (*cspan_at(&work_t, block + regions__REGION_STATION)) = station_t;
-    (*cspan_at(&work, block + regions__REGION_STATION)) = station;
-    (*cspan_at(&work_t, block + regions__REGION_GAP)) = gap_t;
-    (*cspan_at(&work, block + regions__REGION_GAP)) = gap;
-    (*cspan_at(&work_t, block + regions__REGION_RAIL)) = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__TRACER_RAIL));
-    (*cspan_at(&work_t, block + regions__REGION_WHEEL)) = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
-    (*cspan_at(&work_t, block + regions__REGION_BEND)) = bend_t;
-    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-    (*cspan_at(&work_t, block + regions__REGION_CURVATURE)) = curvature_t;
-    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
+    (*cspan_at(&work_t, block + layout__REGION_STATION)) = station_t;
+    (*cspan_at(&work, block + layout__REGION_STATION)) = station;
+    (*cspan_at(&work_t, block + layout__REGION_GAP)) = gap_t;
+    (*cspan_at(&work, block + layout__REGION_GAP)) = gap;
+    (*cspan_at(&work_t, block + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+    (*cspan_at(&work, block + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+    (*cspan_at(&work_t, block + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+    (*cspan_at(&work, block + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+    (*cspan_at(&work_t, block + layout__REGION_BEND)) = bend_t;
+    (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work_t, block + layout__REGION_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     tangent_regions__lean_region_t(tables, work, work_t, block, slope, slope_t);
     return 0;
 }
@@ -130,24 +130,24 @@ static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, arr
     v3 = 1.0 / v2;
     cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
     cosine = v3;
-    (*cspan_at(&work_t, block + regions__REGION_LEAN)) = slope_t;
-    (*cspan_at(&work, block + regions__REGION_LEAN)) = slope;
-    (*cspan_at(&work_t, block + regions__REGION_OWN)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_OWN)) = 0.0;
-    (*cspan_at(&work_t, block + regions__REGION_TURN)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_TURN)) = 1.0;
-    (*cspan_at(&work_t, block + regions__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work_t, block + regions__REGION_COS)) = cosine_t;
-    (*cspan_at(&work, block + regions__REGION_COS)) = cosine;
-    (*cspan_at(&work_t, block + regions__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
-    (*cspan_at(&work, block + regions__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work_t, block + regions__REGION_SHARE)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__SET_LOAD))) == layout__LOAD_VERTICAL)
+    (*cspan_at(&work_t, block + layout__REGION_LEAN)) = slope_t;
+    (*cspan_at(&work, block + layout__REGION_LEAN)) = slope;
+    (*cspan_at(&work_t, block + layout__REGION_OWN)) = 0.0;
+    (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(0);
+    (*cspan_at(&work_t, block + layout__REGION_TURN)) = 0.0;
+    (*cspan_at(&work, block + layout__REGION_TURN)) = 1.0;
+    (*cspan_at(&work_t, block + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, block + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work_t, block + layout__REGION_COS)) = cosine_t;
+    (*cspan_at(&work, block + layout__REGION_COS)) = cosine;
+    (*cspan_at(&work_t, block + layout__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
+    (*cspan_at(&work, block + layout__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work_t, block + layout__REGION_SHARE)) = 0.0;
+    (*cspan_at(&work, block + layout__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work_t, block + regions__REGION_SHARE)) = cosine_t;
-        (*cspan_at(&work, block + regions__REGION_SHARE)) = cosine;
+        (*cspan_at(&work_t, block + layout__REGION_SHARE)) = cosine_t;
+        (*cspan_at(&work, block + layout__REGION_SHARE)) = cosine;
     }
     return INT64_C(0);
 }
@@ -155,7 +155,6 @@ static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, arr
 /* Tangent of ``open_contact_region``. */
 static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
-    int64_t block;
     double gap;
     double gap_t;
     double rate;
@@ -165,26 +164,25 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tab
     double curvature;
     double curvature_t;
     double v1;
-    block = regions__region_block(INT64_C(0));
     tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, 0.0, 0.0, regions__TRACE, 0.0);
-    (*cspan_at(&work_t, block + regions__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_STATION)) = 0.0;
-    (*cspan_at(&work_t, block + regions__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_GAP)) = 0.0;
-    (*cspan_at(&work_t, block + regions__REGION_RAIL)) = (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA));
-    (*cspan_at(&work, block + regions__REGION_RAIL)) = (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-    (*cspan_at(&work_t, block + regions__REGION_WHEEL)) = (*cspan_at(&work_t, contact_plane__FRAME_Y));
-    (*cspan_at(&work, block + regions__REGION_WHEEL)) = (*cspan_at(&work, contact_plane__FRAME_Y));
-    (*cspan_at(&work_t, block + regions__REGION_BEND)) = bend_t;
-    (*cspan_at(&work, block + regions__REGION_BEND)) = bend;
-    (*cspan_at(&work_t, block + regions__REGION_CURVATURE)) = curvature_t;
-    (*cspan_at(&work, block + regions__REGION_CURVATURE)) = curvature;
-    (*cspan_at(&work_t, block + regions__REGION_LOW)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work_t, block + regions__REGION_HIGH)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_HIGH)) = regions__FAR;
-    v1 = (*cspan_at(&work, contact_plane__FRAME_SIN)) / (*cspan_at(&work, contact_plane__FRAME_COS));
-    tangent_regions__lean_region_t(tables, work, work_t, block, v1, ((*cspan_at(&work_t, contact_plane__FRAME_SIN)) - v1 * (*cspan_at(&work_t, contact_plane__FRAME_COS))) / (*cspan_at(&work, contact_plane__FRAME_COS)));
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_Y));
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y));
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_BEND)) = bend_t;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_LOW)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_HIGH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_HIGH)) = regions__FAR;
+    v1 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    tangent_regions__lean_region_t(tables, work, work_t, layout__WORK_REGIONS, v1, ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)));
     return INT64_C(0);
 }
 
@@ -214,24 +212,24 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     int64_t count;
     count = INT64_C(1);
     v1 = 2.0 * level;
-    v2 = v1 / (*cspan_at(&work, contact_plane__FRAME_COS));
-    reach_t = (*cspan_at(&work_t, side + layout__SIDE_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, contact_plane__FRAME_COS))) / (*cspan_at(&work, contact_plane__FRAME_COS));
-    reach = (*cspan_at(&work, side + layout__SIDE_BEST)) + v2;
-    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), state, reach, (*cspan_at(&work, contact_plane__FRAME_ABSCISSA)));
-    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_LAST))) + INT64_C(1);
-    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_FIRST))); i < i_end; i += INT64_C(1))
+    v2 = v1 / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    reach_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + v2;
+    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+    i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
+    for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
         if (count < layout__REGION_LIMIT)
         {
-            y_t = (*cspan_at(&work_t, side + layout__SIDE_PLACE + i));
-            y = (*cspan_at(&work, side + layout__SIDE_PLACE + i));
-            abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_ABSCISSA + i));
-            abscissa = (*cspan_at(&work, side + layout__SIDE_ABSCISSA + i));
-            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
-            v3 = abscissa - (*cspan_at(&work, contact_plane__FRAME_ABSCISSA));
-            v4 = height - (*cspan_at(&work, contact_plane__FRAME_HEIGHT));
-            station_t = (abscissa_t - (*cspan_at(&work_t, contact_plane__FRAME_ABSCISSA))) * (*cspan_at(&work, contact_plane__FRAME_COS)) + v3 * (*cspan_at(&work_t, contact_plane__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, contact_plane__FRAME_HEIGHT))) * (*cspan_at(&work, contact_plane__FRAME_SIN)) + v4 * (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
-            station = v3 * (*cspan_at(&work, contact_plane__FRAME_COS)) + v4 * (*cspan_at(&work, contact_plane__FRAME_SIN));
+            y_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PLACE + i));
+            y = (*cspan_at(&work, side + layout__SIDE_SEARCH_PLACE + i));
+            abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_ABSCISSA + i));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_ABSCISSA + i));
+            tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+            v3 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
+            v4 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+            station_t = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v3 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)));
+            station = v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
             tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
             tangent_regions__minimum_rule_t(&n5, &n5_t, tables, work, work_t, state, count, station, station_t);
             if (n5 < level)
@@ -251,8 +249,6 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, a
 {
     int64_t i;
     int64_t j;
-    int64_t k1;
-    int64_t k2;
     int64_t low;
     int64_t high;
     double station;
@@ -261,54 +257,50 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, a
     double gap_t;
     double bound_t;
     double bound;
-    int64_t k3;
     for (i = INT64_C(0); i < count - INT64_C(1); i += INT64_C(1))
     {
         for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
         {
-            if ((*cspan_at(&work, regions__region_block(j) + regions__REGION_STATION)) > (*cspan_at(&work, regions__region_block(j + INT64_C(1)) + regions__REGION_STATION)))
+            if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_STATION)) > (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)) + layout__REGION_STATION)))
             {
-                tangent_regions__swap_regions_t(work, work_t, j, j + INT64_C(1));
+                tangent_regions__swap_regions_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
         }
     }
-    k1 = regions__region_block(INT64_C(0)) + regions__REGION_LOW;
-    (*cspan_at(&work_t, k1)) = 0.0;
-    (*cspan_at(&work, k1)) = -regions__FAR;
-    k2 = regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH;
-    (*cspan_at(&work_t, k2)) = 0.0;
-    (*cspan_at(&work, k2)) = regions__FAR;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_LOW)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
     i = INT64_C(0);
     while(i < count - INT64_C(1))
     {
-        low = regions__region_block(i);
-        high = regions__region_block(i + INT64_C(1));
+        low = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        high = layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
         tangent_regions__hump_rule_t(&station, &station_t, &gap, &gap_t, tables, work, work_t, state, low, high);
         if (gap < regions__MERGE * level)
         {
-            if ((*cspan_at(&work, high + regions__REGION_GAP)) < (*cspan_at(&work, low + regions__REGION_GAP)))
+            if ((*cspan_at(&work, high + layout__REGION_GAP)) < (*cspan_at(&work, low + layout__REGION_GAP)))
             {
-                bound_t = (*cspan_at(&work_t, low + regions__REGION_LOW));
-                bound = (*cspan_at(&work, low + regions__REGION_LOW));
-                tangent_regions__swap_regions_t(work, work_t, i, i + INT64_C(1));
-                (*cspan_at(&work_t, low + regions__REGION_LOW)) = bound_t;
-                (*cspan_at(&work, low + regions__REGION_LOW)) = bound;
+                bound_t = (*cspan_at(&work_t, low + layout__REGION_LOW));
+                bound = (*cspan_at(&work, low + layout__REGION_LOW));
+                tangent_regions__swap_regions_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i, layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1)));
+                (*cspan_at(&work_t, low + layout__REGION_LOW)) = bound_t;
+                (*cspan_at(&work, low + layout__REGION_LOW)) = bound;
             }
             for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
             {
-                tangent_regions__swap_regions_t(work, work_t, j, j + INT64_C(1));
+                tangent_regions__swap_regions_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
             count = count - INT64_C(1);
-            k3 = regions__region_block(count - INT64_C(1)) + regions__REGION_HIGH;
-            (*cspan_at(&work_t, k3)) = 0.0;
-            (*cspan_at(&work, k3)) = regions__FAR;
+            (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
+            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
         }
         else
         {
-            (*cspan_at(&work_t, low + regions__REGION_HIGH)) = station_t;
-            (*cspan_at(&work, low + regions__REGION_HIGH)) = station;
-            (*cspan_at(&work_t, high + regions__REGION_LOW)) = station_t;
-            (*cspan_at(&work, high + regions__REGION_LOW)) = station;
+            (*cspan_at(&work_t, low + layout__REGION_HIGH)) = station_t;
+            (*cspan_at(&work, low + layout__REGION_HIGH)) = station;
+            (*cspan_at(&work_t, high + layout__REGION_LOW)) = station_t;
+            (*cspan_at(&work, high + layout__REGION_LOW)) = station;
             i = i + INT64_C(1);
         }
     }
@@ -319,24 +311,16 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, a
 static inline int64_t tangent_regions__swap_regions_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
 {
     int64_t i;
-    int64_t k1;
     double kept_t;
     double kept;
-    int64_t k2;
-    int64_t k3;
-    int64_t k4;
     for (i = INT64_C(0); i < layout__REGION_BLOCK; i += INT64_C(1))
     {
-        k1 = regions__region_block(first) + i;
-        kept_t = (*cspan_at(&work_t, k1));
-        kept = (*cspan_at(&work, k1));
-        k2 = regions__region_block(first) + i;
-        k3 = regions__region_block(second) + i;
-        (*cspan_at(&work_t, k2)) = (*cspan_at(&work_t, k3));
-        (*cspan_at(&work, k2)) = (*cspan_at(&work, k3));
-        k4 = regions__region_block(second) + i;
-        (*cspan_at(&work_t, k4)) = kept_t;
-        (*cspan_at(&work, k4)) = kept;
+        kept_t = (*cspan_at(&work_t, first + i));
+        kept = (*cspan_at(&work, first + i));
+        (*cspan_at(&work_t, first + i)) = (*cspan_at(&work_t, second + i));
+        (*cspan_at(&work, first + i)) = (*cspan_at(&work, second + i));
+        (*cspan_at(&work_t, second + i)) = kept_t;
+        (*cspan_at(&work, second + i)) = kept;
     }
     return INT64_C(0);
 }
@@ -389,15 +373,15 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
     double v8;
     double newton_t;
     double newton;
-    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
-    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    limit_t = (*cspan_at(&work_t, block + layout__REGION_HIGH)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
+    limit = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
     if (direction < 0.0)
     {
-        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
-        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+        limit_t = (*cspan_at(&work_t, block + layout__REGION_STATION)) - (*cspan_at(&work_t, block + layout__REGION_LOW));
+        limit = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
     }
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
-    tangent_separation__open_origin_t(tables, work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_GAP)), (*cspan_at(&work_t, block + regions__REGION_GAP)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)), 0.0, 0.0);
+    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+    tangent_separation__open_origin_t(tables, work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work_t, block + layout__REGION_GAP)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)), 0.0, 0.0);
     tolerance_t = 0.001 * guess_t;
     tolerance = 0.001 * guess;
     if (tolerance > regions__WIDTH_TRACE)
@@ -414,14 +398,14 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
     high = -1.0;
     width_t = guess_t;
     width = guess;
-    (*cspan_at(&work_t, block + regions__REGION_REACHED)) = 0.0;
-    (*cspan_at(&work, block + regions__REGION_REACHED)) = 0.0;
-    station_t = (*cspan_at(&work_t, block + regions__REGION_STATION));
-    station = (*cspan_at(&work, block + regions__REGION_STATION));
-    abscissa_t = (*cspan_at(&work_t, block + regions__REGION_RAIL));
-    abscissa = (*cspan_at(&work, block + regions__REGION_RAIL));
-    y_t = (*cspan_at(&work_t, block + regions__REGION_WHEEL));
-    y = (*cspan_at(&work, block + regions__REGION_WHEEL));
+    (*cspan_at(&work_t, block + layout__REGION_REACHED)) = 0.0;
+    (*cspan_at(&work, block + layout__REGION_REACHED)) = 0.0;
+    station_t = (*cspan_at(&work_t, block + layout__REGION_STATION));
+    station = (*cspan_at(&work, block + layout__REGION_STATION));
+    abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL));
+    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL));
+    y_t = (*cspan_at(&work_t, block + layout__REGION_WHEEL));
+    y = (*cspan_at(&work, block + layout__REGION_WHEEL));
     for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         if (width > limit)
@@ -429,28 +413,28 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
             width_t = limit_t;
             width = limit;
         }
-        tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+        tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
         if (gap >= contact_plane__NO_GAP)
         {
             tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
         }
         else
         {
-            station_t = (*cspan_at(&work_t, contact_plane__TRACER_STATION));
-            station = (*cspan_at(&work, contact_plane__TRACER_STATION));
-            abscissa_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-            abscissa = (*cspan_at(&work, contact_plane__TRACER_RAIL));
-            y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-            y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+            station_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+            station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+            abscissa_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+            abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+            y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+            y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
         }
-        rise_t = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
-        rise = gap - (*cspan_at(&work, block + regions__REGION_GAP));
+        rise_t = gap_t - (*cspan_at(&work_t, block + layout__REGION_GAP));
+        rise = gap - (*cspan_at(&work, block + layout__REGION_GAP));
         if (rise < level)
         {
             low_t = width_t;
             low = width;
-            (*cspan_at(&work_t, block + regions__REGION_REACHED)) = rise_t;
-            (*cspan_at(&work, block + regions__REGION_REACHED)) = rise;
+            (*cspan_at(&work_t, block + layout__REGION_REACHED)) = rise_t;
+            (*cspan_at(&work, block + layout__REGION_REACHED)) = rise;
             if (width >= limit)
             {
                 (*result_0_0001) = limit;
@@ -467,7 +451,7 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
         following = 2.0 * width;
         sharp = regions__HALVED_SHARP;
         near = regions__WIDTH_SHARP;
-        if ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             near = regions__PRESSED_SHARP;
         }
@@ -500,8 +484,8 @@ static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, doubl
         {
             if (sharp == near)
             {
-                (*cspan_at(&work_t, block + regions__REGION_REACHED)) = level_t;
-                (*cspan_at(&work, block + regions__REGION_REACHED)) = level;
+                (*cspan_at(&work_t, block + layout__REGION_REACHED)) = level_t;
+                (*cspan_at(&work, block + layout__REGION_REACHED)) = level;
             }
             (*result_0_0001) = following;
             (*result_1_0001) = following_t;
@@ -538,8 +522,8 @@ static inline int64_t tangent_regions__minimum_rule_t(double* found, double* fou
     if ((*found) < regions__FAR)
     {
         place_t = 0.0;
-        place = (*cspan_at(&work, regions__region_block(index) + regions__REGION_STATION));
-        tangent_contact_plane__start_tracer_t(work, work_t, place, place_t, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
+        place = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * index + layout__REGION_STATION));
+        tangent_contact_plane__start_tracer_t(work, work_t, place, place_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), 0.0);
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, place, place_t, regions__TRACE, 0.0);
         v2 = -rate;
         place_t = (-rate_t) / bend;
@@ -569,14 +553,14 @@ static inline int64_t tangent_regions__hump_rule_t(double* station, double* stat
     double v2;
     regions__find_hump(station, gap, tables, work, state, low, high);
     (*station_t) = 0.0;
-    way_t = (*cspan_at(&work_t, high + regions__REGION_STATION)) - (*cspan_at(&work_t, low + regions__REGION_STATION));
-    way = (*cspan_at(&work, high + regions__REGION_STATION)) - (*cspan_at(&work, low + regions__REGION_STATION));
-    v1 = ((*station) - (*cspan_at(&work, low + regions__REGION_STATION))) / way;
-    place_t = (*cspan_at(&work_t, low + regions__REGION_STATION)) + way_t * v1;
-    place = (*cspan_at(&work, low + regions__REGION_STATION)) + way * v1;
-    if ((*cspan_at(&work, contact_plane__TRACER_STATION)) == (*station))
+    way_t = (*cspan_at(&work_t, high + layout__REGION_STATION)) - (*cspan_at(&work_t, low + layout__REGION_STATION));
+    way = (*cspan_at(&work, high + layout__REGION_STATION)) - (*cspan_at(&work, low + layout__REGION_STATION));
+    v1 = ((*station) - (*cspan_at(&work, low + layout__REGION_STATION))) / way;
+    place_t = (*cspan_at(&work_t, low + layout__REGION_STATION)) + way_t * v1;
+    place = (*cspan_at(&work, low + layout__REGION_STATION)) + way * v1;
+    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) == (*station))
     {
-        tangent_contact_plane__start_tracer_t(work, work_t, (*station), 0.0, (*cspan_at(&work, contact_plane__TRACER_RAIL)), 0.0, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), 0.0);
+        tangent_contact_plane__start_tracer_t(work, work_t, (*station), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), 0.0);
         tangent_contact_plane__normal_gap_t(&hump, &hump_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*station), 0.0, regions__TRACE, 0.0);
         if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
         {
@@ -617,14 +601,14 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
     tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
     (*width_t) = v1_t;
     (*width) = v1;
-    limit_t = (*cspan_at(&work_t, block + regions__REGION_HIGH)) - (*cspan_at(&work_t, block + regions__REGION_STATION));
-    limit = (*cspan_at(&work, block + regions__REGION_HIGH)) - (*cspan_at(&work, block + regions__REGION_STATION));
+    limit_t = (*cspan_at(&work_t, block + layout__REGION_HIGH)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
+    limit = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
     if (direction < 0.0)
     {
-        limit_t = (*cspan_at(&work_t, block + regions__REGION_STATION)) - (*cspan_at(&work_t, block + regions__REGION_LOW));
-        limit = (*cspan_at(&work, block + regions__REGION_STATION)) - (*cspan_at(&work, block + regions__REGION_LOW));
+        limit_t = (*cspan_at(&work_t, block + layout__REGION_STATION)) - (*cspan_at(&work_t, block + layout__REGION_LOW));
+        limit = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
     }
-    if (((*width) < limit) && ((*cspan_at(&work, block + regions__REGION_REACHED)) != level))
+    if (((*width) < limit) && ((*cspan_at(&work, block + layout__REGION_REACHED)) != level))
     {
         inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
         tolerance = 0.001 * guess;
@@ -633,21 +617,21 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
             tolerance = regions__WIDTH_TRACE;
         }
         tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
-        rail_rate = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-        wheel_rate = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-        lack = level_t - gap_t + (*cspan_at(&work_t, block + regions__REGION_GAP));
+        rail_rate = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+        wheel_rate = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+        lack = level_t - gap_t + (*cspan_at(&work_t, block + layout__REGION_GAP));
         moved = 0.0;
         if (rate * direction > 0.0)
         {
             moved = lack / (rate * direction);
         }
         tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
-        rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-        wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
-        x_t = (*cspan_at(&work_t, contact_plane__TRACER_RAIL));
-        x = (*cspan_at(&work, contact_plane__TRACER_RAIL));
-        y_t = (*cspan_at(&work_t, contact_plane__TRACER_WHEEL));
-        y = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+        rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+        wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+        x_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+        x = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+        y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+        y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
         out = x_t - rail_rate;
         if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE)))
         {
@@ -660,7 +644,7 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
         }
         tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
         (*width_t) = moved;
-        (*cspan_at(&work_t, block + regions__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + regions__REGION_GAP));
+        (*cspan_at(&work_t, block + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + layout__REGION_GAP));
     }
     return 0;
 }
@@ -672,7 +656,7 @@ static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, d
     double bend_t;
     double curvature;
     double curvature_t;
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + regions__REGION_STATION)), (*cspan_at(&work_t, block + regions__REGION_STATION)), (*cspan_at(&work, block + regions__REGION_RAIL)), (*cspan_at(&work_t, block + regions__REGION_RAIL)), (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
-    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + regions__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + regions__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }

@@ -7,16 +7,14 @@
 #define WRCONTACT_KERNEL_TANGENT_RESULTANT_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "layout.h"
-#include "regions.h"
 #include "resultant.h"
 #include "tangent_contact_plane.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
 
-static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work, array_double_1d work_t, int64_t at);
-static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region, double mirror, double mirror_t, int64_t at);
+static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work, array_double_1d work_t, int64_t resultant);
+static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region, double mirror, double mirror_t, int64_t resultant);
 static inline int64_t tangent_resultant__write_resultant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t left, int64_t right);
 
 #endif

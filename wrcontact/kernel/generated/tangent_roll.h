@@ -8,7 +8,6 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "roll.h"
 #include "tangent_locus.h"
 
 static inline int64_t tangent_roll__place_both_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);

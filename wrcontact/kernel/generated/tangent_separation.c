@@ -15,19 +15,19 @@ static inline int64_t tangent_separation__curve_jet_t(double* across, double* ac
     double z_track;
     double z_track_t;
     tangent_profile_table__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, separation__curve_table(tables, tracer), u, u_t);
-    (*across_t) = u_t - (*cspan_at(&work_t, separation__ORIGIN_RAIL));
-    (*across) = u - (*cspan_at(&work, separation__ORIGIN_RAIL));
-    (*down_t) = z_t - (*cspan_at(&work_t, separation__ORIGIN_RAIL + INT64_C(1)));
-    (*down) = z - (*cspan_at(&work, separation__ORIGIN_RAIL + INT64_C(1)));
+    (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0)));
+    (*across) = u - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0)));
+    (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(1)));
+    (*down) = z - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(1)));
     (*stretch_t) = 0.0;
     (*stretch) = 1.0;
     if (tracer == contact_plane__TRACER_WHEEL)
     {
-        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, slope, slope_t, stretch, stretch_t, bend, bend_t, work, work_t, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), u, u_t, z, z_t, (*slope), (*slope_t), (*bend), (*bend_t));
-        (*across_t) = y_track_t - (*cspan_at(&work_t, separation__ORIGIN_WHEEL));
-        (*across) = y_track - (*cspan_at(&work, separation__ORIGIN_WHEEL));
-        (*down_t) = z_track_t - (*cspan_at(&work_t, separation__ORIGIN_WHEEL + INT64_C(1)));
-        (*down) = z_track - (*cspan_at(&work, separation__ORIGIN_WHEEL + INT64_C(1)));
+        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, slope, slope_t, stretch, stretch_t, bend, bend_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), u, u_t, z, z_t, (*slope), (*slope_t), (*bend), (*bend_t));
+        (*across_t) = y_track_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_WHEEL + INT64_C(0)));
+        (*across) = y_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_WHEEL + INT64_C(0)));
+        (*down_t) = z_track_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_WHEEL + INT64_C(1)));
+        (*down) = z_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_WHEEL + INT64_C(1)));
     }
     return 0;
 }
@@ -54,8 +54,8 @@ static inline int64_t tangent_separation__curve_speed_t(double* speed, double* s
     double v4;
     (*speed_t) = 0.0;
     (*speed) = 1.0;
-    at = (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE)));
-    if ((tracer == contact_plane__TRACER_RAIL) || ((*cspan_at(&work, at + locus__PLACE_YAWED)) == 0.0))
+    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    if ((tracer == contact_plane__TRACER_RAIL) || (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)))
     {
         tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, separation__curve_table(tables, tracer), u, u_t);
         v1 = 1.0 + slope * slope;
@@ -204,21 +204,21 @@ static inline int64_t tangent_separation__within_t(double* result_0, double* res
 /* Tangent of ``open_origin``. */
 static inline int64_t tangent_separation__open_origin_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double station, double station_t, double gap, double gap_t, double abscissa, double abscissa_t, double y, double y_t, double spacing, double spacing_t)
 {
-    if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) != layout__SEPARATION_NORMAL)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
-        (*cspan_at(&work_t, separation__ORIGIN_STATION)) = station_t;
-        (*cspan_at(&work, separation__ORIGIN_STATION)) = station;
-        (*cspan_at(&work_t, separation__ORIGIN_GAP)) = gap_t;
-        (*cspan_at(&work, separation__ORIGIN_GAP)) = gap;
-        (*cspan_at(&work_t, separation__ORIGIN_SPACING)) = 0.0;
-        (*cspan_at(&work, separation__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__SET_SEPARATION))) == layout__SEPARATION_CHORD)
+        (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station_t;
+        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station;
+        (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap_t;
+        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap;
+        (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_CHORD)
         {
-            (*cspan_at(&work_t, separation__ORIGIN_SPACING)) = spacing_t;
-            (*cspan_at(&work, separation__ORIGIN_SPACING)) = spacing;
+            (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
+            (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
-        tangent_separation__open_curve_t(tables, work, work_t, contact_plane__TRACER_RAIL, separation__ORIGIN_RAIL, abscissa, abscissa_t);
-        tangent_separation__open_curve_t(tables, work, work_t, contact_plane__TRACER_WHEEL, separation__ORIGIN_WHEEL, y, y_t);
+        tangent_separation__open_curve_t(tables, work, work_t, contact_plane__TRACER_RAIL, separation__AT_RAIL_ORIGIN, abscissa, abscissa_t);
+        tangent_separation__open_curve_t(tables, work, work_t, contact_plane__TRACER_WHEEL, separation__AT_WHEEL_ORIGIN, y, y_t);
     }
     return INT64_C(0);
 }
@@ -261,10 +261,10 @@ static inline int64_t tangent_separation__move_station_t(array_double_1d tables,
     int64_t i;
     int64_t n2;
     int64_t exists;
-    way_t = station_t - (*cspan_at(&work_t, contact_plane__TRACER_STATION));
-    way = station - (*cspan_at(&work, contact_plane__TRACER_STATION));
-    spacing_t = (*cspan_at(&work_t, separation__ORIGIN_SPACING));
-    spacing = (*cspan_at(&work, separation__ORIGIN_SPACING));
+    way_t = station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    spacing_t = (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING));
+    spacing = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING));
     exists = INT64_C(1);
     if (spacing == 0.0)
     {
@@ -322,21 +322,21 @@ static inline int64_t tangent_separation__vertical_rise_t(double* result_0, doub
     double v3;
     double v4;
     double v5;
-    per_station_t = (*cspan_at(&work_t, contact_plane__FRAME_COS));
-    per_station = (*cspan_at(&work, contact_plane__FRAME_COS));
-    v1 = station - (*cspan_at(&work, separation__ORIGIN_STATION));
-    lateral_t = (station_t - (*cspan_at(&work_t, separation__ORIGIN_STATION))) * per_station + v1 * per_station_t;
+    per_station_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
+    per_station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    v1 = station - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION));
+    lateral_t = (station_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * per_station_t;
     lateral = v1 * per_station;
     n2 = tangent_separation__across_rule_t(tables, work, work_t, lateral, lateral_t);
     (*exists) = n2;
-    (*cspan_at(&work_t, contact_plane__TRACER_RAIL)) = (*cspan_at(&work_t, separation__ORIGIN_RAIL)) + lateral_t;
-    (*cspan_at(&work, contact_plane__TRACER_RAIL)) = (*cspan_at(&work, separation__ORIGIN_RAIL)) + lateral;
-    if (separation__within(tables, contact_plane__TRACER_RAIL, (*cspan_at(&work, contact_plane__TRACER_RAIL))) != (*cspan_at(&work, contact_plane__TRACER_RAIL)))
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0))) + lateral_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0))) + lateral;
+    if (separation__within(tables, contact_plane__TRACER_RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL))) != (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)))
     {
         (*exists) = INT64_C(0);
     }
-    tangent_separation__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, contact_plane__TRACER_RAIL, (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
-    tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)));
+    tangent_separation__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, contact_plane__TRACER_RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
+    tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
     v3 = bend / stretch;
     bend_t = rail_bend_t - (bend_t - v3 * stretch_t) / stretch;
     bend = rail_bend - v3;
@@ -414,7 +414,7 @@ static inline int64_t tangent_separation__equidistant_rise_t(double* result_0, d
     on_rail = n1;
     n2 = tangent_separation__move_station_t(tables, work, work_t, contact_plane__TRACER_WHEEL, station, station_t);
     on_wheel = n2;
-    tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_RAIL, (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
+    tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
@@ -426,7 +426,7 @@ static inline int64_t tangent_separation__equidistant_rise_t(double* result_0, d
     v7 = v6 * rail_cos;
     rail_turn_t = ((bend_t * rail_cos + bend * rail_cos_t) * rail_cos + v6 * rail_cos_t) * rail_cos + v7 * rail_cos_t;
     rail_turn = v7 * rail_cos;
-    tangent_separation__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)));
+    tangent_separation__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
     v8 = 1.0 + slope * slope;
     v9 = sqrt(v8);
     v10 = 1.0 / v9;
@@ -503,27 +503,27 @@ static inline int64_t tangent_separation__lean_away_t(double* result_0, double* 
     double v8;
     double v9;
     double v10;
-    tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), (*cspan_at(&work, contact_plane__TRACER_RAIL)), (*cspan_at(&work_t, contact_plane__TRACER_RAIL)));
+    tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
     cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
     cosine = v3;
-    v4 = (*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work, contact_plane__FRAME_SIN));
-    along_t = cosine_t * v4 + cosine * ((*cspan_at(&work_t, contact_plane__FRAME_COS)) + (slope_t * (*cspan_at(&work, contact_plane__FRAME_SIN)) + slope * (*cspan_at(&work_t, contact_plane__FRAME_SIN))));
+    v4 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
+    along_t = cosine_t * v4 + cosine * ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN))));
     along = cosine * v4;
-    v5 = slope * (*cspan_at(&work, contact_plane__FRAME_COS)) - (*cspan_at(&work, contact_plane__FRAME_SIN));
-    across_t = cosine_t * v5 + cosine * (slope_t * (*cspan_at(&work, contact_plane__FRAME_COS)) + slope * (*cspan_at(&work_t, contact_plane__FRAME_COS)) - (*cspan_at(&work_t, contact_plane__FRAME_SIN)));
+    v5 = slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
+    across_t = cosine_t * v5 + cosine * (slope_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + slope * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)));
     across = cosine * v5;
     v6 = 1.0 - along;
-    v7 = (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * across;
+    v7 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across;
     v8 = v7 * bend;
     v9 = v8 * cosine;
     v10 = v9 * cosine;
-    (*result_0) = (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * v6;
-    (*result_1) = (*cspan_at(&work_t, contact_plane__FRAME_DEPTH)) * v6 + (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * (-along_t);
+    (*result_0) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * v6;
+    (*result_1) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) * v6 + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * (-along_t);
     (*result_2) = v10 * cosine;
-    (*result_3) = (((((*cspan_at(&work_t, contact_plane__FRAME_DEPTH)) * across + (*cspan_at(&work, contact_plane__FRAME_DEPTH)) * across_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t;
+    (*result_3) = (((((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t;
     return 0;
 }
 
@@ -554,11 +554,11 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
     {
         tangent_separation__equidistant_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, tables, work, work_t, station, station_t);
     }
-    (*cspan_at(&work_t, contact_plane__TRACER_STATION)) = station_t;
-    (*cspan_at(&work, contact_plane__TRACER_STATION)) = station;
-    (*gap_t) = (*gap_t) + (*cspan_at(&work_t, separation__ORIGIN_GAP));
-    (*gap) = (*gap) + (*cspan_at(&work, separation__ORIGIN_GAP));
-    if (((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station_t;
+    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+    (*gap_t) = (*gap_t) + (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_GAP));
+    (*gap) = (*gap) + (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP));
+    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
         tangent_separation__lean_away_t(&lack, &lack_t, &more, &more_t, tables, work, work_t);
         (*gap_t) = (*gap_t) + lack_t;
@@ -571,11 +571,11 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
         (*gap_t) = 0.0;
         (*gap) = contact_plane__NO_GAP;
     }
-    tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)));
-    tangent_pressed__mean_bend_t(&v1, &v1_t, tables, work, work_t, (*cspan_at(&work, contact_plane__TRACER_WHEEL)), (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)), wheel_bend, wheel_bend_t);
+    tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
+    tangent_pressed__mean_bend_t(&v1, &v1_t, tables, work, work_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), wheel_bend, wheel_bend_t);
     wheel_bend_t = v1_t;
     wheel_bend = v1;
-    tangent_contact_plane__longitudinal_curvature_t(&v2, &v2_t, tables, work, work_t, (int64_t)((*cspan_at(&work, contact_plane__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
+    tangent_contact_plane__longitudinal_curvature_t(&v2, &v2_t, tables, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
     (*curvature_t) = v2_t;
     (*curvature) = v2;
     return 0;
@@ -585,8 +585,8 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
 static inline int64_t tangent_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t kind;
-    kind = (int64_t)((*cspan_at(&tables, layout__SET_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && ((*cspan_at(&work, contact_plane__FRAME_PRESSED)) == 0.0))
+    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
+    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
         tangent_contact_plane__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, state, station, station_t, tolerance, tolerance_t);
     }
@@ -719,11 +719,11 @@ static inline int64_t tangent_separation__across_rule_t(array_double_1d tables, 
     exists = n1;
     if (exists == INT64_C(1))
     {
-        u = (*cspan_at(&work, contact_plane__TRACER_WHEEL));
+        u = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
         tangent_separation__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, contact_plane__TRACER_WHEEL, u, 0.0);
         v2 = -(across - lateral);
-        (*cspan_at(&work_t, contact_plane__TRACER_WHEEL)) = (-(across_t - lateral_t)) / stretch;
-        (*cspan_at(&work, contact_plane__TRACER_WHEEL)) = u;
+        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = (-(across_t - lateral_t)) / stretch;
+        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = u;
     }
     return exists;
 }

@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
-#include "locus.h"
 #include "profile_table.h"
 #include "separation.h"
 #include "tangent_contact_plane.h"

@@ -25,13 +25,13 @@ static inline int64_t tangent_side__clear_from_t(array_double_1d tables, array_d
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work_t, out + i)) = 0.0;
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__SET_ABSENT));
+        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
-    tangent_outline__fill_apart_t(tables, work, work_t, out, (*cspan_at(&tables, layout__SET_ABSENT)), 0.0);
+    tangent_outline__fill_apart_t(tables, work, work_t, out, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
     if (first <= layout__SIDE_PENETRATION)
     {
-        (*cspan_at(&work_t, out + layout__SIDE_PATCH_COUNT)) = 0.0;
-        (*cspan_at(&work, out + layout__SIDE_PATCH_COUNT)) = (*cspan_at(&tables, layout__SET_ABSENT));
+        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     return INT64_C(0);
 }
@@ -42,7 +42,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* status,
     int64_t met;
     int64_t region;
     (*status) = layout__VALID;
-    tangent_normal_contact__solve_normal_t(count, &met, tables, work, work_t, state, layout__WORK_SIDE + layout__SIDE_BLOCK * index, side__side_outputs(index), force, force_t, prescribed, prescribed_t);
+    tangent_normal_contact__solve_normal_t(count, &met, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, force, force_t, prescribed, prescribed_t);
     if (met == INT64_C(0))
     {
         (*status) = layout__NOT_CONVERGED;
@@ -51,7 +51,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* status,
     {
         for (region = INT64_C(0); region < (*count); region += INT64_C(1))
         {
-            tangent_resultant__add_region_t(tables, work, work_t, region, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, side__side_resultant(index));
+            tangent_resultant__add_region_t(tables, work, work_t, region, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
         }
     }
     return 0;
@@ -63,11 +63,11 @@ static inline int64_t tangent_side__rest_side_t(array_double_1d tables, array_do
     int64_t side;
     int64_t n1;
     int64_t status;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    tangent_side__clear_side_t(tables, work, work_t, side__side_outputs(index));
-    tangent_resultant__clear_resultant_t(work, work_t, side__side_resultant(index));
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    tangent_side__clear_side_t(tables, work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    tangent_resultant__clear_resultant_t(work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     status = layout__UNLOADED;
-    n1 = tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_BEST)), (*cspan_at(&work_t, side + layout__SIDE_BEST)));
+    n1 = tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
     if (n1 == INT64_C(0))
     {
         status = layout__OFF_PROFILE;
@@ -88,7 +88,7 @@ static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_do
     status = n1;
     if (status == layout__UNLOADED)
     {
-        penetration = (*cspan_at(&tables, layout__SET_PENETRATION_LEFT + index));
+        penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
         pressed_t = force_t;
         pressed = force;
         if (isfinite(penetration))
@@ -99,7 +99,7 @@ static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_do
         if (pressed > 0.0)
         {
             status = layout__VALID;
-            if ((int64_t)((*cspan_at(&tables, layout__SET_DEPTH))) != layout__DEPTH_GEOMETRY)
+            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
             {
                 tangent_side__load_side_t(&count, &status, tables, work, work_t, state, index, force, force_t, penetration, 0.0);
             }
@@ -122,12 +122,12 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     double aside_t;
     double shift;
     double shift_t;
-    side = layout__WORK_SIDE + layout__SIDE_BLOCK * index;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
-    height_t = (*cspan_at(&work_t, side + layout__SIDE_BEST)) + sink_t;
-    height = (*cspan_at(&work, side + layout__SIDE_BEST)) + sink;
-    tangent_side__clear_side_t(tables, work, work_t, side__side_outputs(index));
-    tangent_resultant__clear_resultant_t(work, work_t, side__side_resultant(index));
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + sink_t;
+    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + sink;
+    tangent_side__clear_side_t(tables, work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    tangent_resultant__clear_resultant_t(work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     n1 = tangent_overlaps__overlaps_rule_t(tables, work, work_t, state, side, at, height, height_t);
     if (n1 == INT64_C(0))
     {
@@ -159,24 +159,24 @@ static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t,
     double v3;
     double v3_t;
     double v4;
-    at = layout__WORK_PLACE + layout__PLACE_BLOCK * index;
+    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
     total_t = 0.0;
     total = 0.0;
     weight_t = 0.0;
     weight = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        v1 = (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SHARE));
-        stiffness_t = ((*cspan_at(&work_t, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work, block + regions__REGION_SHARE)) + (*cspan_at(&work, block + regions__REGION_STIFFNESS)) * (*cspan_at(&work_t, block + regions__REGION_SHARE))) * (*cspan_at(&work, block + regions__REGION_COS)) + v1 * (*cspan_at(&work_t, block + regions__REGION_COS));
-        stiffness = v1 * (*cspan_at(&work, block + regions__REGION_COS));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        v1 = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE));
+        stiffness_t = ((*cspan_at(&work_t, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) + (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work_t, block + layout__REGION_SHARE))) * (*cspan_at(&work, block + layout__REGION_COS)) + v1 * (*cspan_at(&work_t, block + layout__REGION_COS));
+        stiffness = v1 * (*cspan_at(&work, block + layout__REGION_COS));
         weight_t = weight_t + stiffness_t;
         weight = weight + stiffness;
-        tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, at, (*cspan_at(&work, block + regions__REGION_WHEEL)), (*cspan_at(&work_t, block + regions__REGION_WHEEL)));
+        tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
         total_t = total_t + (stiffness_t * v2 + stiffness * v2_t);
         total = total + stiffness * v2;
     }
-    tangent_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, at, (*cspan_at(&work, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDE + layout__SIDE_BLOCK * index + layout__SIDE_BEST_Y)));
+    tangent_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
     (*lever_t) = v3_t;
     (*lever) = v3;
     if (weight > 0.0)

@@ -9,8 +9,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "overlaps.h"
-#include "regions.h"
-#include "side.h"
 #include "tangent_contact_point.h"
 #include "tangent_gap.h"
 #include "tangent_normal_contact.h"

@@ -188,8 +188,6 @@ static inline int64_t tangent_strip_patches__top_value_t(double* value, double* 
 static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d work, array_double_1d work_t, int64_t strips)
 {
     int64_t region;
-    int64_t k1;
-    int64_t k2;
     int64_t stations;
     int64_t widths;
     int64_t lines;
@@ -198,12 +196,12 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
     int64_t first;
     int64_t last;
     int64_t block;
-    double v3;
-    double v3_t;
+    double v1;
+    double v1_t;
     double start_t;
     double start;
-    double v4;
-    double v4_t;
+    double v2;
+    double v2_t;
     double stop_t;
     double stop;
     int64_t at;
@@ -211,23 +209,21 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
     double load_t;
     double load;
     int64_t carrier;
-    double v5;
-    double v5_t;
-    double v6;
-    double v6_t;
+    double v3;
+    double v3_t;
+    double v4;
+    double v4_t;
     double pressure_t;
     double pressure;
-    double v7;
-    double v7_t;
+    double v5;
+    double v5_t;
     int64_t islands;
     for (region = INT64_C(0); region < layout__REGION_LIMIT; region += INT64_C(1))
     {
-        k1 = regions__region_block(region) + regions__REGION_CARRIED;
-        (*cspan_at(&work_t, k1)) = 0.0;
-        (*cspan_at(&work, k1)) = 0.0;
-        k2 = regions__region_block(region) + regions__REGION_MOMENT;
-        (*cspan_at(&work_t, k2)) = 0.0;
-        (*cspan_at(&work, k2)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = 0.0;
     }
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
@@ -242,14 +238,14 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
         if ((*cspan_at(&work, lines + first)) > 0.0)
         {
             last = strips__run_end(work, strips, first);
-            block = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + first))));
-            tangent_strips__run_edge_t(&v3, &v3_t, work, work_t, strips, first, last, -INT64_C(1));
-            start_t = v3_t;
-            start = v3;
-            tangent_strips__run_edge_t(&v4, &v4_t, work, work_t, strips, last, first, INT64_C(1));
-            stop_t = v4_t;
-            stop = v4;
-            tangent_patches__open_island_t(work, work_t, islands, start, start_t, -atan((*cspan_at(&work, block + regions__REGION_LEAN))), -((*cspan_at(&work_t, block + regions__REGION_LEAN)) / (1.0 + (*cspan_at(&work, block + regions__REGION_LEAN)) * (*cspan_at(&work, block + regions__REGION_LEAN)))));
+            block = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + first)));
+            tangent_strips__run_edge_t(&v1, &v1_t, work, work_t, strips, first, last, -INT64_C(1));
+            start_t = v1_t;
+            start = v1;
+            tangent_strips__run_edge_t(&v2, &v2_t, work, work_t, strips, last, first, INT64_C(1));
+            stop_t = v2_t;
+            stop = v2;
+            tangent_patches__open_island_t(work, work_t, islands, start, start_t, -atan((*cspan_at(&work, block + layout__REGION_LEAN))), -((*cspan_at(&work_t, block + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN)))));
             at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * islands;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
@@ -259,25 +255,25 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
                 (*cspan_at(&work, at + patches__ISLAND_LOAD)) = (*cspan_at(&work, at + patches__ISLAND_LOAD)) + load;
                 (*cspan_at(&work_t, at + patches__ISLAND_MOMENT)) = (*cspan_at(&work_t, at + patches__ISLAND_MOMENT)) + (load_t * (*cspan_at(&work, stations + i)) + load * (*cspan_at(&work_t, stations + i)));
                 (*cspan_at(&work, at + patches__ISLAND_MOMENT)) = (*cspan_at(&work, at + patches__ISLAND_MOMENT)) + load * (*cspan_at(&work, stations + i));
-                carrier = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i))));
-                (*cspan_at(&work_t, carrier + regions__REGION_CARRIED)) = (*cspan_at(&work_t, carrier + regions__REGION_CARRIED)) + load_t;
-                (*cspan_at(&work, carrier + regions__REGION_CARRIED)) = (*cspan_at(&work, carrier + regions__REGION_CARRIED)) + load;
-                (*cspan_at(&work_t, carrier + regions__REGION_MOMENT)) = (*cspan_at(&work_t, carrier + regions__REGION_MOMENT)) + (load_t * (*cspan_at(&work, stations + i)) + load * (*cspan_at(&work_t, stations + i)));
-                (*cspan_at(&work, carrier + regions__REGION_MOMENT)) = (*cspan_at(&work, carrier + regions__REGION_MOMENT)) + load * (*cspan_at(&work, stations + i));
+                carrier = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
+                (*cspan_at(&work_t, carrier + layout__REGION_CARRIED)) = (*cspan_at(&work_t, carrier + layout__REGION_CARRIED)) + load_t;
+                (*cspan_at(&work, carrier + layout__REGION_CARRIED)) = (*cspan_at(&work, carrier + layout__REGION_CARRIED)) + load;
+                (*cspan_at(&work_t, carrier + layout__REGION_MOMENT)) = (*cspan_at(&work_t, carrier + layout__REGION_MOMENT)) + (load_t * (*cspan_at(&work, stations + i)) + load * (*cspan_at(&work_t, stations + i)));
+                (*cspan_at(&work, carrier + layout__REGION_MOMENT)) = (*cspan_at(&work, carrier + layout__REGION_MOMENT)) + load * (*cspan_at(&work, stations + i));
             }
             (*cspan_at(&work_t, at + patches__ISLAND_STOP)) = stop_t;
             (*cspan_at(&work, at + patches__ISLAND_STOP)) = stop;
-            tangent_strip_patches__run_area_t(&v5, &v5_t, work, work_t, first, last, start, start_t, stop, stop_t);
-            (*cspan_at(&work_t, at + patches__ISLAND_AREA)) = v5_t;
-            (*cspan_at(&work, at + patches__ISLAND_AREA)) = v5;
-            tangent_strip_patches__top_value_t(&v6, &v6_t, work, work_t, pressures, strip_patches__largest_of(work, pressures, first, last), first, last);
-            pressure_t = v6_t;
-            pressure = v6;
+            tangent_strip_patches__run_area_t(&v3, &v3_t, work, work_t, first, last, start, start_t, stop, stop_t);
+            (*cspan_at(&work_t, at + patches__ISLAND_AREA)) = v3_t;
+            (*cspan_at(&work, at + patches__ISLAND_AREA)) = v3;
+            tangent_strip_patches__top_value_t(&v4, &v4_t, work, work_t, pressures, strip_patches__largest_of(work, pressures, first, last), first, last);
+            pressure_t = v4_t;
+            pressure = v4;
             (*cspan_at(&work_t, at + patches__ISLAND_PRESSURE)) = pressure_t * pressure + pressure * pressure_t;
             (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = pressure * pressure;
-            tangent_strip_patches__top_value_t(&v7, &v7_t, work, work_t, squares, strip_patches__largest_of(work, squares, first, last), first, last);
-            (*cspan_at(&work_t, at + patches__ISLAND_HALF_LENGTH)) = v7_t;
-            (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = v7;
+            tangent_strip_patches__top_value_t(&v5, &v5_t, work, work_t, squares, strip_patches__largest_of(work, squares, first, last), first, last);
+            (*cspan_at(&work_t, at + patches__ISLAND_HALF_LENGTH)) = v5_t;
+            (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = v5;
             islands = islands + INT64_C(1);
         }
         first = last + INT64_C(1);

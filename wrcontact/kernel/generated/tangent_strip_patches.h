@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "patches.h"
-#include "regions.h"
 #include "strip_patches.h"
 #include "strips.h"
 #include "tangent_patches.h"

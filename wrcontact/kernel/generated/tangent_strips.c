@@ -12,10 +12,10 @@ static inline int64_t tangent_strips__zone_excess_t(double* below, double* below
     double level;
     double beyond_t;
     double beyond;
-    (*below_t) = strips__ZONE * penetration_t - (*cspan_at(&work_t, block + regions__REGION_GAP)) - (*cspan_at(&work_t, gaps + k));
-    (*below) = strips__ZONE * penetration - (*cspan_at(&work, block + regions__REGION_GAP)) - (*cspan_at(&work, gaps + k));
-    level_t = (*cspan_at(&work_t, block + regions__REGION_LEVEL)) - (*cspan_at(&work_t, rises + k));
-    level = (*cspan_at(&work, block + regions__REGION_LEVEL)) - (*cspan_at(&work, rises + k));
+    (*below_t) = strips__ZONE * penetration_t - (*cspan_at(&work_t, block + layout__REGION_GAP)) - (*cspan_at(&work_t, gaps + k));
+    (*below) = strips__ZONE * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - (*cspan_at(&work, gaps + k));
+    level_t = (*cspan_at(&work_t, block + layout__REGION_LEVEL)) - (*cspan_at(&work_t, rises + k));
+    level = (*cspan_at(&work, block + layout__REGION_LEVEL)) - (*cspan_at(&work, rises + k));
     beyond_t = level_t + strips__BEYOND * penetration_t;
     beyond = level + strips__BEYOND * penetration;
     if (beyond < (*below))
@@ -55,17 +55,17 @@ static inline int64_t tangent_strips__zone_end_t(double* station, double* statio
     double v4;
     double v5;
     double v6;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     gaps = nodes__node_field(region, nodes__NODE_GAP);
     rises = nodes__node_field(region, nodes__NODE_RISE);
-    last = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-    bound_t = (*cspan_at(&work_t, block + regions__REGION_HIGH));
-    bound = (*cspan_at(&work, block + regions__REGION_HIGH));
+    last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+    bound_t = (*cspan_at(&work_t, block + layout__REGION_HIGH));
+    bound = (*cspan_at(&work, block + layout__REGION_HIGH));
     if (direction < INT64_C(0))
     {
-        last = -(int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
-        bound_t = (*cspan_at(&work_t, block + regions__REGION_LOW));
-        bound = (*cspan_at(&work, block + regions__REGION_LOW));
+        last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
+        bound_t = (*cspan_at(&work_t, block + layout__REGION_LOW));
+        bound = (*cspan_at(&work, block + layout__REGION_LOW));
     }
     tangent_strips__zone_excess_t(&v1, &v1_t, work, work_t, block, gaps, rises, INT64_C(0), penetration, penetration_t);
     inner_t = v1_t;
@@ -95,8 +95,8 @@ static inline int64_t tangent_strips__zone_end_t(double* station, double* statio
     }
     v5 = (double)(direction);
     v6 = v5 * reach;
-    (*station_t) = (*cspan_at(&work_t, block + regions__REGION_STATION)) + (v5 * reach_t * (*cspan_at(&work, block + regions__REGION_SPACING)) + v6 * (*cspan_at(&work_t, block + regions__REGION_SPACING)));
-    (*station) = (*cspan_at(&work, block + regions__REGION_STATION)) + v6 * (*cspan_at(&work, block + regions__REGION_SPACING));
+    (*station_t) = (*cspan_at(&work_t, block + layout__REGION_STATION)) + (v5 * reach_t * (*cspan_at(&work, block + layout__REGION_SPACING)) + v6 * (*cspan_at(&work_t, block + layout__REGION_SPACING)));
+    (*station) = (*cspan_at(&work, block + layout__REGION_STATION)) + v6 * (*cspan_at(&work, block + layout__REGION_SPACING));
     if (((*station) - bound) * (double)(direction) > 0.0)
     {
         (*station_t) = bound_t;
@@ -117,11 +117,11 @@ static inline int64_t tangent_strips__node_weight_t(double* weight, double* weig
     int64_t k4;
     double v5;
     double v6;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     k1 = nodes__node_field(region, nodes__NODE_GAP) + k;
-    v2 = (*cspan_at(&work, block + regions__REGION_GAP)) + (*cspan_at(&work, k1));
+    v2 = (*cspan_at(&work, block + layout__REGION_GAP)) + (*cspan_at(&work, k1));
     v3 = v2 / penetration;
-    share_t = -(((*cspan_at(&work_t, block + regions__REGION_GAP)) + (*cspan_at(&work_t, k1)) - v3 * penetration_t) / penetration);
+    share_t = -(((*cspan_at(&work_t, block + layout__REGION_GAP)) + (*cspan_at(&work_t, k1)) - v3 * penetration_t) / penetration);
     share = 1.0 - v3;
     (*weight_t) = 0.0;
     (*weight) = 0.0;
@@ -144,22 +144,22 @@ static inline int64_t tangent_strips__cell_overlap_t(double* result_0, double* r
     double v1;
     double stop_t;
     double stop;
-    spacing_t = (*cspan_at(&work_t, block + regions__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + regions__REGION_SPACING));
+    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
     v1 = (double)(k);
-    (*start_t) = (*cspan_at(&work_t, block + regions__REGION_STATION)) + spacing_t * v1;
-    (*start) = (*cspan_at(&work, block + regions__REGION_STATION)) + spacing * v1;
+    (*start_t) = (*cspan_at(&work_t, block + layout__REGION_STATION)) + spacing_t * v1;
+    (*start) = (*cspan_at(&work, block + layout__REGION_STATION)) + spacing * v1;
     stop_t = (*start_t) + spacing_t;
     stop = (*start) + spacing;
-    if ((*start) < (*cspan_at(&work, block + regions__REGION_START)))
+    if ((*start) < (*cspan_at(&work, block + layout__REGION_START)))
     {
-        (*start_t) = (*cspan_at(&work_t, block + regions__REGION_START));
-        (*start) = (*cspan_at(&work, block + regions__REGION_START));
+        (*start_t) = (*cspan_at(&work_t, block + layout__REGION_START));
+        (*start) = (*cspan_at(&work, block + layout__REGION_START));
     }
-    if (stop > (*cspan_at(&work, block + regions__REGION_STOP)))
+    if (stop > (*cspan_at(&work, block + layout__REGION_STOP)))
     {
-        stop_t = (*cspan_at(&work_t, block + regions__REGION_STOP));
-        stop = (*cspan_at(&work, block + regions__REGION_STOP));
+        stop_t = (*cspan_at(&work_t, block + layout__REGION_STOP));
+        stop = (*cspan_at(&work, block + layout__REGION_STOP));
     }
     (*result_0) = stop - (*start);
     (*result_1) = stop_t - (*start_t);
@@ -186,14 +186,14 @@ static inline int64_t tangent_strips__weigh_region_t(double* total, double* tota
     double start_t;
     double v3;
     double v4;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     (*total_t) = 0.0;
     (*total) = 0.0;
-    tangent_strips__node_weight_t(&v1, &v1_t, work, work_t, region, (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))), penetration, penetration_t);
+    tangent_strips__node_weight_t(&v1, &v1_t, work, work_t, region, (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))), penetration, penetration_t);
     before_t = v1_t;
     before = v1;
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         tangent_strips__node_weight_t(&v2, &v2_t, work, work_t, region, k + INT64_C(1), penetration, penetration_t);
         after_t = v2_t;
@@ -247,29 +247,29 @@ static inline int64_t tangent_strips__place_strips_t(array_double_1d tables, arr
     width = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        share_t = (*cspan_at(&work_t, block + regions__REGION_TURN)) * penetration + (*cspan_at(&work, block + regions__REGION_TURN)) * penetration_t;
-        share = (*cspan_at(&work, block + regions__REGION_TURN)) * penetration;
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        share_t = (*cspan_at(&work_t, block + layout__REGION_TURN)) * penetration + (*cspan_at(&work, block + layout__REGION_TURN)) * penetration_t;
+        share = (*cspan_at(&work, block + layout__REGION_TURN)) * penetration;
         tangent_strips__zone_end_t(&v1, &v1_t, work, work_t, region, -INT64_C(1), share, share_t);
-        (*cspan_at(&work_t, block + regions__REGION_START)) = v1_t;
-        (*cspan_at(&work, block + regions__REGION_START)) = v1;
+        (*cspan_at(&work_t, block + layout__REGION_START)) = v1_t;
+        (*cspan_at(&work, block + layout__REGION_START)) = v1;
         tangent_strips__zone_end_t(&v2, &v2_t, work, work_t, region, INT64_C(1), share, share_t);
-        (*cspan_at(&work_t, block + regions__REGION_STOP)) = v2_t;
-        (*cspan_at(&work, block + regions__REGION_STOP)) = v2;
+        (*cspan_at(&work_t, block + layout__REGION_STOP)) = v2_t;
+        (*cspan_at(&work, block + layout__REGION_STOP)) = v2;
         tangent_strips__weigh_region_t(&v3, &v3_t, work, work_t, region, share, share_t);
-        (*cspan_at(&work_t, block + regions__REGION_WEIGHT)) = v3_t;
-        (*cspan_at(&work, block + regions__REGION_WEIGHT)) = v3;
-        weight_t = weight_t + (*cspan_at(&work_t, block + regions__REGION_WEIGHT));
-        weight = weight + (*cspan_at(&work, block + regions__REGION_WEIGHT));
-        width_t = width_t + ((*cspan_at(&work_t, block + regions__REGION_STOP)) - (*cspan_at(&work_t, block + regions__REGION_START)));
-        width = width + ((*cspan_at(&work, block + regions__REGION_STOP)) - (*cspan_at(&work, block + regions__REGION_START)));
+        (*cspan_at(&work_t, block + layout__REGION_WEIGHT)) = v3_t;
+        (*cspan_at(&work, block + layout__REGION_WEIGHT)) = v3;
+        weight_t = weight_t + (*cspan_at(&work_t, block + layout__REGION_WEIGHT));
+        weight = weight + (*cspan_at(&work, block + layout__REGION_WEIGHT));
+        width_t = width_t + ((*cspan_at(&work_t, block + layout__REGION_STOP)) - (*cspan_at(&work_t, block + layout__REGION_START)));
+        width = width + ((*cspan_at(&work, block + layout__REGION_STOP)) - (*cspan_at(&work, block + layout__REGION_START)));
     }
     strips = INT64_C(0);
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = regions__region_block(region);
-        length_t = (*cspan_at(&work_t, block + regions__REGION_STOP)) - (*cspan_at(&work_t, block + regions__REGION_START));
-        length = (*cspan_at(&work, block + regions__REGION_STOP)) - (*cspan_at(&work, block + regions__REGION_START));
+        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        length_t = (*cspan_at(&work_t, block + layout__REGION_STOP)) - (*cspan_at(&work_t, block + layout__REGION_START));
+        length = (*cspan_at(&work, block + layout__REGION_STOP)) - (*cspan_at(&work, block + layout__REGION_START));
         if ((length > 0.0) && (weight > 0.0))
         {
             v4 = strips__EVEN / width;
@@ -279,14 +279,14 @@ static inline int64_t tangent_strips__place_strips_t(array_double_1d tables, arr
             v6 = v5 / weight;
             graded_t = (-v6) * weight_t / weight;
             graded = v6;
-            share_t = even_t * length + even * length_t + (graded_t * (*cspan_at(&work, block + regions__REGION_WEIGHT)) + graded * (*cspan_at(&work_t, block + regions__REGION_WEIGHT)));
-            share = even * length + graded * (*cspan_at(&work, block + regions__REGION_WEIGHT));
-            own = (int64_t)((*cspan_at(&tables, layout__SET_STRIPS)) * share + 0.5);
+            share_t = even_t * length + even * length_t + (graded_t * (*cspan_at(&work, block + layout__REGION_WEIGHT)) + graded * (*cspan_at(&work_t, block + layout__REGION_WEIGHT)));
+            share = even * length + graded * (*cspan_at(&work, block + layout__REGION_WEIGHT));
+            own = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)) * share + 0.5);
             if (own < strips__LEAST)
             {
                 own = strips__LEAST;
             }
-            n7 = tangent_strips__divide_zone_t(work, work_t, region, (*cspan_at(&work, block + regions__REGION_TURN)) * penetration, (*cspan_at(&work_t, block + regions__REGION_TURN)) * penetration + (*cspan_at(&work, block + regions__REGION_TURN)) * penetration_t, strips, own, even, even_t, graded, graded_t, share, share_t);
+            n7 = tangent_strips__divide_zone_t(work, work_t, region, (*cspan_at(&work, block + layout__REGION_TURN)) * penetration, (*cspan_at(&work_t, block + layout__REGION_TURN)) * penetration + (*cspan_at(&work, block + layout__REGION_TURN)) * penetration_t, strips, own, even, even_t, graded, graded_t, share, share_t);
             strips = n7;
         }
     }
@@ -337,25 +337,25 @@ static inline int64_t tangent_strips__divide_zone_t(array_double_1d work, array_
     double v10;
     double v11;
     double v12;
-    block = regions__region_block(region);
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     regions = strips__strip_field(strips__STRIP_REGION);
-    offset_t = (*cspan_at(&work_t, block + regions__REGION_OFFSET));
-    offset = (*cspan_at(&work, block + regions__REGION_OFFSET));
+    offset_t = (*cspan_at(&work_t, block + layout__REGION_OFFSET));
+    offset = (*cspan_at(&work, block + layout__REGION_OFFSET));
     v1 = (double)(own);
     each_t = share_t / v1;
     each = share / v1;
     done_t = 0.0;
     done = 0.0;
     made = INT64_C(0);
-    edge_t = (*cspan_at(&work_t, block + regions__REGION_START));
-    edge = (*cspan_at(&work, block + regions__REGION_START));
-    tangent_strips__node_weight_t(&v2, &v2_t, work, work_t, region, (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))), penetration, penetration_t);
+    edge_t = (*cspan_at(&work_t, block + layout__REGION_START));
+    edge = (*cspan_at(&work, block + layout__REGION_START));
+    tangent_strips__node_weight_t(&v2, &v2_t, work, work_t, region, (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))), penetration, penetration_t);
     before_t = v2_t;
     before = v2;
-    k_end = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST)));
-    for (k = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+    for (k = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         tangent_strips__node_weight_t(&v3, &v3_t, work, work_t, region, k + INT64_C(1), penetration, penetration_t);
         after_t = v3_t;
@@ -393,9 +393,9 @@ static inline int64_t tangent_strips__divide_zone_t(array_double_1d work, array_
     }
     while(made < own)
     {
-        v10 = (*cspan_at(&work, block + regions__REGION_STOP)) - edge;
+        v10 = (*cspan_at(&work, block + layout__REGION_STOP)) - edge;
         v11 = (double)(own - made);
-        cut_t = edge_t + ((*cspan_at(&work_t, block + regions__REGION_STOP)) - edge_t) / v11;
+        cut_t = edge_t + ((*cspan_at(&work_t, block + layout__REGION_STOP)) - edge_t) / v11;
         cut = edge + v10 / v11;
         v12 = edge + cut;
         (*cspan_at(&work_t, stations + strips + made)) = offset_t + 0.5 * (edge_t + cut_t);
@@ -475,20 +475,20 @@ static inline int64_t tangent_strips__locate_strip_t(int64_t* region, int64_t* k
     int64_t k10;
     int64_t k11;
     (*region) = (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
-    block = regions__region_block((*region));
+    block = layout__WORK_REGIONS + layout__REGION_SIZE * (*region);
     k1 = strips__strip_field(strips__STRIP_STATION) + i;
-    v2 = (*cspan_at(&work, k1)) - (*cspan_at(&work, block + regions__REGION_OFFSET)) - (*cspan_at(&work, block + regions__REGION_STATION));
-    v3 = v2 / (*cspan_at(&work, block + regions__REGION_SPACING));
-    u_t = ((*cspan_at(&work_t, k1)) - (*cspan_at(&work_t, block + regions__REGION_OFFSET)) - (*cspan_at(&work_t, block + regions__REGION_STATION)) - v3 * (*cspan_at(&work_t, block + regions__REGION_SPACING))) / (*cspan_at(&work, block + regions__REGION_SPACING));
+    v2 = (*cspan_at(&work, k1)) - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+    v3 = v2 / (*cspan_at(&work, block + layout__REGION_SPACING));
+    u_t = ((*cspan_at(&work_t, k1)) - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION)) - v3 * (*cspan_at(&work_t, block + layout__REGION_SPACING))) / (*cspan_at(&work, block + layout__REGION_SPACING));
     u = v3;
     (*k) = (int64_t)(u + (double)(layout__NODE_MIDDLE)) - layout__NODE_MIDDLE;
-    if ((*k) > (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1))
+    if ((*k) > (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) - INT64_C(1))
     {
-        (*k) = (int64_t)((*cspan_at(&work, block + regions__REGION_LAST))) - INT64_C(1);
+        (*k) = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST))) - INT64_C(1);
     }
-    if ((*k) < (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST))))
+    if ((*k) < (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST))))
     {
-        (*k) = (int64_t)((*cspan_at(&work, block + regions__REGION_FIRST)));
+        (*k) = (int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
     }
     (*x_t) = u_t;
     (*x) = u - (double)((*k));
@@ -501,28 +501,28 @@ static inline int64_t tangent_strips__locate_strip_t(int64_t* region, int64_t* k
         gap = 0.0;
     }
     k5 = strips__strip_field(strips__STRIP_GAP) + i;
-    (*cspan_at(&work_t, k5)) = (*cspan_at(&work_t, block + regions__REGION_GAP)) + gap_t;
-    (*cspan_at(&work, k5)) = (*cspan_at(&work, block + regions__REGION_GAP)) + gap;
+    (*cspan_at(&work_t, k5)) = (*cspan_at(&work_t, block + layout__REGION_GAP)) + gap_t;
+    (*cspan_at(&work, k5)) = (*cspan_at(&work, block + layout__REGION_GAP)) + gap;
     k6 = strips__strip_field(strips__STRIP_A) + i;
     tangent_strips__node_value_t(&v7, &v7_t, work, work_t, (*region), nodes__NODE_A, (*k), (*x), (*x_t));
     (*cspan_at(&work_t, k6)) = v7_t;
     (*cspan_at(&work, k6)) = v7;
     k8 = strips__strip_field(strips__STRIP_TURN) + i;
-    (*cspan_at(&work_t, k8)) = (*cspan_at(&work_t, block + regions__REGION_TURN));
-    (*cspan_at(&work, k8)) = (*cspan_at(&work, block + regions__REGION_TURN));
+    (*cspan_at(&work_t, k8)) = (*cspan_at(&work_t, block + layout__REGION_TURN));
+    (*cspan_at(&work, k8)) = (*cspan_at(&work, block + layout__REGION_TURN));
     if (contact_plane__is_yawed(work) == INT64_C(1))
     {
-        turn_t = (*cspan_at(&work_t, block + regions__REGION_UPRIGHT_SHARE));
-        turn = (*cspan_at(&work, block + regions__REGION_UPRIGHT_SHARE));
+        turn_t = (*cspan_at(&work_t, block + layout__REGION_UPRIGHT_SHARE));
+        turn = (*cspan_at(&work, block + layout__REGION_UPRIGHT_SHARE));
         k9 = strips__strip_field(strips__STRIP_GAP) + i;
-        (*cspan_at(&work_t, k9)) = turn_t * (*cspan_at(&work, block + regions__REGION_GAP)) + turn * (*cspan_at(&work_t, block + regions__REGION_GAP)) + (gap_t * (*cspan_at(&work, block + regions__REGION_UPRIGHT_B)) + gap * (*cspan_at(&work_t, block + regions__REGION_UPRIGHT_B)));
-        (*cspan_at(&work, k9)) = turn * (*cspan_at(&work, block + regions__REGION_GAP)) + gap * (*cspan_at(&work, block + regions__REGION_UPRIGHT_B));
+        (*cspan_at(&work_t, k9)) = turn_t * (*cspan_at(&work, block + layout__REGION_GAP)) + turn * (*cspan_at(&work_t, block + layout__REGION_GAP)) + (gap_t * (*cspan_at(&work, block + layout__REGION_UPRIGHT_B)) + gap * (*cspan_at(&work_t, block + layout__REGION_UPRIGHT_B)));
+        (*cspan_at(&work, k9)) = turn * (*cspan_at(&work, block + layout__REGION_GAP)) + gap * (*cspan_at(&work, block + layout__REGION_UPRIGHT_B));
         k10 = strips__strip_field(strips__STRIP_A) + i;
-        (*cspan_at(&work_t, k10)) = (*cspan_at(&work_t, k10)) * (*cspan_at(&work, block + regions__REGION_UPRIGHT_A)) + (*cspan_at(&work, k10)) * (*cspan_at(&work_t, block + regions__REGION_UPRIGHT_A));
-        (*cspan_at(&work, k10)) = (*cspan_at(&work, k10)) * (*cspan_at(&work, block + regions__REGION_UPRIGHT_A));
+        (*cspan_at(&work_t, k10)) = (*cspan_at(&work_t, k10)) * (*cspan_at(&work, block + layout__REGION_UPRIGHT_A)) + (*cspan_at(&work, k10)) * (*cspan_at(&work_t, block + layout__REGION_UPRIGHT_A));
+        (*cspan_at(&work, k10)) = (*cspan_at(&work, k10)) * (*cspan_at(&work, block + layout__REGION_UPRIGHT_A));
         k11 = strips__strip_field(strips__STRIP_TURN) + i;
-        (*cspan_at(&work_t, k11)) = turn_t * (*cspan_at(&work, block + regions__REGION_TURN)) + turn * (*cspan_at(&work_t, block + regions__REGION_TURN));
-        (*cspan_at(&work, k11)) = turn * (*cspan_at(&work, block + regions__REGION_TURN));
+        (*cspan_at(&work_t, k11)) = turn_t * (*cspan_at(&work, block + layout__REGION_TURN)) + turn * (*cspan_at(&work_t, block + layout__REGION_TURN));
+        (*cspan_at(&work, k11)) = turn * (*cspan_at(&work, block + layout__REGION_TURN));
     }
     return 0;
 }
@@ -558,29 +558,27 @@ static inline int64_t tangent_strips__describe_strips_t(array_double_1d work, ar
     double v2_t;
     double length_t;
     double length;
-    int64_t k3;
-    double v4;
-    double v4_t;
+    double v3;
+    double v3_t;
     double level_t;
     double level;
-    int64_t k5;
+    int64_t k4;
     double loaded;
     double square_t;
     double square;
-    double v6;
+    double v5;
+    int64_t k6;
     int64_t k7;
-    int64_t k8;
-    double v9;
+    double v8;
     double below_t;
     double below;
-    int64_t k10;
+    double v9;
+    double v10;
     double v11;
-    double v12;
-    double v13;
     double inside_t;
     double inside;
-    int64_t k14;
-    double v15;
+    int64_t k12;
+    double v13;
     halves = strips__strip_field(strips__STRIP_HALF);
     longest_t = 0.0;
     longest = 0.0;
@@ -593,47 +591,45 @@ static inline int64_t tangent_strips__describe_strips_t(array_double_1d work, ar
         tangent_strips__node_value_t(&v2, &v2_t, work, work_t, region, nodes__NODE_LENGTH, k, x, x_t);
         length_t = v2_t;
         length = v2;
-        k3 = regions__region_block(region) + regions__REGION_LEVEL;
-        tangent_strips__node_value_t(&v4, &v4_t, work, work_t, region, nodes__NODE_RISE, k, x, x_t);
-        level_t = (*cspan_at(&work_t, k3)) - v4_t;
-        level = (*cspan_at(&work, k3)) - v4;
-        k5 = strips__strip_field(strips__STRIP_HERTZ) + i;
-        (*cspan_at(&work_t, k5)) = line_t * length + line * length_t;
-        (*cspan_at(&work, k5)) = line * length;
+        tangent_strips__node_value_t(&v3, &v3_t, work, work_t, region, nodes__NODE_RISE, k, x, x_t);
+        level_t = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_LEVEL)) - v3_t;
+        level = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_LEVEL)) - v3;
+        k4 = strips__strip_field(strips__STRIP_HERTZ) + i;
+        (*cspan_at(&work_t, k4)) = line_t * length + line * length_t;
+        (*cspan_at(&work, k4)) = line * length;
         loaded = 0.0;
         square_t = 0.0;
         square = 0.0;
         if (level > 0.0)
         {
             loaded = 1.0;
-            v6 = level / length;
-            square_t = (level_t - v6 * length_t) / length;
-            square = v6;
+            v5 = level / length;
+            square_t = (level_t - v5 * length_t) / length;
+            square = v5;
         }
-        k7 = strips__strip_field(strips__STRIP_GAP) + i;
-        k8 = strips__strip_field(strips__STRIP_TURN) + i;
-        v9 = (*cspan_at(&work, k7)) / (*cspan_at(&work, k8));
-        below_t = penetration_t - ((*cspan_at(&work_t, k7)) - v9 * (*cspan_at(&work_t, k8))) / (*cspan_at(&work, k8));
-        below = penetration - v9;
-        k10 = regions__region_block(region) + regions__REGION_TURN;
-        below_t = below_t * (*cspan_at(&work, k10)) + below * (*cspan_at(&work_t, k10));
-        below = below * (*cspan_at(&work, k10));
-        v11 = strips__INSIDE * strips__INSIDE;
-        v12 = v11 * below;
-        v13 = v12 / length;
-        inside_t = (v11 * below_t - v13 * length_t) / length;
-        inside = v13;
+        k6 = strips__strip_field(strips__STRIP_GAP) + i;
+        k7 = strips__strip_field(strips__STRIP_TURN) + i;
+        v8 = (*cspan_at(&work, k6)) / (*cspan_at(&work, k7));
+        below_t = penetration_t - ((*cspan_at(&work_t, k6)) - v8 * (*cspan_at(&work_t, k7))) / (*cspan_at(&work, k7));
+        below = penetration - v8;
+        below_t = below_t * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_TURN)) + below * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_TURN));
+        below = below * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_TURN));
+        v9 = strips__INSIDE * strips__INSIDE;
+        v10 = v9 * below;
+        v11 = v10 / length;
+        inside_t = (v9 * below_t - v11 * length_t) / length;
+        inside = v11;
         if (inside > square)
         {
             square_t = inside_t;
             square = inside;
         }
-        k14 = strips__strip_field(strips__STRIP_LOADED) + i;
-        (*cspan_at(&work_t, k14)) = 0.0;
-        (*cspan_at(&work, k14)) = loaded;
-        v15 = sqrt(square);
-        (*cspan_at(&work_t, halves + i)) = tangent_rates__root_rate(v15, square_t);
-        (*cspan_at(&work, halves + i)) = v15;
+        k12 = strips__strip_field(strips__STRIP_LOADED) + i;
+        (*cspan_at(&work_t, k12)) = 0.0;
+        (*cspan_at(&work, k12)) = loaded;
+        v13 = sqrt(square);
+        (*cspan_at(&work_t, halves + i)) = tangent_rates__root_rate(v13, square_t);
+        (*cspan_at(&work, halves + i)) = v13;
         if ((loaded == 1.0) && ((*cspan_at(&work, halves + i)) > longest))
         {
             longest_t = (*cspan_at(&work_t, halves + i));
@@ -950,7 +946,7 @@ static inline int64_t tangent_strips__fill_influence_t(array_double_1d tables, a
     double v7;
     double v8;
     double v9;
-    base = (int64_t)((*cspan_at(&tables, layout__SET_INFLUENCE)));
+    base = (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE)));
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     halves = strips__strip_field(strips__STRIP_HALF);
@@ -1175,7 +1171,7 @@ static inline int64_t tangent_strips__solve_loaded_t(double* penetration, double
         k4 = strips__strip_field(strips__STRIP_HALF) + i;
         half_t = (*cspan_at(&work_t, k4));
         half = (*cspan_at(&work, k4));
-        k5 = regions__region_block((int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)))) + regions__REGION_SHARE;
+        k5 = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i))) + layout__REGION_SHARE;
         half_t = half_t * (*cspan_at(&work, k5)) + half * (*cspan_at(&work_t, k5));
         half = half * (*cspan_at(&work, k5));
         unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, row + size)) + half * (*cspan_at(&work_t, row + size)));
@@ -1187,7 +1183,7 @@ static inline int64_t tangent_strips__solve_loaded_t(double* penetration, double
     (*penetration) = prescribed;
     if (by_penetration == INT64_C(0))
     {
-        v6 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS));
+        v6 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
         v7 = force / v6 + rest_load;
         v8 = v7 / unit_load;
         (*penetration_t) = (force_t / v6 + rest_load_t - v8 * unit_load_t) / unit_load;
@@ -1356,7 +1352,7 @@ static inline int64_t tangent_strips__correct_lengths_t(array_double_1d tables, 
     stations = strips__strip_field(strips__STRIP_STATION);
     halves = strips__strip_field(strips__STRIP_HALF);
     shares = strips__strip_field(strips__STRIP_SHARE);
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__SET_CONTACT_MODULUS));
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
         line_t = 0.0;
@@ -1579,7 +1575,7 @@ static inline int64_t tangent_strips__correct_strips_t(double* result_0, double*
     penetration_t = predicted_t;
     penetration = predicted;
     met = INT64_C(0);
-    sweeps = (int64_t)((*cspan_at(&tables, layout__SET_SWEEPS)));
+    sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
         tangent_strips__fill_influence_t(tables, work, work_t, strips, count);

@@ -10,7 +10,6 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "nodes.h"
-#include "regions.h"
 #include "strips.h"
 #include "tangent_analyn.h"
 #include "tangent_nodes.h"

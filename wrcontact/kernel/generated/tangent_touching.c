@@ -61,11 +61,11 @@ static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* re
     {
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
-            tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_WHEEL))), y, y_t);
+            tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
             tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-            tangent_profile_table__height_slope_bend_t(&height, &height_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__SET_RAIL))), abscissa, abscissa_t);
+            tangent_profile_table__height_slope_bend_t(&height, &height_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
             across_t = y_track_t - abscissa_t;
-            across = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa;
+            across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
             down_t = z_track_t + shift_t - height_t;
             down = z_track + shift - height;
             if (i == INT64_C(0))

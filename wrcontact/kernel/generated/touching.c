@@ -58,8 +58,8 @@ static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double
     double move_y;
     double move_x;
     double depth;
-    rail = (int64_t)((*cspan_at(&tables, layout__SET_RAIL)));
-    wheel = (int64_t)((*cspan_at(&tables, layout__SET_WHEEL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     start_y = y;
     start_x = abscissa;
     for (i = INT64_C(0); i < touching__PAIR_ITERATIONS; i += INT64_C(1))
@@ -67,7 +67,7 @@ static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double
         profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, at, y, z, slope, bend);
         profile_table__height_slope_bend(&height, &m, &rail_bend, tables, rail, abscissa);
-        across = y_track - (*cspan_at(&tables, layout__SET_RAIL_Y)) - abscissa;
+        across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
         down = z_track + shift - height;
         turned = outline_slope - m;
         apart = across + down * m;

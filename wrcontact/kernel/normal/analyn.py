@@ -16,12 +16,8 @@ the angle between the two.
 from math import fabs, pi, sqrt
 from typing import Final
 
-from ..layout import SET_CONTACT_MODULUS, STATE_SOLVE_COUNT
+from ..layout import Region, State, Tables, Work
 from .nodes import NODE_LINE, NODE_RISE, node_field
-from ..contact.regions import (REGION_ALONG, REGION_COS, REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL,
-                      REGION_LOAD, REGION_LOW, REGION_MIDDLE, REGION_MOVE, REGION_OFFSET, REGION_OWN, REGION_RESIDUAL,
-                      REGION_SHARE, REGION_SIN, REGION_SLOPE, REGION_SPACING, REGION_SQUARE, REGION_STATION,
-                      REGION_STIFFNESS, REGION_TURN, region_block)
 
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.
@@ -90,12 +86,12 @@ def quadratic_integral(before: float, low: float, high: float, start: float, sto
     return upper - lower
 
 
-def clip_to_bound(work: 'float[:]', block: int, k: int, outward: int, stop: float):
+def clip_to_bound(work: Work, block: Region, k: int, outward: int, stop: float):
     """``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell."""
-    spacing = work[block + REGION_SPACING]
-    reach = (work[block + REGION_HIGH] - work[block + REGION_STATION]) / spacing - float(k)
+    spacing = block.spacing
+    reach = (block.high - block.station) / spacing - float(k)
     if outward < 0:
-        reach = (work[block + REGION_STATION] - work[block + REGION_LOW]) / spacing + float(k)
+        reach = (block.station - block.low) / spacing + float(k)
     if reach < stop:
         stop = reach
     if stop < 0.0:
@@ -103,19 +99,19 @@ def clip_to_bound(work: 'float[:]', block: int, k: int, outward: int, stop: floa
     return stop
 
 
-def region_load(work: 'float[:]', region: int, level: float):
+def region_load(work: Work, region: int, level: float):
     """Load [N] of ``region`` at local penetration ``level`` [m], and its derivative [N/m] to a few per mille."""
-    block = region_block(region)
-    spacing = work[block + REGION_SPACING]
+    block = work.regions[region]
+    spacing = block.spacing
     rises = node_field(region, NODE_RISE)
     lines = node_field(region, NODE_LINE)
     load = 0.0
     stiffness = 0.0
     if level > 0.0:
         for outward in range(-1, 2, 2):
-            last = int(work[block + REGION_LAST])
+            last = block.last
             if outward < 0:
-                last = -int(work[block + REGION_FIRST])
+                last = -block.first
             d_before = level - work[rises - outward]
             c_before = work[lines - outward]
             d_low = level - work[rises]
@@ -144,7 +140,7 @@ def region_load(work: 'float[:]', region: int, level: float):
     return load * spacing, stiffness * spacing
 
 
-def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
+def influence(tables: Tables, work: Work, first: int, second: int):
     """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
 
     Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one
@@ -152,19 +148,18 @@ def influence(tables: 'float[:]', work: 'float[:]', first: int, second: int):
     """
     result = 0.0
     if first != second:
-        one = region_block(first)
-        other = region_block(second)
-        distance = work[one + REGION_OFFSET] + work[one + REGION_MIDDLE] - work[other + REGION_OFFSET] - work[
-            other + REGION_MIDDLE]
+        one = work.regions[first]
+        other = work.regions[second]
+        distance = one.offset + one.middle - other.offset - other.middle
         along = region_lead(work, first, second)
-        squares = work[one + REGION_SQUARE] + work[other + REGION_SQUARE]
+        squares = one.square + other.square
         apart = sqrt(distance * distance + along * along + ELONGATED * squares)
-        result = 1.0 / (pi * tables[SET_CONTACT_MODULUS] * apart)
+        result = 1.0 / (pi * tables.contact_modulus * apart)
         result *= planes_cosine(work, first, second)
     return result
 
 
-def region_lead(work: 'float[:]', first: int, second: int):
+def region_lead(work: Work, first: int, second: int):
     """How far one region of a yawed wheel lies ahead of another that leans away from it [m].
 
     A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it
@@ -172,50 +167,50 @@ def region_lead(work: 'float[:]', first: int, second: int):
     """
     lead = 0.0
     if planes_cosine(work, first, second) < LEANING:
-        lead = work[region_block(first) + REGION_ALONG] - work[region_block(second) + REGION_ALONG]
+        lead = work.regions[first].along - work.regions[second].along
     return lead
 
 
-def planes_cosine(work: 'float[:]', first: int, second: int):
+def planes_cosine(work: Work, first: int, second: int):
     """Cosine of the angle between the planes of two regions; 1 in one plane."""
-    one = region_block(first)
-    other = region_block(second)
+    one = work.regions[first]
+    other = work.regions[second]
     cosine = 1.0
-    if work[one + REGION_OWN] == 1.0 or work[other + REGION_OWN] == 1.0:
-        cosine = work[one + REGION_COS] * work[other + REGION_COS] + work[one + REGION_SIN] * work[other + REGION_SIN]
+    if one.own or other.own:
+        cosine = one.cos * other.cos + one.sin * other.sin
         if cosine < 0.0:
             cosine = 0.0
     return cosine
 
 
-def load_regions(tables: 'float[:]', work: 'float[:]', count: int):
+def load_regions(tables: 'float[:]', work: Work, count: int):
     """Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]."""
     total = 0.0
     for i in range(count):
-        block = region_block(i)
-        load, stiffness = region_load(work, i, work[block + REGION_LEVEL])
-        work[block + REGION_LOAD] = load
-        work[block + REGION_STIFFNESS] = stiffness
-        total += work[block + REGION_SHARE] * load
+        block = work.regions[i]
+        load, stiffness = region_load(work, i, block.level)
+        block.load = load
+        block.stiffness = stiffness
+        total += block.share * load
     return total
 
 
-def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
+def solve_levels(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
                  prescribed: int, sharp: float):
     """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
     all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
     """
     for i in range(count):
-        work[region_block(i) + REGION_LEVEL] = (work[region_block(i) + REGION_TURN] * penetration
-                                                - work[region_block(i) + REGION_GAP])
+        work.regions[i].level = (work.regions[i].turn * penetration
+                                                - work.regions[i].gap)
     low = 0.0
     high = HIGHEST * penetration
     total_before = 0.0
     slope_before = 0.0
     move = 0.0
     for iteration in range(FORCE_ITERATIONS):
-        state[STATE_SOLVE_COUNT] += 1.0
-        total = load_regions(tables, work, count)
+        state.solve_count += 1.0
+        total = load_regions(tables.raw, work, count)
         residual, slope, rest = level_residuals(tables, work, count, penetration)
         if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
             # what the slopes of both ends made of the last move, against what came of it
@@ -252,7 +247,7 @@ def solve_levels(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count:
     return penetration, 0
 
 
-def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetration: float):
+def level_residuals(tables: Tables, work: Work, count: int, penetration: float):
     """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
     level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
 
@@ -261,15 +256,15 @@ def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetratio
     """
     largest = 0.0
     for i in range(count):
-        block = region_block(i)
+        block = work.regions[i]
         pushed = 0.0
         for j in range(count):
-            pushed += influence(tables, work, i, j) * work[region_block(j) + REGION_LOAD]
-        turn = work[block + REGION_TURN]
-        residual = turn * penetration - work[block + REGION_GAP] - pushed - work[block + REGION_LEVEL]
-        work[block + REGION_RESIDUAL] = residual
-        work[block + REGION_SLOPE] = turn
-        work[block + REGION_MOVE] = residual
+            pushed += influence(tables, work, i, j) * work.regions[j].load
+        turn = block.turn
+        residual = turn * penetration - block.gap - pushed - block.level
+        block.residual = residual
+        block.slope = turn
+        block.move = residual
         if fabs(residual) > largest:
             largest = fabs(residual)
     sweeps = 12
@@ -277,29 +272,29 @@ def level_residuals(tables: 'float[:]', work: 'float[:]', count: int, penetratio
         sweeps = 0
     for sweep in range(sweeps):
         for i in range(count):
-            block = region_block(i)
-            slope = work[block + REGION_TURN]
-            move = work[block + REGION_RESIDUAL]
+            block = work.regions[i]
+            slope = block.turn
+            move = block.residual
             for j in range(count):
-                other = region_block(j)
-                coupling = influence(tables, work, i, j) * work[other + REGION_STIFFNESS]
-                slope -= coupling * work[other + REGION_SLOPE]
-                move -= coupling * work[other + REGION_MOVE]
-            work[block + REGION_SLOPE] = slope
-            work[block + REGION_MOVE] = move
+                other = work.regions[j]
+                coupling = influence(tables, work, i, j) * other.stiffness
+                slope -= coupling * other.slope
+                move -= coupling * other.move
+            block.slope = slope
+            block.move = move
     slope = 0.0
     rest = 0.0
     for i in range(count):
-        block = region_block(i)
-        counted = work[block + REGION_SHARE] * work[block + REGION_STIFFNESS]
-        slope += counted * work[block + REGION_SLOPE]
-        rest += counted * work[block + REGION_MOVE]
+        block = work.regions[i]
+        counted = block.share * block.stiffness
+        slope += counted * block.slope
+        rest += counted * block.move
     return largest, slope, rest
 
 
-def apply_moves(work: 'float[:]', count: int, move: float):
+def apply_moves(work: Work, count: int, move: float):
     """Move the levels with the penetration by ``move`` [m] and close their residuals."""
     for i in range(count):
-        block = region_block(i)
-        work[block + REGION_LEVEL] += work[block + REGION_MOVE] + work[block + REGION_SLOPE] * move
+        block = work.regions[i]
+        block.level += block.move + block.slope * move
     return 0

@@ -9,7 +9,7 @@ so that the three combinations ANALYN needs are functions of ln(B/A) alone:
     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
 
 and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
-(wrcontact/profiles is not involved; see wrcontact/kernel/binding/hertz_table.py).
+(wrcontact/profiles is not involved; see wrcontact/hertz_table.py).
 """
 
 from math import fabs, log, sqrt

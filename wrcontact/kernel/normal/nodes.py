@@ -18,16 +18,22 @@ That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's
 from math import fabs, log, sqrt
 from typing import Final
 
-from ..contact.contact_plane import NO_GAP, TRACER_RAIL, TRACER_WHEEL, is_yawed, start_tracer
-from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
-from ..surface.lateral_curvature import relative_curvature
-from ..layout import (LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, NODE_FIELDS, NODE_LIMIT, NODE_MIDDLE, SET_CONTACT_MODULUS,
-                     SET_HERTZ, SET_LATERAL, SET_NORMAL_MODEL, WORK_NODES)
-from ..contact.regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LOW, REGION_RAIL, REGION_SPACING,
-                      REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SLANT, REGION_STATION, REGION_UPRIGHT_A,
-                      REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WHEEL, REGION_WIDTH_HIGH, REGION_WIDTH_LOW,
-                      region_block)
+from ..contact.contact_plane import NO_GAP, is_yawed, start_tracer
 from ..contact.separation import open_origin, separation
+from ..layout import (
+    LATERAL_ADAPTIVE,
+    MODEL_ANALYN_STRIP,
+    NODE_FIELDS,
+    NODE_LIMIT,
+    NODE_MIDDLE,
+    WORK_NODES,
+    Region,
+    State,
+    Tables,
+    Work,
+)
+from ..surface.lateral_curvature import relative_curvature
+from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
 
 # node fields
 NODE_GAP: Final[int] = 0             # rise of the gap over the region's minimum [m]
@@ -54,7 +60,7 @@ def node_field(region: int, field: int):
     return WORK_NODES + (region * NODE_FIELDS + field) * NODE_LIMIT + NODE_MIDDLE
 
 
-def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, low_reach: float, high_reach: float,
+def lay_nodes(tables: Tables, work: Work, state: State, region: int, low_reach: float, high_reach: float,
               spacing: float, window: int, stride: int):
     """Gap and A at the region's nodes, until the gap has risen above ``low_reach`` or ``high_reach`` on that side or the
     bound is passed, and ``window`` nodes further.
@@ -62,27 +68,27 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
     Every ``stride``-th node is traced on the profiles; those between are read off the cubic through gap and slope there.
     Where the lateral curvature is a prepared one, it is kept in NODE_B for :func:`weigh_nodes`.
     """
-    block = region_block(region)
-    work[block + REGION_SPACING] = spacing
+    block = work.regions[region]
+    block.spacing = spacing
     gaps = node_field(region, NODE_GAP)
     longitudinal = node_field(region, NODE_A)
     tolerance = TRACE_SHARE * spacing
     if tolerance > FINEST_TRACE:
         tolerance = FINEST_TRACE
     prepared = 0
-    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
+    if int(tables.lateral) != LATERAL_ADAPTIVE:
         prepared = 1
-    origin = work[block + REGION_STATION]
-    start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    open_origin(tables, work, origin, work[block + REGION_GAP], work[block + REGION_RAIL], work[block + REGION_WHEEL],
+    origin = block.station
+    start_tracer(work, origin, block.rail, block.wheel)
+    open_origin(tables, work, origin, block.gap, block.rail, block.wheel,
                 spacing)
     gap, first_rate, bend, curvature = separation(tables, work, state, origin, tolerance)
     work[gaps] = 0.0
     work[longitudinal] = 0.5 * curvature
     if prepared == 1:
-        work[node_field(region, NODE_B)] = relative_curvature(tables, work[TRACER_WHEEL], work[TRACER_RAIL])
+        work[node_field(region, NODE_B)] = relative_curvature(tables, work.frame.tracer_wheel, work.frame.tracer_rail)
     for direction in range(-1, 2, 2):
-        start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
+        start_tracer(work, origin, block.rail, block.wheel)
         rate = first_rate
         reach = high_reach
         if direction < 0:
@@ -100,7 +106,7 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
                 if gap >= NO_GAP and step > 1:
                     # a profile ends within this stretch: node by node from here
                     step = 1
-                    start_tracer(work, origin, work[block + REGION_RAIL], work[block + REGION_WHEEL])
+                    start_tracer(work, origin, block.rail, block.wheel)
                     at = direction * (traced + step)
                     gap, next_rate, bend, curvature = separation(tables, work, state, origin + spacing * float(at),
                                                                  tolerance)
@@ -108,33 +114,33 @@ def lay_nodes(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: i
                     ended = 1
                     end_region(work, block, direction, origin + spacing * float(direction * k))
                 else:
-                    work[gaps + at] = gap - work[block + REGION_GAP]
+                    work[gaps + at] = gap - block.gap
                     work[longitudinal + at] = 0.5 * curvature
                     if prepared == 1:
-                        work[node_field(region, NODE_B) + at] = relative_curvature(tables, work[TRACER_WHEEL],
-                                                                                   work[TRACER_RAIL])
-                    fill_between(work, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
+                        work[node_field(region, NODE_B) + at] = relative_curvature(tables, work.frame.tracer_wheel,
+                                                                                   work.frame.tracer_rail)
+                    fill_between(work.raw, gaps, longitudinal, direction * traced, at, step, spacing, rate, next_rate)
                     rate = next_rate
                     traced += step
             k += 1
             at = direction * k
             station = origin + spacing * float(at)
             if ended == 1:
-                extrapolate_node(work, gaps, longitudinal, at, direction)
+                extrapolate_node(work.raw, gaps, longitudinal, at, direction)
                 if prepared == 1:
                     work[node_field(region, NODE_B) + at] = work[node_field(region, NODE_B) + at - direction]
             if passed > 0:
                 left -= 1
             elif ended == 1 or work[gaps + at] > reach:
                 passed = k
-            elif station > work[block + REGION_HIGH] or station < work[block + REGION_LOW]:
+            elif station > block.high or station < block.low:
                 passed = k
         if passed == 0:
             passed = k - window
         if direction < 0:
-            work[block + REGION_FIRST] = float(-passed)
+            block.first = float(-passed)
         else:
-            work[block + REGION_LAST] = float(passed)
+            block.last = float(passed)
     return 0
 
 
@@ -175,14 +181,14 @@ def fill_between(work: 'float[:]', gaps: int, longitudinal: int, start: int, sto
     return 0
 
 
-def end_region(work: 'float[:]', block: int, direction: int, station: float):
+def end_region(work: Work, block: Region, direction: int, station: float):
     """Bound the region at ``station``: beyond it a profile ends, or the outline of a strongly yawed wheel folds back.  A bound
     that is known to lie before the next node stays."""
     if direction > 0:
-        if station + work[block + REGION_SPACING] < work[block + REGION_HIGH]:
-            work[block + REGION_HIGH] = station
-    elif station - work[block + REGION_SPACING] > work[block + REGION_LOW]:
-        work[block + REGION_LOW] = station
+        if station + block.spacing < block.high:
+            block.high = station
+    elif station - block.spacing > block.low:
+        block.low = station
     return 0
 
 
@@ -204,10 +210,10 @@ def second_difference(work: 'float[:]', at: int, spacing: float, window: int):
     return (work[at + window] - 2.0 * work[at] + work[at - window]) / (2.0 * width * width)
 
 
-def secant_curvature(work: 'float[:]', region: int, k: int, window: int, middle: float):
+def secant_curvature(work: Work, region: int, k: int, window: int, middle: float):
     """g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end."""
     gaps = node_field(region, NODE_GAP)
-    spacing = work[region_block(region) + REGION_SPACING]
+    spacing = work.regions[region].spacing
     if k >= window or k <= -window:
         s = spacing * float(k)
         return work[gaps + k] / (s * s)
@@ -228,50 +234,50 @@ def windowed_curvature(averaged: float, secant: float, share: float):
     return sqrt(averaged * grown)
 
 
-def adaptive_curvatures(work: 'float[:]', region: int, k: int, window: int, middle: float, mean: float, least: float):
+def adaptive_curvatures(work: Work, region: int, k: int, window: int, middle: float, mean: float, least: float):
     """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none
     below ``least``."""
-    block = region_block(region)
-    spacing = work[block + REGION_SPACING]
+    block = work.regions[region]
+    spacing = block.spacing
     secant = secant_curvature(work, region, k, window, middle)
     if secant < least:
         secant = least
     share = fabs(float(k)) * spacing / mean
     if share > 1.0:
         share = 1.0
-    B = windowed_curvature(second_difference(work, node_field(region, NODE_GAP) + k, spacing, window), secant, share)
+    B = windowed_curvature(second_difference(work.raw, node_field(region, NODE_GAP) + k, spacing, window), secant, share)
     if B < least:
         B = least
-    side = work[block + REGION_SIDE_HIGH]
+    side = block.side_high
     if k < 0:
-        side = work[block + REGION_SIDE_LOW]
+        side = block.side_low
     if side < least:
         side = least
     return secant, side, B
 
 
-def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
+def weigh_nodes(tables: Tables, work: Work, region: int, window: int):
     """ANALYN's coefficients at the region's nodes: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B, or all
     with the prepared one."""
-    block = region_block(region)
+    block = work.regions[region]
     gaps = node_field(region, NODE_GAP)
     longitudinal = node_field(region, NODE_A)
-    base = int(tables[SET_HERTZ])
+    base = int(tables.hertz)
     yawed = is_yawed(work)
     prepared = 0
-    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
+    if int(tables.lateral) != LATERAL_ADAPTIVE:
         prepared = 1
     alpha_turn = 1.0
     beta_turn = 1.0
     nr_turn = 1.0
     if yawed == 1:
         alpha_turn, beta_turn, nr_turn = turn_region(tables, work, region)
-    spacing = work[block + REGION_SPACING]
-    mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
-    middle = second_difference(work, gaps, spacing, window)
+    spacing = block.spacing
+    mean = 0.5 * (block.width_low + block.width_high)
+    middle = second_difference(work.raw, gaps, spacing, window)
     if middle < 0.0:
         middle = 0.0
-    for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
+    for k in range(block.first, block.last + 1):
         A = work[longitudinal + k]
         least = FLOOR * A
         if prepared == 1:
@@ -282,36 +288,36 @@ def weigh_nodes(tables: 'float[:]', work: 'float[:]', region: int, window: int):
             side = B
         else:
             secant, side, B = adaptive_curvatures(work, region, k, window, middle, mean, least)
-        alpha = table_value(tables, base, 0, log(secant / A))
-        beta = table_value(tables, base, 0, log(A / side))
-        nr = table_value(tables, base, 6, log(B / A))
+        alpha = table_value(tables.raw, base, 0, log(secant / A))
+        beta = table_value(tables.raw, base, 0, log(A / side))
+        nr = table_value(tables.raw, base, 6, log(B / A))
         if yawed == 1:
             alpha *= alpha_turn
             beta *= beta_turn
             nr *= nr_turn
         work[node_field(region, NODE_B) + k] = B
         work[node_field(region, NODE_RISE) + k] = beta * work[gaps + k]
-        work[node_field(region, NODE_LINE) + k] = tables[SET_CONTACT_MODULUS] / nr
+        work[node_field(region, NODE_LINE) + k] = tables.contact_modulus / nr
         work[node_field(region, NODE_LENGTH) + k] = alpha * A
     return 0
 
 
-def turn_region(tables: 'float[:]', work: 'float[:]', region: int):
+def turn_region(tables: Tables, work: Work, region: int):
     """What the slant of a yawed wheel's ridge makes of 1 + alpha, 1 + beta and n r: factors for all nodes of the region,
     from its mean slant and curvature; and for the strips the upright ellipse that cuts into the same ones."""
-    block = region_block(region)
-    base = int(tables[SET_HERTZ])
+    block = work.regions[region]
+    base = int(tables.hertz)
     A = work[node_field(region, NODE_A)]
-    B = 0.5 * (work[block + REGION_SIDE_LOW] + work[block + REGION_SIDE_HIGH])
+    B = 0.5 * (block.side_low + block.side_high)
     if B < FLOOR * A:
         B = FLOOR * A
-    alpha, beta, nr = hertz_coefficients(tables, base, A, B)
-    turned_alpha, turned_beta, turned_nr = skewed_coefficients(tables, base, A, B, work[block + REGION_SLANT])
-    if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
-        upright_A, upright_B, share = upright_coefficients(tables, base, turned_alpha * A, turned_beta * B, turned_nr)
-        work[block + REGION_UPRIGHT_A] = upright_A / A
-        work[block + REGION_UPRIGHT_B] = upright_B / B
-        work[block + REGION_UPRIGHT_SHARE] = share
+    alpha, beta, nr = hertz_coefficients(tables.raw, base, A, B)
+    turned_alpha, turned_beta, turned_nr = skewed_coefficients(tables.raw, base, A, B, block.slant)
+    if int(tables.normal_model) == MODEL_ANALYN_STRIP:
+        upright_A, upright_B, share = upright_coefficients(tables.raw, base, turned_alpha * A, turned_beta * B, turned_nr)
+        block.upright_a = upright_A / A
+        block.upright_b = upright_B / B
+        block.upright_share = share
     return turned_alpha / alpha, turned_beta / beta, turned_nr / nr
 
 

@@ -11,30 +11,32 @@ The estimate depends on pose and force alone and moves smoothly with them, and s
 from math import isfinite, log, pi, sqrt
 from typing import Final
 
-from .analyn import FORCE_SHARP, solve_levels
-from ..contact.contact_plane import (FRAME_BLUR, FRAME_COS, FRAME_DEPTH, FRAME_PRESSED, FRAME_SIN, FRAME_WHEEL_COS, TRACER_STATION,
-                            TRACER_WHEEL, is_yawed, ridge_place)
-from .hertz import hertz_coefficients, hertz_stiffness, table_value
-from ..layout import (DEPTH_ALL, LATERAL_ADAPTIVE, LOAD_VERTICAL, MODEL_ANALYN_STRIP, MODEL_HERTZ, PATCH_AREA,
-                     PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_MAX_PRESSURE, PATCH_NORMAL_FORCE,
-                     PATCH_WIDTH, REGION_LIMIT, SEPARATION_CHORD, SEPARATION_VERTICAL, SET_CONTACT_MODULUS, SET_DEPTH,
-                     SET_HERTZ, SET_LATERAL, SET_LOAD, SET_NODES, SET_NORMAL_MODEL, SET_RAIL, SET_SEPARATION, SET_STATIONS,
-                     SET_STRIDE, SIDE_AREA, SIDE_CONTACT_ANGLE, SIDE_CURVATURE_X, SIDE_CURVATURE_Y, SIDE_MAX_PRESSURE,
-                     SIDE_NORMAL_FORCE, SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH,
-                     SIDE_PATCH_WIDTH, SIDE_PENETRATION)
-from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_field, weigh_nodes
-from ..patch.outline import outline_place
+from ..contact.contact_plane import is_yawed, ridge_place
 from ..contact.overlaps import gather_overlaps, keep_deepest
-from ..patch.patches import gather_islands, write_outline, write_patches
 from ..contact.planes import enter_plane, give_planes, leave_plane
-from ..surface.profile_table import height_slope
-from ..contact.regions import (FAR, REGION_BEND, REGION_CARRIED, REGION_COS, REGION_CURVATURE, REGION_FIRST, REGION_GAP,
-                      REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_MIDDLE, REGION_MOMENT, REGION_RAIL,
-                      REGION_REACHED, REGION_SHARE, REGION_SIDE_HIGH, REGION_SIDE_LOW, REGION_SIN, REGION_SLANT,
-                      REGION_SPACING, REGION_SQUARE, REGION_STATION, REGION_STIFFNESS, REGION_TURN, REGION_WIDTH_HIGH,
-                      REGION_WIDTH_LEVEL, REGION_WIDTH_LOW, bound_regions, find_regions, open_contact_region,
-                      region_block, zone_width)
+from ..contact.regions import FAR, bound_regions, find_regions, open_contact_region, zone_width
+from ..layout import (
+    DEPTH_ALL,
+    LATERAL_ADAPTIVE,
+    LOAD_VERTICAL,
+    MODEL_ANALYN_STRIP,
+    MODEL_HERTZ,
+    REGION_LIMIT,
+    SEPARATION_CHORD,
+    SEPARATION_VERTICAL,
+    SideOutputs,
+    SideSearch,
+    State,
+    Tables,
+    Work,
+)
+from ..patch.outline import outline_place
+from ..patch.patches import gather_islands, write_outline, write_patches
 from ..patch.strip_patches import gather_strips, write_strip_outline
+from ..surface.profile_table import height_slope
+from .analyn import FORCE_SHARP, solve_levels
+from .hertz import hertz_coefficients, hertz_stiffness, table_value
+from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .strips import correct_strips
 
 #: Window of the lateral curvature as a share of the half-width of the interpenetration (docs/method.md), which is measured
@@ -71,42 +73,42 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
     return (share * share * (1.0 + TYPICAL_RATIO) * A) ** (1.0 / 3.0)
 
 
-def measure_widths(tables: 'float[:]', work: 'float[:]', state: 'float[:]', region: int, level: float):
+def measure_widths(tables: Tables, work: Work, state: State, region: int, level: float):
     """Half-widths of the region's interpenetration at ``level`` [m], the lateral curvatures on both sides that follow from
     them, and the station its load is thought to act at."""
-    block = region_block(region)
+    block = work.regions[region]
     # the first guess: the gap's own second derivative, as far as it is a usual one
-    bend = work[block + REGION_BEND]
-    if bend < LEAST_BEND * work[block + REGION_CURVATURE]:
-        bend = LEAST_BEND * work[block + REGION_CURVATURE]
-    if bend > MOST_BEND * work[block + REGION_CURVATURE]:
-        bend = MOST_BEND * work[block + REGION_CURVATURE]
+    bend = block.bend
+    if bend < LEAST_BEND * block.curvature:
+        bend = LEAST_BEND * block.curvature
+    if bend > MOST_BEND * block.curvature:
+        bend = MOST_BEND * block.curvature
     low = sqrt(2.0 * level / bend)
     high = low
-    if work[block + REGION_WIDTH_LEVEL] > 0.0:
-        grown = sqrt(level / work[block + REGION_WIDTH_LEVEL])
-        low = work[block + REGION_WIDTH_LOW] * grown
-        high = work[block + REGION_WIDTH_HIGH] * grown
+    if block.width_level > 0.0:
+        grown = sqrt(level / block.width_level)
+        low = block.width_low * grown
+        high = block.width_high * grown
     high = zone_width(tables, work, state, block, 1.0, level, high)
-    high_reached = work[block + REGION_REACHED]
+    high_reached = block.reached
     slant = 0.0
-    start = work[TRACER_STATION]
+    start = work.frame.tracer_station
     yawed = is_yawed(work)
     if yawed == 1:
-        slant = ridge_place(tables, work, work[TRACER_WHEEL])
-    if not work[block + REGION_WIDTH_LEVEL] > 0.0:
+        slant = ridge_place(tables, work, work.frame.tracer_wheel)
+    if not block.width_level > 0.0:
         low = high
     low = zone_width(tables, work, state, block, -1.0, level, low)
     if yawed == 1:
-        slant -= ridge_place(tables, work, work[TRACER_WHEEL])
-        if start > work[TRACER_STATION]:
-            work[block + REGION_SLANT] = slant / (start - work[TRACER_STATION])
-    work[block + REGION_SIDE_HIGH] = side_curvature(high_reached, high, 0.5 * (low + high))
-    work[block + REGION_SIDE_LOW] = side_curvature(work[block + REGION_REACHED], low, 0.5 * (low + high))
-    work[block + REGION_WIDTH_HIGH] = high
-    work[block + REGION_WIDTH_LOW] = low
-    work[block + REGION_WIDTH_LEVEL] = level
-    work[block + REGION_MIDDLE] = work[block + REGION_STATION] + 0.5 * (high - low)
+        slant -= ridge_place(tables, work, work.frame.tracer_wheel)
+        if start > work.frame.tracer_station:
+            block.slant = slant / (start - work.frame.tracer_station)
+    block.side_high = side_curvature(high_reached, high, 0.5 * (low + high))
+    block.side_low = side_curvature(block.reached, low, 0.5 * (low + high))
+    block.width_high = high
+    block.width_low = low
+    block.width_level = level
+    block.middle = block.station + 0.5 * (high - low)
     return 0
 
 
@@ -122,94 +124,94 @@ def side_curvature(reached: float, own: float, mean: float):
     return curvature
 
 
-def zone_share(tables: 'float[:]', A: float, side: float):
+def zone_share(tables: Tables, A: float, side: float):
     """Share of the level up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
     are loaded while (1 + beta) g is below the level.  With prepared curvatures 1 + beta may fall to 1."""
     if side < FLOOR * A:
         side = FLOOR * A
     spread = SPREAD
-    if int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
+    if int(tables.normal_model) == MODEL_ANALYN_STRIP:
         spread = STRIP_SPREAD
-    share = spread / table_value(tables, int(tables[SET_HERTZ]), 0, log(A / side))
-    if share > COVER or int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE:
+    share = spread / table_value(tables.raw, int(tables.hertz), 0, log(A / side))
+    if share > COVER or int(tables.lateral) != LATERAL_ADAPTIVE:
         share = COVER
     return share
 
 
-def node_stride(tables: 'float[:]'):
+def node_stride(tables: Tables):
     """Every so many of the nodes are traced on the profiles.
 
     All of them are where curvatures are read there, where chords lead to them, and for vertical distances: on a steep side
     these rise too fast for a cubic over several nodes, which falls below zero before.
     """
-    stride = int(tables[SET_STRIDE])
-    kind = int(tables[SET_SEPARATION])
-    if int(tables[SET_LATERAL]) != LATERAL_ADAPTIVE or kind == SEPARATION_CHORD or kind == SEPARATION_VERTICAL:
+    stride = int(tables.stride)
+    kind = int(tables.separation)
+    if int(tables.lateral) != LATERAL_ADAPTIVE or kind == SEPARATION_CHORD or kind == SEPARATION_VERTICAL:
         stride = 1
     return stride
 
 
-def prepare_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, enlarge: float):
+def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their levels times ``enlarge``."""
-    window = int(tables[SET_NODES] * WINDOW + 0.5)
+    window = int(tables.nodes * WINDOW + 0.5)
     stride = node_stride(tables)
     for i in range(count):
-        block = region_block(i)
-        level = work[block + REGION_LEVEL]
+        block = work.regions[i]
+        level = block.level
         enter_plane(work, i)
         measure_widths(tables, work, state, i, MEASURED * level)
-        mean = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
-        widest = work[block + REGION_WIDTH_LOW]
-        if work[block + REGION_WIDTH_HIGH] > widest:
-            widest = work[block + REGION_WIDTH_HIGH]
-        least = NARROWEST * sqrt(level / work[block + REGION_CURVATURE])
+        mean = 0.5 * (block.width_low + block.width_high)
+        widest = block.width_low
+        if block.width_high > widest:
+            widest = block.width_high
+        least = NARROWEST * sqrt(level / block.curvature)
         if mean < least:
             mean = least
-        spacing = mean / tables[SET_NODES]
+        spacing = mean / tables.nodes
         if widest * enlarge > WIDEST * spacing:
             spacing = widest * enlarge / WIDEST
-        A = 0.5 * work[block + REGION_CURVATURE]
-        low_reach = level * enlarge * zone_share(tables, A, work[block + REGION_SIDE_LOW])
-        high_reach = level * enlarge * zone_share(tables, A, work[block + REGION_SIDE_HIGH])
-        if work[FRAME_PRESSED] == 1.0 and is_yawed(work) == 1:
-            work[FRAME_BLUR] = spacing * float(stride) * work[FRAME_WHEEL_COS]
+        A = 0.5 * block.curvature
+        low_reach = level * enlarge * zone_share(tables, A, block.side_low)
+        high_reach = level * enlarge * zone_share(tables, A, block.side_high)
+        if work.frame.pressed and is_yawed(work) == 1:
+            work.frame.blur = spacing * float(stride) * work.frame.wheel_cos
         lay_nodes(tables, work, state, i, low_reach, high_reach, spacing, window, stride)
         weigh_nodes(tables, work, i, window)
-        if work[FRAME_PRESSED] == 1.0 or int(tables[SET_LOAD]) == LOAD_VERTICAL:
+        if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:
             mean_normal(tables, work, i, level)
         leave_plane(work, i)
-        work[block + REGION_SQUARE] = level / work[node_field(i, NODE_LENGTH)]
+        block.square = level / work[node_field(i, NODE_LENGTH)]
     return 0
 
 
-def rail_per_station(tables: 'float[:]', work: 'float[:]', abscissa: float):
+def rail_per_station(tables: Tables, work: Work, abscissa: float):
     """Change of the rail's abscissa per station of the open frame [-]."""
-    height, slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+    height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
     along = sqrt(1.0 + slope * slope)
-    if work[FRAME_PRESSED] == 0.0:
-        along = work[FRAME_COS] + slope * work[FRAME_SIN]
+    if not work.frame.pressed:
+        along = work.frame.cos + slope * work.frame.sin
     return 1.0 / along
 
 
-def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float):
+def mean_normal(tables: Tables, work: Work, region: int, level: float):
     """Let the force of a region act along the mean of the rail's normals, weighted by the line load at ``level`` [m].
 
     The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others in the plane.
     """
-    block = region_block(region)
+    block = work.regions[region]
     rises = node_field(region, NODE_RISE)
     lines = node_field(region, NODE_LINE)
     total = 0.0
     cosines = 0.0
     sines = 0.0
     for direction in range(-1, 2, 2):
-        x = work[block + REGION_RAIL]
-        step = float(direction) * work[block + REGION_SPACING]
-        last = int(work[block + REGION_LAST])
+        x = block.rail
+        step = float(direction) * block.spacing
+        last = block.last
         if direction < 0:
-            last = -int(work[block + REGION_FIRST])
+            last = -block.first
         for k in range(last + 1):
-            height, slope = height_slope(tables, int(tables[SET_RAIL]), x)
+            height, slope = height_slope(tables.raw, int(tables.rail), x)
             cosine = 1.0 / sqrt(1.0 + slope * slope)
             weight = work[lines + direction * k] * (level - work[rises + direction * k])
             if weight <= 0.0:
@@ -221,72 +223,72 @@ def mean_normal(tables: 'float[:]', work: 'float[:]', region: int, level: float)
             sines += weight * slope * cosine
             x += step * rail_per_station(tables, work, x + 0.5 * step * rail_per_station(tables, work, x))
     if total > 0.0:
-        work[block + REGION_COS] = cosines / total
-        work[block + REGION_SIN] = sines / total
-        if int(tables[SET_LOAD]) == LOAD_VERTICAL:
-            work[block + REGION_SHARE] = work[block + REGION_COS]
+        block.cos = cosines / total
+        block.sin = sines / total
+        if int(tables.load) == LOAD_VERTICAL:
+            block.share = block.cos
     return 0
 
 
-def start_levels(work: 'float[:]', count: int, penetration: float):
+def start_levels(work: Work, count: int, penetration: float):
     """Levels before any interaction is known; a region that is hardly reached still gets nodes for a tenth of it."""
     for i in range(count):
-        block = region_block(i)
-        level = work[block + REGION_TURN] * penetration - work[block + REGION_GAP]
+        block = work.regions[i]
+        level = block.turn * penetration - block.gap
         if level < 0.1 * penetration:
             level = 0.1 * penetration
-        work[block + REGION_LEVEL] = level
+        block.level = level
     return 0
 
 
-def covered(work: 'float[:]', count: int):
+def covered(work: Work, count: int):
     """1 if no region is loaded at an end of its nodes other than its bound, else 0."""
     result = 1
     for i in range(count):
-        block = region_block(i)
+        block = work.regions[i]
         rises = node_field(i, NODE_RISE)
-        level = work[block + REGION_LEVEL]
-        low = work[block + REGION_LOW]
-        high = work[block + REGION_HIGH]
-        if work[FRAME_PRESSED] == 1.0:
+        level = block.level
+        low = block.low
+        high = block.high
+        if work.frame.pressed:
             # its bounds may be the rail's ends, far away
-            if low < work[block + REGION_STATION] + work[block + REGION_SPACING] * work[block + REGION_FIRST]:
+            if low < block.station + block.spacing * block.first:
                 low = -FAR
-            if high > work[block + REGION_STATION] + work[block + REGION_SPACING] * work[block + REGION_LAST]:
+            if high > block.station + block.spacing * block.last:
                 high = FAR
-        if level > work[rises + int(work[block + REGION_LAST])] and high >= FAR:
+        if level > work[rises + block.last] and high >= FAR:
             result = 0
-        if level > work[rises + int(work[block + REGION_FIRST])] and low <= -FAR:
+        if level > work[rises + block.first] and low <= -FAR:
             result = 0
     return result
 
 
-def estimate_penetration(tables: 'float[:]', work: 'float[:]', state: 'float[:]', force: float):
+def estimate_penetration(tables: Tables, work: Work, state: State, force: float):
     """Hertz's penetration [m] for the interpenetration's own width: B = level / width^2 at a guessed level.
 
     Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
     """
-    block = region_block(0)
-    A = 0.5 * work[block + REGION_CURVATURE]
-    guess = guess_penetration(force, A, tables[SET_CONTACT_MODULUS])
+    block = work.regions[0]
+    A = 0.5 * block.curvature
+    guess = guess_penetration(force, A, tables.contact_modulus)
     measure_widths(tables, work, state, 0, guess)
-    width = 0.5 * (work[block + REGION_WIDTH_LOW] + work[block + REGION_WIDTH_HIGH])
+    width = 0.5 * (block.width_low + block.width_high)
     B = FLOOR * A
     if guess > CEILING * A * width * width:
         B = CEILING * A
     elif guess > B * width * width:
         B = guess / (width * width)
-    stiffness = hertz_stiffness(tables, int(tables[SET_HERTZ]), A, B, tables[SET_CONTACT_MODULUS])
+    stiffness = hertz_stiffness(tables.raw, int(tables.hertz), A, B, tables.contact_modulus)
     return (force / stiffness) ** (2.0 / 3.0)
 
 
-def gather_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, penetration: float):
+def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, penetration: float):
     """Open the regions that ``penetration`` [m] reaches, with their bounds and first levels; their number."""
     for i in range(REGION_LIMIT):
-        work[region_block(i) + REGION_WIDTH_LEVEL] = 0.0
-        work[region_block(i) + REGION_SLANT] = 0.0
+        work.regions[i].width_level = 0.0
+        work.regions[i].slant = 0.0
     count = 1
-    if work[FRAME_PRESSED] == 1.0:
+    if work.frame.pressed:
         count = gather_overlaps(tables, work, state)
     else:
         open_contact_region(tables, work, state)
@@ -297,14 +299,14 @@ def gather_regions(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side
     return count
 
 
-def first_penetration(tables: 'float[:]', work: 'float[:]', state: 'float[:]', force: float):
+def first_penetration(tables: Tables, work: Work, state: State, force: float):
     """What the penetration [m] under the prescribed ``force`` [N] is estimated to be."""
     open_contact_region(tables, work, state)
-    work[region_block(0) + REGION_WIDTH_LEVEL] = 0.0
-    return estimate_penetration(tables, work, state, force / work[region_block(0) + REGION_SHARE])
+    work.regions[0].width_level = 0.0
+    return estimate_penetration(tables, work, state, force / work.regions[0].share)
 
 
-def solve_estimated(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, estimate: float,
+def solve_estimated(tables: Tables, work: Work, state: State, side: SideSearch, force: float, estimate: float,
                     by_penetration: int):
     """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third value 1 when
     met, else 0."""
@@ -313,8 +315,8 @@ def solve_estimated(tables: 'float[:]', work: 'float[:]', state: 'float[:]', sid
     if met == 0 and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
         count = 1
-        if work[FRAME_PRESSED] == 1.0:
-            keep_deepest(work)
+        if work.frame.pressed:
+            keep_deepest(work.raw)
             gather_overlaps(tables, work, state)
         else:
             open_contact_region(tables, work, state)
@@ -323,15 +325,15 @@ def solve_estimated(tables: 'float[:]', work: 'float[:]', state: 'float[:]', sid
     return penetration, count, met
 
 
-def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, force: float, prescribed: float):
+def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
     """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a
     number; third value 1 when met, else 0.  A pressed wheel has its regions where it stands."""
     by_penetration = 0
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = 1
-    if work[FRAME_PRESSED] == 1.0:
-        penetration, count, met = solve_estimated(tables, work, state, side, force, work[FRAME_DEPTH], by_penetration)
+    if work.frame.pressed:
+        penetration, count, met = solve_estimated(tables, work, state, side, force, work.frame.depth, by_penetration)
         return penetration, count, met
     if by_penetration == 0:
         penetration = first_penetration(tables, work, state, force)
@@ -345,7 +347,7 @@ def solve_analyn(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
     return penetration, count, met
 
 
-def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
+def solve_fine(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
                by_penetration: int):
     """Penetration [m] on fine nodes laid over the regions' levels, laid again where the patch outgrows them; and 1 when
     met, else 0."""
@@ -363,55 +365,55 @@ def solve_fine(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: i
             enlarge *= 1.4
             start = penetration
             laid = penetration
-            if work[FRAME_PRESSED] == 1.0:
+            if work.frame.pressed:
                 # nodes stay where the wheel stands; there are only more of them
-                laid = work[FRAME_DEPTH]
+                laid = work.frame.depth
             start_levels(work, count, laid)
     return penetration, met
 
 
-def solve_hertz(tables: 'float[:]', work: 'float[:]', side: int, force: float, prescribed: float):
+def solve_hertz(tables: Tables, work: Work, side: SideOutputs, force: float, prescribed: float):
     """Hertz's ellipse with the curvatures at the contact point, written to the outputs at ``side``; its penetration.
 
     A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
     """
-    base = int(tables[SET_HERTZ])
-    A = 0.5 * work[side + SIDE_CURVATURE_X]
-    B = 0.5 * work[side + SIDE_CURVATURE_Y]
+    base = int(tables.hertz)
+    A = 0.5 * side.curvature_x
+    B = 0.5 * side.curvature_y
     if not B > FLOOR * A:
         B = FLOOR * A
-    block = region_block(0)
-    stiffness = hertz_stiffness(tables, base, A, B, tables[SET_CONTACT_MODULUS])
+    block = work.regions[0]
+    stiffness = hertz_stiffness(tables.raw, base, A, B, tables.contact_modulus)
     penetration = prescribed
     if not isfinite(prescribed):
-        penetration = (force / (work[block + REGION_SHARE] * stiffness)) ** (2.0 / 3.0)
+        penetration = (force / (block.share * stiffness)) ** (2.0 / 3.0)
     load = stiffness * penetration * sqrt(penetration)
-    work[block + REGION_STIFFNESS] = 1.5 * stiffness * sqrt(penetration)
-    work[block + REGION_CARRIED] = load
-    work[block + REGION_MOMENT] = 0.0
-    work[block + REGION_SLANT] = 0.0
-    one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
+    block.stiffness = 1.5 * stiffness * sqrt(penetration)
+    block.carried = load
+    block.moment = 0.0
+    block.slant = 0.0
+    one_alpha, one_beta, nr = hertz_coefficients(tables.raw, base, A, B)
     a = sqrt(penetration / (one_alpha * A))
     b = sqrt(penetration / (one_beta * B))
     area = pi * a * b
     pressure = 1.5 * load / area
-    work[side + SIDE_PATCH_COUNT] = 1.0
-    work[side + SIDE_PENETRATION] = penetration
-    work[side + SIDE_NORMAL_FORCE] = load
-    work[side + SIDE_AREA] = area
-    work[side + SIDE_MAX_PRESSURE] = pressure
-    work[side + SIDE_PATCH_LENGTH] = 2.0 * a
-    work[side + SIDE_PATCH_WIDTH] = 2.0 * b
-    work[side + SIDE_PATCH_CENTROID] = 0.0
-    work[side + SIDE_PATCH + PATCH_NORMAL_FORCE] = load
-    work[side + SIDE_PATCH + PATCH_AREA] = area
-    work[side + SIDE_PATCH + PATCH_MAX_PRESSURE] = pressure
-    work[side + SIDE_PATCH + PATCH_LENGTH] = 2.0 * a
-    work[side + SIDE_PATCH + PATCH_WIDTH] = 2.0 * b
-    work[side + SIDE_PATCH + PATCH_CENTROID] = 0.0
-    work[side + SIDE_PATCH + PATCH_CONTACT_ANGLE] = work[side + SIDE_CONTACT_ANGLE]
-    if int(tables[SET_DEPTH]) == DEPTH_ALL:
-        write_ellipse(work, outline_place(tables, side), int(tables[SET_STATIONS]), a, b, pressure)
+    side.patch_count = 1.0
+    side.penetration = penetration
+    side.normal_force = load
+    side.area = area
+    side.max_pressure = pressure
+    side.patch_length = 2.0 * a
+    side.patch_width = 2.0 * b
+    side.patch_centroid = 0.0
+    side.patch[0].normal_force = load
+    side.patch[0].area = area
+    side.patch[0].max_pressure = pressure
+    side.patch[0].length = 2.0 * a
+    side.patch[0].width = 2.0 * b
+    side.patch[0].centroid = 0.0
+    side.patch[0].contact_angle = side.contact_angle
+    if int(tables.depth) == DEPTH_ALL:
+        write_ellipse(work.raw, outline_place(tables, work, side), int(tables.stations), a, b, pressure)
     return penetration
 
 
@@ -427,17 +429,17 @@ def write_ellipse(work: 'float[:]', place: int, stations: int, a: float, b: floa
     return 0
 
 
-def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, outputs: int, force: float,
+def solve_normal(tables: Tables, work: Work, state: State, side: SideSearch, outputs: SideOutputs, force: float,
                  prescribed: float):
     """Normal contact of the side whose frame is open, into the outputs at ``outputs``; the number of regions, and 1 when
     met, else 0."""
     met = 1
     count = 1
-    if int(tables[SET_NORMAL_MODEL]) == MODEL_HERTZ:
+    if int(tables.normal_model) == MODEL_HERTZ:
         solve_hertz(tables, work, outputs, force, prescribed)
     else:
         penetration, count, met = solve_analyn(tables, work, state, side, force, prescribed)
-        if met == 1 and int(tables[SET_NORMAL_MODEL]) == MODEL_ANALYN_STRIP:
+        if met == 1 and int(tables.normal_model) == MODEL_ANALYN_STRIP:
             by_penetration = 0
             if isfinite(prescribed):
                 by_penetration = 1
@@ -445,12 +447,12 @@ def solve_normal(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: 
             if met == 1:
                 islands = gather_strips(work, strips)
                 write_patches(work, outputs, islands)
-                if int(tables[SET_DEPTH]) == DEPTH_ALL:
-                    write_strip_outline(work, outline_place(tables, outputs), int(tables[SET_STATIONS]), strips, islands)
+                if int(tables.depth) == DEPTH_ALL:
+                    write_strip_outline(work.raw, outline_place(tables, work, outputs), int(tables.stations), strips, islands)
         elif met == 1:
-            islands = gather_islands(tables, work, count)
+            islands = gather_islands(tables.raw, work, count)
             write_patches(work, outputs, islands)
-            if int(tables[SET_DEPTH]) == DEPTH_ALL:
-                write_outline(work, outputs, outline_place(tables, outputs), int(tables[SET_STATIONS]), count, islands)
-        work[outputs + SIDE_PENETRATION] = penetration
+            if int(tables.depth) == DEPTH_ALL:
+                write_outline(work, outputs, outline_place(tables, work, outputs), int(tables.stations), count, islands)
+        outputs.penetration = penetration
     return count, met

@@ -14,14 +14,21 @@ One round of 2 and 3 is a sweep.  Where the true patch differs from ANALYN's, st
 from math import fabs, log, pi, sqrt
 from typing import Final
 
-from .analyn import planes_cosine, region_lead
 from ..contact.contact_plane import is_yawed
-from ..layout import (NODE_MIDDLE, SET_CONTACT_MODULUS, SET_INFLUENCE, SET_STRIPS, SET_SWEEPS, STATE_STRIP_COUNT,
-                     STRIP_LIMIT, WORK_DISTANCE, WORK_INFLUENCE, WORK_STRIPS, WORK_SYSTEM)
+from ..layout import (
+    NODE_MIDDLE,
+    STRIP_LIMIT,
+    WORK_DISTANCE,
+    WORK_INFLUENCE,
+    WORK_STRIPS,
+    WORK_SYSTEM,
+    Region,
+    State,
+    Tables,
+    Work,
+)
+from .analyn import planes_cosine, region_lead
 from .nodes import NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, cubic_through, node_field
-from ..contact.regions import (REGION_FIRST, REGION_GAP, REGION_HIGH, REGION_LAST, REGION_LEVEL, REGION_LOW, REGION_SPACING,
-                      REGION_OFFSET, REGION_SHARE, REGION_START, REGION_STATION, REGION_STOP, REGION_TURN,
-                      REGION_UPRIGHT_A, REGION_UPRIGHT_B, REGION_UPRIGHT_SHARE, REGION_WEIGHT, region_block)
 
 # strip fields
 STRIP_STATION: Final[int] = 0        # middle [m]
@@ -75,10 +82,10 @@ def strip_field(field: int):
     return WORK_STRIPS + field * STRIP_LIMIT
 
 
-def zone_excess(work: 'float[:]', block: int, gaps: int, rises: int, k: int, penetration: float):
+def zone_excess(work: Work, block: Region, gaps: int, rises: int, k: int, penetration: float):
     """Positive where strips belong: by how much the gap stays below ZONE, or ANALYN's load level above nothing [m]."""
-    below = ZONE * penetration - work[block + REGION_GAP] - work[gaps + k]
-    level = work[block + REGION_LEVEL] - work[rises + k]
+    below = ZONE * penetration - block.gap - work[gaps + k]
+    level = block.level - work[rises + k]
     beyond = level + BEYOND * penetration
     if beyond < below:
         below = beyond
@@ -87,16 +94,16 @@ def zone_excess(work: 'float[:]', block: int, gaps: int, rises: int, k: int, pen
     return below
 
 
-def zone_end(work: 'float[:]', region: int, direction: int, penetration: float):
+def zone_end(work: Work, region: int, direction: int, penetration: float):
     """Station [m] where the region's strips end in ``direction``; its minimum's if none belong there."""
-    block = region_block(region)
+    block = work.regions[region]
     gaps = node_field(region, NODE_GAP)
     rises = node_field(region, NODE_RISE)
-    last = int(work[block + REGION_LAST])
-    bound = work[block + REGION_HIGH]
+    last = block.last
+    bound = block.high
     if direction < 0:
-        last = -int(work[block + REGION_FIRST])
-        bound = work[block + REGION_LOW]
+        last = -block.first
+        bound = block.low
     inner = zone_excess(work, block, gaps, rises, 0, penetration)
     reach = 0.0
     if inner > 0.0:
@@ -107,40 +114,40 @@ def zone_end(work: 'float[:]', region: int, direction: int, penetration: float):
                 reach = float(k - 1) + inner / (inner - outer)
                 break
             inner = outer
-    station = work[block + REGION_STATION] + float(direction) * reach * work[block + REGION_SPACING]
+    station = block.station + float(direction) * reach * block.spacing
     if (station - bound) * float(direction) > 0.0:
         station = bound
     return station
 
 
-def node_weight(work: 'float[:]', region: int, k: int, penetration: float):
+def node_weight(work: Work, region: int, k: int, penetration: float):
     """sqrt(B) sqrt(1 - gap / penetration) at a node [m^-1/2]."""
-    block = region_block(region)
-    share = 1.0 - (work[block + REGION_GAP] + work[node_field(region, NODE_GAP) + k]) / penetration
+    block = work.regions[region]
+    share = 1.0 - (block.gap + work[node_field(region, NODE_GAP) + k]) / penetration
     weight = 0.0
     if share > 0.0:
         weight = sqrt(work[node_field(region, NODE_B) + k] * share)
     return weight
 
 
-def cell_overlap(work: 'float[:]', block: int, k: int):
+def cell_overlap(work: Work, block: Region, k: int):
     """Length of the cell between nodes ``k`` and ``k`` + 1 inside the region's zone [m], and where it begins there."""
-    spacing = work[block + REGION_SPACING]
-    start = work[block + REGION_STATION] + spacing * float(k)
+    spacing = block.spacing
+    start = block.station + spacing * float(k)
     stop = start + spacing
-    if start < work[block + REGION_START]:
-        start = work[block + REGION_START]
-    if stop > work[block + REGION_STOP]:
-        stop = work[block + REGION_STOP]
+    if start < block.start:
+        start = block.start
+    if stop > block.stop:
+        stop = block.stop
     return stop - start, start
 
 
-def weigh_region(work: 'float[:]', region: int, penetration: float):
+def weigh_region(work: Work, region: int, penetration: float):
     """Integral of the weight over the region's zone [m^1/2]."""
-    block = region_block(region)
+    block = work.regions[region]
     total = 0.0
-    before = node_weight(work, region, int(work[block + REGION_FIRST]), penetration)
-    for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
+    before = node_weight(work, region, block.first, penetration)
+    for k in range(block.first, block.last):
         after = node_weight(work, region, k + 1, penetration)
         length, start = cell_overlap(work, block, k)
         if length > 0.0:
@@ -149,47 +156,47 @@ def weigh_region(work: 'float[:]', region: int, penetration: float):
     return total
 
 
-def place_strips(tables: 'float[:]', work: 'float[:]', count: int, penetration: float):
+def place_strips(tables: Tables, work: Work, count: int, penetration: float):
     """Strips over the zones of all regions; their number."""
     weight = 0.0
     width = 0.0
     for region in range(count):
-        block = region_block(region)
-        share = work[block + REGION_TURN] * penetration
-        work[block + REGION_START] = zone_end(work, region, -1, share)
-        work[block + REGION_STOP] = zone_end(work, region, 1, share)
-        work[block + REGION_WEIGHT] = weigh_region(work, region, share)
-        weight += work[block + REGION_WEIGHT]
-        width += work[block + REGION_STOP] - work[block + REGION_START]
+        block = work.regions[region]
+        share = block.turn * penetration
+        block.start = zone_end(work, region, -1, share)
+        block.stop = zone_end(work, region, 1, share)
+        block.weight = weigh_region(work, region, share)
+        weight += block.weight
+        width += block.stop - block.start
     strips = 0
     for region in range(count):
-        block = region_block(region)
-        length = work[block + REGION_STOP] - work[block + REGION_START]
+        block = work.regions[region]
+        length = block.stop - block.start
         if length > 0.0 and weight > 0.0:
             even = EVEN / width
             graded = (1.0 - EVEN) / weight
-            share = even * length + graded * work[block + REGION_WEIGHT]
-            own = int(tables[SET_STRIPS] * share + 0.5)
+            share = even * length + graded * block.weight
+            own = int(tables.strips * share + 0.5)
             if own < LEAST:
                 own = LEAST
-            strips = divide_zone(work, region, work[block + REGION_TURN] * penetration, strips, own, even, graded, share)
+            strips = divide_zone(work, region, block.turn * penetration, strips, own, even, graded, share)
     return strips
 
 
-def divide_zone(work: 'float[:]', region: int, penetration: float, strips: int, own: int, even: float, graded: float,
+def divide_zone(work: Work, region: int, penetration: float, strips: int, own: int, even: float, graded: float,
                 share: float):
     """Cut the region's zone into ``own`` strips of equal weight after the first ``strips`` ones; the number of all."""
-    block = region_block(region)
+    block = work.regions[region]
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
     regions = strip_field(STRIP_REGION)
-    offset = work[block + REGION_OFFSET]
+    offset = block.offset
     each = share / float(own)
     done = 0.0
     made = 0
-    edge = work[block + REGION_START]
-    before = node_weight(work, region, int(work[block + REGION_FIRST]), penetration)
-    for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
+    edge = block.start
+    before = node_weight(work, region, block.first, penetration)
+    for k in range(block.first, block.last):
         after = node_weight(work, region, k + 1, penetration)
         length, start = cell_overlap(work, block, k)
         if length > 0.0:
@@ -205,7 +212,7 @@ def divide_zone(work: 'float[:]', region: int, penetration: float, strips: int, 
         before = after
     while made < own:
         # the last one, and any that rounding has left over
-        cut = edge + (work[block + REGION_STOP] - edge) / float(own - made)
+        cut = edge + (block.stop - edge) / float(own - made)
         work[stations + strips + made] = offset + 0.5 * (edge + cut)
         work[widths + strips + made] = cut - edge
         work[regions + strips + made] = float(region)
@@ -233,31 +240,31 @@ def cubic_value(work: 'float[:]', at: int, x: float):
     return cubic_through(work[at - 1], work[at], work[at + 1], work[at + 2], x)
 
 
-def locate_strip(work: 'float[:]', i: int):
+def locate_strip(work: Work, i: int):
     """Gap and A of strip ``i`` where it stands; its node and the share of the way to the next one."""
     region = int(work[strip_field(STRIP_REGION) + i])
-    block = region_block(region)
-    u = ((work[strip_field(STRIP_STATION) + i] - work[block + REGION_OFFSET] - work[block + REGION_STATION])
-         / work[block + REGION_SPACING])
+    block = work.regions[region]
+    u = ((work[strip_field(STRIP_STATION) + i] - block.offset - block.station)
+         / block.spacing)
     k = int(u + float(NODE_MIDDLE)) - NODE_MIDDLE
-    if k > int(work[block + REGION_LAST]) - 1:
-        k = int(work[block + REGION_LAST]) - 1
-    if k < int(work[block + REGION_FIRST]):
-        k = int(work[block + REGION_FIRST])
+    if k > block.last - 1:
+        k = block.last - 1
+    if k < block.first:
+        k = block.first
     x = u - float(k)
-    gap = cubic_value(work, node_field(region, NODE_GAP) + k, x)
+    gap = cubic_value(work.raw, node_field(region, NODE_GAP) + k, x)
     if gap < 0.0:
         # beside a sudden rise a cubic falls below the region's smallest gap
         gap = 0.0
-    work[strip_field(STRIP_GAP) + i] = work[block + REGION_GAP] + gap
-    work[strip_field(STRIP_A) + i] = node_value(work, region, NODE_A, k, x)
-    work[strip_field(STRIP_TURN) + i] = work[block + REGION_TURN]
+    work[strip_field(STRIP_GAP) + i] = block.gap + gap
+    work[strip_field(STRIP_A) + i] = node_value(work.raw, region, NODE_A, k, x)
+    work[strip_field(STRIP_TURN) + i] = block.turn
     if is_yawed(work) == 1:
         # the patch is tilted; the strips are those of an upright one (hertz.upright_coefficients)
-        turn = work[block + REGION_UPRIGHT_SHARE]
-        work[strip_field(STRIP_GAP) + i] = turn * work[block + REGION_GAP] + gap * work[block + REGION_UPRIGHT_B]
-        work[strip_field(STRIP_A) + i] *= work[block + REGION_UPRIGHT_A]
-        work[strip_field(STRIP_TURN) + i] = turn * work[block + REGION_TURN]
+        turn = block.upright_share
+        work[strip_field(STRIP_GAP) + i] = turn * block.gap + gap * block.upright_b
+        work[strip_field(STRIP_A) + i] *= block.upright_a
+        work[strip_field(STRIP_TURN) + i] = turn * block.turn
     return region, k, x
 
 
@@ -267,15 +274,15 @@ def node_value(work: 'float[:]', region: int, field: int, k: int, x: float):
     return work[at] + x * (work[at + 1] - work[at])
 
 
-def describe_strips(work: 'float[:]', strips: int, penetration: float):
+def describe_strips(work: Work, strips: int, penetration: float):
     """Gap, curvature and ANALYN's half-length of every strip, from its region's nodes."""
     halves = strip_field(STRIP_HALF)
     longest = 0.0
     for i in range(strips):
         region, k, x = locate_strip(work, i)
-        line = node_value(work, region, NODE_LINE, k, x)
-        length = node_value(work, region, NODE_LENGTH, k, x)
-        level = work[region_block(region) + REGION_LEVEL] - node_value(work, region, NODE_RISE, k, x)
+        line = node_value(work.raw, region, NODE_LINE, k, x)
+        length = node_value(work.raw, region, NODE_LENGTH, k, x)
+        level = work.regions[region].level - node_value(work.raw, region, NODE_RISE, k, x)
         work[strip_field(STRIP_HERTZ) + i] = line * length
         loaded = 0.0
         square = 0.0
@@ -283,7 +290,7 @@ def describe_strips(work: 'float[:]', strips: int, penetration: float):
             loaded = 1.0
             square = level / length
         below = penetration - work[strip_field(STRIP_GAP) + i] / work[strip_field(STRIP_TURN) + i]
-        below *= work[region_block(region) + REGION_TURN]
+        below *= work.regions[region].turn
         inside = INSIDE * INSIDE * below / length
         if inside > square:
             square = inside
@@ -291,7 +298,7 @@ def describe_strips(work: 'float[:]', strips: int, penetration: float):
         work[halves + i] = sqrt(square)
         if loaded == 1.0 and work[halves + i] > longest:
             longest = work[halves + i]
-    keep_long(work, strips, longest)
+    keep_long(work.raw, strips, longest)
     return 0
 
 
@@ -308,24 +315,24 @@ def keep_long(work: 'float[:]', strips: int, longest: float):
     return 0
 
 
-def fit_edges(work: 'float[:]', strips: int):
+def fit_edges(work: Work, strips: int):
     """Let the outermost strips of every run of loaded ones end at the run's edges."""
     lines = strip_field(STRIP_LINE)
     first = 0
     while first < strips:
         last = first
         if work[lines + first] > 0.0:
-            last = run_end(work, strips, first)
+            last = run_end(work.raw, strips, first)
             if last > first + 2:
-                start = run_edge(work, strips, first, last, -1)
-                stop = run_edge(work, strips, last, first, 1)
+                start = run_edge(work.raw, strips, first, last, -1)
+                stop = run_edge(work.raw, strips, last, first, 1)
                 fit_edge(work, strips, first, start, -1)
                 fit_edge(work, strips, last, stop, 1)
         first = last + 1
     return 0
 
 
-def fit_edge(work: 'float[:]', strips: int, last: int, edge: float, outward: int):
+def fit_edge(work: Work, strips: int, last: int, edge: float, outward: int):
     """Let the run that ends with strip ``last`` end at ``edge`` [m], which lies within one and a half of its widths.
 
     A strip is never narrower than half of what it was, since a narrow one answers the smallest mismatch with a large
@@ -356,7 +363,7 @@ def fit_edge(work: 'float[:]', strips: int, last: int, edge: float, outward: int
     return 0
 
 
-def set_strip(work: 'float[:]', strips: int, i: int, start: float, stop: float):
+def set_strip(work: Work, strips: int, i: int, start: float, stop: float):
     """Let strip ``i`` lie between two stations [m]."""
     work[strip_field(STRIP_WIDTH) + i] = fabs(stop - start)
     work[strip_field(STRIP_STATION) + i] = 0.5 * (start + stop)
@@ -365,7 +372,7 @@ def set_strip(work: 'float[:]', strips: int, i: int, start: float, stop: float):
     return 0
 
 
-def measure_distances(work: 'float[:]', strips: int, i: int, others: int):
+def measure_distances(work: Work, strips: int, i: int, others: int):
     """Logarithms of the distances between strip ``i`` and the first ``others``, and how far their regions lie
     ahead of each other."""
     stations = strip_field(STRIP_STATION)
@@ -404,9 +411,9 @@ def near_share(share: float):
     return 2.0 * square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * rest))
 
 
-def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int, count: int):
+def fill_influence(tables: Tables, work: Work, strips: int, count: int):
     """F_ij: displacement of middle line i for y_j = 1; eqs. (S3), (S4).  ``count`` is the number of regions."""
-    base = int(tables[SET_INFLUENCE])
+    base = int(tables.influence)
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
     halves = strip_field(STRIP_HALF)
@@ -416,7 +423,7 @@ def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int, count: int
         distances = WORK_DISTANCE + strips * i
         for j in range(strips):
             if j != i:
-                work[row + j] = influence_value(tables, base, work[distances + j] - work[logs + j])
+                work[row + j] = influence_value(tables.raw, base, work[distances + j] - work[logs + j])
         for j in range(i - 2, i + 3):
             if j >= 0 and j < strips and j != i:
                 work[row + j] += near_share(0.5 * work[widths + j] / fabs(work[stations + i] - work[stations + j]))
@@ -426,7 +433,7 @@ def fill_influence(tables: 'float[:]', work: 'float[:]', strips: int, count: int
     return 0
 
 
-def turn_influence(work: 'float[:]', strips: int):
+def turn_influence(work: Work, strips: int):
     """Let strips of regions in different planes press on each other by the cosine of the angle between them."""
     regions = strip_field(STRIP_REGION)
     for i in range(strips):
@@ -473,7 +480,7 @@ def eliminate(work: 'float[:]', size: int):
     return 0
 
 
-def solve_loaded(tables: 'float[:]', work: 'float[:]', strips: int, force: float, prescribed: float, by_penetration: int):
+def solve_loaded(tables: Tables, work: Work, strips: int, force: float, prescribed: float, by_penetration: int):
     """y of the loaded strips under ``force`` [N], or at ``prescribed`` penetration [m]; the penetration."""
     ranks = strip_field(STRIP_RANK)
     size = 0
@@ -489,7 +496,7 @@ def solve_loaded(tables: 'float[:]', work: 'float[:]', strips: int, force: float
             work[row + other] = work[influences + int(work[ranks + other])]
         work[row + size] = work[strip_field(STRIP_TURN) + i]
         work[row + size + 1] = work[strip_field(STRIP_GAP) + i]
-    eliminate(work, size)
+    eliminate(work.raw, size)
     unit_load = 0.0
     rest_load = 0.0
     for rank in range(size):
@@ -497,12 +504,12 @@ def solve_loaded(tables: 'float[:]', work: 'float[:]', strips: int, force: float
         i = int(work[ranks + rank])
         half = work[strip_field(STRIP_HALF) + i]
         # what of it counts for the prescribed force
-        half *= work[region_block(int(work[strip_field(STRIP_REGION) + i])) + REGION_SHARE]
+        half *= work.regions[int(work[strip_field(STRIP_REGION) + i])].share
         unit_load += half * work[row + size]
         rest_load += half * work[row + size + 1]
     penetration = prescribed
     if by_penetration == 0:
-        penetration = (force / (0.5 * pi * pi * tables[SET_CONTACT_MODULUS]) + rest_load) / unit_load
+        penetration = (force / (0.5 * pi * pi * tables.contact_modulus) + rest_load) / unit_load
     for i in range(strips):
         work[strip_field(STRIP_SHARE) + i] = 0.0
     for rank in range(size):
@@ -534,22 +541,22 @@ def exchange_strips(work: 'float[:]', strips: int, penetration: float, single: i
     return changed
 
 
-def solve_strips(tables: 'float[:]', work: 'float[:]', state: 'float[:]', strips: int, force: float, prescribed: float,
+def solve_strips(tables: Tables, work: Work, state: State, strips: int, force: float, prescribed: float,
                  by_penetration: int):
     """Loaded strips and their y with no pull and no penetration; the penetration [m], and 1 when found, else 0."""
     penetration = prescribed
     for exchange in range(EXCHANGE_LIMIT):
-        state[STATE_STRIP_COUNT] += 1.0
+        state.strip_count += 1.0
         penetration = solve_loaded(tables, work, strips, force, prescribed, by_penetration)
         single = 0
         if exchange >= EXCHANGES:
             single = 1
-        if exchange_strips(work, strips, penetration, single) == 0:
+        if exchange_strips(work.raw, strips, penetration, single) == 0:
             return penetration, 1
     return penetration, 0
 
 
-def correct_lengths(tables: 'float[:]', work: 'float[:]', strips: int):
+def correct_lengths(tables: Tables, work: 'float[:]', strips: int):
     """Line load, square of the corrected half-length, and pressure of every strip; eqs. (S6)-(S9).
 
     At fixed line load the half-length follows from two conditions that are one for an ellipse: the middle line's
@@ -558,7 +565,7 @@ def correct_lengths(tables: 'float[:]', work: 'float[:]', strips: int):
     stations = strip_field(STRIP_STATION)
     halves = strip_field(STRIP_HALF)
     shares = strip_field(STRIP_SHARE)
-    scale = 0.5 * pi * pi * tables[SET_CONTACT_MODULUS]
+    scale = 0.5 * pi * pi * tables.contact_modulus
     for i in range(strips):
         line = 0.0
         square = 0.0
@@ -642,26 +649,26 @@ def start_loaded(work: 'float[:]', strips: int):
     return 0
 
 
-def correct_strips(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, predicted: float,
+def correct_strips(tables: Tables, work: Work, state: State, count: int, force: float, predicted: float,
                    by_penetration: int):
     """Strip correction of ANALYN's ``count`` regions at its ``predicted`` penetration [m]; the corrected penetration
     [m], the number of strips, and 1 when met, else 0."""
     strips = place_strips(tables, work, count, predicted)
-    join_strips(work, strips)
+    join_strips(work.raw, strips)
     describe_strips(work, strips, predicted)
-    start_loaded(work, strips)
+    start_loaded(work.raw, strips)
     for i in range(strips):
         measure_distances(work, strips, i, i)
     penetration = predicted
     met = 0
-    sweeps = int(tables[SET_SWEEPS])
+    sweeps = int(tables.sweeps)
     for sweep in range(sweeps):
         fill_influence(tables, work, strips, count)
         penetration, met = solve_strips(tables, work, state, strips, force, predicted, by_penetration)
         if met == 0:
             return penetration, strips, met
-        correct_lengths(tables, work, strips)
+        correct_lengths(tables, work.raw, strips)
         if sweep < sweeps - 1:
-            adopt_lengths(work, strips)
+            adopt_lengths(work.raw, strips)
             fit_edges(work, strips)
     return penetration, strips, met

@@ -7,13 +7,17 @@ are the quadratics through the cell's nodes and its inner neighbour, so that an 
 from math import atan, atan2, fabs, pi, sqrt
 from typing import Final
 
+from ..layout import PATCH_LIMIT, WORK_ISLANDS, Patch, SideOutputs, Work
 from ..normal.analyn import bend_of, cell_part, clip_to_bound, quadratic_integral
-from ..layout import (PATCH_AREA, PATCH_CENTROID, PATCH_CONTACT_ANGLE, PATCH_LENGTH, PATCH_LIMIT, PATCH_MAX_PRESSURE,
-                     PATCH_NORMAL_FORCE, PATCH_SIZE, PATCH_WIDTH, SIDE_AREA, SIDE_MAX_PRESSURE, SIDE_NORMAL_FORCE,
-                     SIDE_PATCH, SIDE_PATCH_CENTROID, SIDE_PATCH_COUNT, SIDE_PATCH_LENGTH, SIDE_PATCH_WIDTH, WORK_ISLANDS)
-from ..normal.nodes import NODE_LENGTH, NODE_LINE, NODE_LOAD, NODE_PRESSURE, NODE_RISE, NODE_SQUARE, node_field
-from ..contact.regions import (REGION_CARRIED, REGION_FIRST, REGION_HIGH, REGION_LAST, REGION_LEAN, REGION_LEVEL, REGION_LOW,
-                      REGION_MOMENT, REGION_OFFSET, REGION_SPACING, REGION_STATION, region_block)
+from ..normal.nodes import (
+    NODE_LENGTH,
+    NODE_LINE,
+    NODE_LOAD,
+    NODE_PRESSURE,
+    NODE_RISE,
+    NODE_SQUARE,
+    node_field,
+)
 
 # an island: a run of loaded cells under construction
 ISLAND_SIZE: Final[int] = 10
@@ -95,16 +99,16 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
     return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / (total * total * total))
 
 
-def load_nodes(work: 'float[:]', region: int, level: float):
+def load_nodes(work: Work, region: int, level: float):
     """Line load, square of half-length and of pressure at the region's nodes for its ``level`` [m]."""
-    block = region_block(region)
+    block = work.regions[region]
     rises = node_field(region, NODE_RISE)
     lines = node_field(region, NODE_LINE)
     lengths = node_field(region, NODE_LENGTH)
     loads = node_field(region, NODE_LOAD)
     squares = node_field(region, NODE_SQUARE)
     pressures = node_field(region, NODE_PRESSURE)
-    for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST]) + 1):
+    for k in range(block.first, block.last + 1):
         d = level - work[rises + k]
         load = work[lines + k] * d
         work[loads + k] = load
@@ -142,26 +146,26 @@ def open_island(work: 'float[:]', count: int, start: float, angle: float):
     return 0
 
 
-def gather_islands(tables: 'float[:]', work: 'float[:]', count: int):
+def gather_islands(tables: 'float[:]', work: Work, count: int):
     """Walk over all regions by rising station and collect the islands; their number."""
     islands = 0
     for region in range(count):
-        block = region_block(region)
-        level = work[block + REGION_LEVEL]
-        work[block + REGION_CARRIED] = 0.0
-        work[block + REGION_MOMENT] = 0.0
+        block = work.regions[region]
+        level = block.level
+        block.carried = 0.0
+        block.moment = 0.0
         if level > 0.0:
-            angle = -atan(work[block + REGION_LEAN])
+            angle = -atan(block.lean)
             load_nodes(work, region, level)
-            for k in range(int(work[block + REGION_FIRST]), int(work[block + REGION_LAST])):
+            for k in range(block.first, block.last):
                 islands = gather_cell(work, region, level, k, islands, angle)
     return islands
 
 
-def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: int, angle: float):
+def gather_cell(work: Work, region: int, level: float, k: int, islands: int, angle: float):
     """Add the cell between nodes ``k`` and ``k`` + 1 to the last island, or to a new one; the number of islands."""
-    block = region_block(region)
-    spacing = work[block + REGION_SPACING]
+    block = work.regions[region]
+    spacing = block.spacing
     outward = 1
     low = k
     if k < 0:
@@ -171,10 +175,10 @@ def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: in
     high = low + outward
     rises = node_field(region, NODE_RISE)
     start, stop = cell_part(level - work[rises + before], level - work[rises + low], level - work[rises + high])
-    if k == int(work[block + REGION_FIRST]) or k == int(work[block + REGION_LAST]) - 1:
+    if k == block.first or k == block.last - 1:
         stop = clip_to_bound(work, block, low, outward, stop)
     if stop > start:
-        inner = work[block + REGION_OFFSET] + work[block + REGION_STATION] + spacing * float(low)
+        inner = block.offset + block.station + spacing * float(low)
         begin = inner + spacing * start
         end = inner + spacing * stop
         if outward < 0:
@@ -185,7 +189,7 @@ def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: in
             if begin - work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP] < JOINED * spacing:
                 joined = 1
         if joined == 0 and islands < ISLAND_LIMIT:
-            open_island(work, islands, begin, angle)
+            open_island(work.raw, islands, begin, angle)
             islands += 1
         at = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
         work[at + ISLAND_STOP] = end
@@ -193,7 +197,7 @@ def gather_cell(work: 'float[:]', region: int, level: float, k: int, islands: in
     return islands
 
 
-def add_cell(work: 'float[:]', region: int, before: int, low: int, high: int, start: float, stop: float, at: int,
+def add_cell(work: Work, region: int, before: int, low: int, high: int, start: float, stop: float, at: int,
              inner: float, step: float):
     """Add load, moment and area of a cell's loaded part to the island at ``at``, and its inner node's extremes."""
     loads = node_field(region, NODE_LOAD)
@@ -204,19 +208,19 @@ def add_cell(work: 'float[:]', region: int, before: int, low: int, high: int, st
     moment = quadratic_moment(work[loads + before], work[loads + low], work[loads + high], start, stop)
     area = root_integral(work[squares + before], work[squares + low], work[squares + high], start, stop)
     moment = inner * load + width * step * moment
-    work[region_block(region) + REGION_CARRIED] += load
-    work[region_block(region) + REGION_MOMENT] += moment
+    work.regions[region].carried += load
+    work.regions[region].moment += moment
     work[at + ISLAND_LOAD] += load
     work[at + ISLAND_MOMENT] += moment
     work[at + ISLAND_AREA] += 2.0 * width * area
     if work[squares + low] > work[at + ISLAND_HALF_LENGTH]:
-        work[at + ISLAND_HALF_LENGTH] = peak_square(work, squares, low)
+        work[at + ISLAND_HALF_LENGTH] = peak_square(work.raw, squares, low)
     if work[pressures + low] > work[at + ISLAND_PRESSURE]:
-        work[at + ISLAND_PRESSURE] = peak_square(work, pressures, low)
+        work[at + ISLAND_PRESSURE] = peak_square(work.raw, pressures, low)
     return 0
 
 
-def write_patches(work: 'float[:]', side: int, islands: int):
+def write_patches(work: Work, side: SideOutputs, islands: int):
     """The side's totals and its heaviest patches, from the islands, into the outputs at ``side``."""
     load = 0.0
     area = 0.0
@@ -232,15 +236,15 @@ def write_patches(work: 'float[:]', side: int, islands: int):
             pressure = work[at + ISLAND_PRESSURE]
         if work[at + ISLAND_HALF_LENGTH] > half:
             half = work[at + ISLAND_HALF_LENGTH]
-    work[side + SIDE_PATCH_COUNT] = float(islands)
-    work[side + SIDE_NORMAL_FORCE] = load
-    work[side + SIDE_AREA] = area
-    work[side + SIDE_MAX_PRESSURE] = sqrt(pressure)
-    work[side + SIDE_PATCH_LENGTH] = 2.0 * sqrt(half)
+    side.patch_count = float(islands)
+    side.normal_force = load
+    side.area = area
+    side.max_pressure = sqrt(pressure)
+    side.patch_length = 2.0 * sqrt(half)
     if islands > 0:
         last = WORK_ISLANDS + ISLAND_SIZE * (islands - 1)
-        work[side + SIDE_PATCH_WIDTH] = work[last + ISLAND_STOP] - work[WORK_ISLANDS + ISLAND_START]
-        work[side + SIDE_PATCH_CENTROID] = moment / load
+        side.patch_width = work[last + ISLAND_STOP] - work[WORK_ISLANDS + ISLAND_START]
+        side.patch_centroid = moment / load
     for rank in range(PATCH_LIMIT):
         heaviest = -1
         for i in range(islands):
@@ -251,24 +255,24 @@ def write_patches(work: 'float[:]', side: int, islands: int):
                 elif work[at + ISLAND_LOAD] > work[heaviest + ISLAND_LOAD]:
                     heaviest = at
         if heaviest >= 0:
-            write_patch(work, side + SIDE_PATCH + PATCH_SIZE * rank, heaviest)
+            write_patch(work, side.patch[rank], heaviest)
             work[heaviest + ISLAND_LOAD] = 0.0
     return 0
 
 
-def write_patch(work: 'float[:]', to: int, at: int):
+def write_patch(work: Work, to: Patch, at: int):
     """One patch from the island at ``at`` to the outputs at ``to``."""
-    work[to + PATCH_NORMAL_FORCE] = work[at + ISLAND_LOAD]
-    work[to + PATCH_AREA] = work[at + ISLAND_AREA]
-    work[to + PATCH_MAX_PRESSURE] = sqrt(work[at + ISLAND_PRESSURE])
-    work[to + PATCH_LENGTH] = 2.0 * sqrt(work[at + ISLAND_HALF_LENGTH])
-    work[to + PATCH_WIDTH] = work[at + ISLAND_STOP] - work[at + ISLAND_START]
-    work[to + PATCH_CENTROID] = work[at + ISLAND_MOMENT] / work[at + ISLAND_LOAD]
-    work[to + PATCH_CONTACT_ANGLE] = work[at + ISLAND_ANGLE]
+    to.normal_force = work[at + ISLAND_LOAD]
+    to.area = work[at + ISLAND_AREA]
+    to.max_pressure = sqrt(work[at + ISLAND_PRESSURE])
+    to.length = 2.0 * sqrt(work[at + ISLAND_HALF_LENGTH])
+    to.width = work[at + ISLAND_STOP] - work[at + ISLAND_START]
+    to.centroid = work[at + ISLAND_MOMENT] / work[at + ISLAND_LOAD]
+    to.contact_angle = work[at + ISLAND_ANGLE]
     return 0
 
 
-def write_outline(work: 'float[:]', side: int, place: int, stations: int, count: int, islands: int):
+def write_outline(work: Work, side: SideOutputs, place: int, stations: int, count: int, islands: int):
     """Half-length and pressure at ``stations`` stations from the first loaded station to the last, to ``place``."""
     if islands > 0:
         start = work[WORK_ISLANDS + ISLAND_START]
@@ -279,29 +283,29 @@ def write_outline(work: 'float[:]', side: int, place: int, stations: int, count:
             pressure = 0.0
             if j > 0 and j < stations - 1:
                 for region in range(count):
-                    block = region_block(region)
-                    own = station - work[block + REGION_OFFSET]
-                    if own >= work[block + REGION_LOW] and own <= work[block + REGION_HIGH] and half == 0.0:
+                    block = work.regions[region]
+                    own = station - block.offset
+                    if own >= block.low and own <= block.high and half == 0.0:
                         half, pressure = strip_at(work, region, own)
             # between nodes a root can overshoot at a kink
-            if half > 0.5 * work[side + SIDE_PATCH_LENGTH]:
-                half = 0.5 * work[side + SIDE_PATCH_LENGTH]
-            if pressure > work[side + SIDE_MAX_PRESSURE]:
-                pressure = work[side + SIDE_MAX_PRESSURE]
+            if half > 0.5 * side.patch_length:
+                half = 0.5 * side.patch_length
+            if pressure > side.max_pressure:
+                pressure = side.max_pressure
             work[place + j] = station
             work[place + stations + j] = half
             work[place + 2 * stations + j] = pressure
     return 0
 
 
-def strip_at(work: 'float[:]', region: int, station: float):
+def strip_at(work: Work, region: int, station: float):
     """Half-length [m] and pressure [Pa] of ``region`` at ``station``; zeros where it is not loaded."""
-    block = region_block(region)
-    level = work[block + REGION_LEVEL]
+    block = work.regions[region]
+    level = block.level
     half = 0.0
     pressure = 0.0
-    u = (station - work[block + REGION_STATION]) / work[block + REGION_SPACING]
-    inside = u > work[block + REGION_FIRST] and u < work[block + REGION_LAST]
+    u = (station - block.station) / block.spacing
+    inside = u > block.first and u < block.last
     if level > 0.0 and inside:
         outward = 1
         if u < 0.0:

@@ -6,12 +6,32 @@ distance, so the edge is where the straight line through the last two strips' li
 
 from math import atan, sqrt
 
-from ..layout import REGION_LIMIT, WORK_ISLANDS
-from .patches import (ISLAND_AREA, ISLAND_HALF_LENGTH, ISLAND_LIMIT, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_PRESSURE,
-                      ISLAND_SIZE, ISLAND_START, ISLAND_STOP, open_island, root_integral)
-from ..contact.regions import REGION_CARRIED, REGION_LEAN, REGION_MOMENT, region_block
-from ..normal.strips import (STRIP_LINE, STRIP_PRESSURE, STRIP_REGION, STRIP_SQUARE, STRIP_STATION, STRIP_WIDTH, run_edge,
-                     run_end, strip_field)
+from ..layout import REGION_LIMIT, WORK_ISLANDS, Work
+from ..normal.strips import (
+    STRIP_LINE,
+    STRIP_PRESSURE,
+    STRIP_REGION,
+    STRIP_SQUARE,
+    STRIP_STATION,
+    STRIP_WIDTH,
+    run_edge,
+    run_end,
+    strip_field,
+)
+from .patches import (
+    ISLAND_AREA,
+    ISLAND_HALF_LENGTH,
+    ISLAND_LIMIT,
+    ISLAND_LOAD,
+    ISLAND_MOMENT,
+    ISLAND_PRESSURE,
+    ISLAND_SIZE,
+    ISLAND_START,
+    ISLAND_STOP,
+    open_island,
+    root_integral,
+)
+
 
 def divided_bend(work: 'float[:]', field: int, i: int):
     """Second divided difference of ``field`` over the strips ``i`` - 1, ``i``, ``i`` + 1."""
@@ -80,11 +100,11 @@ def largest_of(work: 'float[:]', field: int, first: int, last: int):
     return best
 
 
-def gather_strips(work: 'float[:]', strips: int):
+def gather_strips(work: Work, strips: int):
     """Collect the runs of loaded strips as islands; their number."""
     for region in range(REGION_LIMIT):
-        work[region_block(region) + REGION_CARRIED] = 0.0
-        work[region_block(region) + REGION_MOMENT] = 0.0
+        work.regions[region].carried = 0.0
+        work.regions[region].moment = 0.0
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
     lines = strip_field(STRIP_LINE)
@@ -95,24 +115,24 @@ def gather_strips(work: 'float[:]', strips: int):
     while first < strips and islands < ISLAND_LIMIT:
         last = first
         if work[lines + first] > 0.0:
-            last = run_end(work, strips, first)
-            block = region_block(int(work[strip_field(STRIP_REGION) + first]))
-            start = run_edge(work, strips, first, last, -1)
-            stop = run_edge(work, strips, last, first, 1)
-            open_island(work, islands, start, -atan(work[block + REGION_LEAN]))
+            last = run_end(work.raw, strips, first)
+            block = work.regions[int(work[strip_field(STRIP_REGION) + first])]
+            start = run_edge(work.raw, strips, first, last, -1)
+            stop = run_edge(work.raw, strips, last, first, 1)
+            open_island(work.raw, islands, start, -atan(block.lean))
             at = WORK_ISLANDS + ISLAND_SIZE * islands
             for i in range(first, last + 1):
                 load = work[lines + i] * work[widths + i]
                 work[at + ISLAND_LOAD] += load
                 work[at + ISLAND_MOMENT] += load * work[stations + i]
-                carrier = region_block(int(work[strip_field(STRIP_REGION) + i]))
-                work[carrier + REGION_CARRIED] += load
-                work[carrier + REGION_MOMENT] += load * work[stations + i]
+                carrier = work.regions[int(work[strip_field(STRIP_REGION) + i])]
+                carrier.carried += load
+                carrier.moment += load * work[stations + i]
             work[at + ISLAND_STOP] = stop
-            work[at + ISLAND_AREA] = run_area(work, first, last, start, stop)
-            pressure = top_value(work, pressures, largest_of(work, pressures, first, last), first, last)
+            work[at + ISLAND_AREA] = run_area(work.raw, first, last, start, stop)
+            pressure = top_value(work.raw, pressures, largest_of(work.raw, pressures, first, last), first, last)
             work[at + ISLAND_PRESSURE] = pressure * pressure
-            work[at + ISLAND_HALF_LENGTH] = top_value(work, squares, largest_of(work, squares, first, last), first, last)
+            work[at + ISLAND_HALF_LENGTH] = top_value(work.raw, squares, largest_of(work.raw, squares, first, last), first, last)
             islands += 1
         first = last + 1
     return islands

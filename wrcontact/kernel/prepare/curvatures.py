@@ -8,11 +8,11 @@ lateral_curvature.py.
 from math import atan2, ceil, fabs, sqrt
 from typing import Final
 
-from ..surface.lateral_curvature import CURVATURES, CURVATURE_COUNT, CURVATURE_PER_METRE, CURVATURE_START
 from ..layout import LATERAL_ROUGH, LATERAL_SMOOTH
+from ..surface.lateral_curvature import CURVATURE_COUNT, CURVATURE_PER_METRE, CURVATURE_START, CURVATURES
+from ..surface.profile_table import PIECE_SIZE, START, STOP, height_slope
 from .pieces import FULL
 from .scan import first_piece, piece_count, piece_width
-from ..surface.profile_table import PIECE_SIZE, START, STOP, height_slope
 
 RASTER_SHARE: Final[float] = 0.25    # distance of the values: this share of what they are averaged over, between these [m]
 FINEST: Final[float] = 0.01e-3

@@ -6,8 +6,8 @@ Layout of the table in profile_table.py.
 from math import ceil, fabs
 from typing import Final
 
+from ..surface.profile_table import BIN_COUNT, BINS, BINS_PER_METRE, PIECE_OFFSET, PIECE_SIZE, START, STOP
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
-from ..surface.profile_table import BINS, BINS_PER_METRE, BIN_COUNT, PIECE_OFFSET, PIECE_SIZE, START, STOP
 
 PIECE_ERROR: Final[float] = 1e-9          # height error allowed between a piece's ends [mm]
 PIECE_BEND_ERROR: Final[float] = 1e-7     # error of the second derivative allowed there [1/mm]

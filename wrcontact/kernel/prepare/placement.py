@@ -6,9 +6,28 @@ A definition (prepare_zones.py) is turned and shifted into another one, in milli
 from math import atan, cos, fabs, sin
 from typing import Final
 
-from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, FAMILY_ARC, ZONE_COS, ZONE_FAMILY, ZONE_FIRST,
-                            ZONE_LAST, ZONE_ORIGIN, ZONE_RADIUS, ZONE_SIDE, ZONE_SIN, ZONE_START, ZONE_STOP, ZONE_TURNED,
-                            ZONE_Y_SHIFT, ZONE_Z_CENTRE, ZONE_Z_SHIFT, turned_point, upright_jet)
+from .zones import (
+    DEFINITION_COUNT,
+    DEFINITION_ROW,
+    DEFINITION_ZONES,
+    FAMILY_ARC,
+    ZONE_COS,
+    ZONE_FAMILY,
+    ZONE_FIRST,
+    ZONE_LAST,
+    ZONE_ORIGIN,
+    ZONE_RADIUS,
+    ZONE_SIDE,
+    ZONE_SIN,
+    ZONE_START,
+    ZONE_STOP,
+    ZONE_TURNED,
+    ZONE_Y_SHIFT,
+    ZONE_Z_CENTRE,
+    ZONE_Z_SHIFT,
+    turned_point,
+    upright_jet,
+)
 
 #: Profiles are read where they are no steeper than this [rad]; 80 degrees.
 STEEPEST: Final[float] = 1.3962634015954636

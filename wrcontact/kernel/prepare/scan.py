@@ -7,13 +7,44 @@ largest absolute slope of its samples.
 from math import ceil, fabs
 from typing import Final
 
-from ..layout import SCAN_LIMIT, SET_ARM, SET_RADIUS
+from ..layout import SCAN_LIMIT, Tables
+from ..search.search import (
+    LEVELS,
+    RAIL_LEAST_BEND,
+    RAIL_LEAST_BENDS,
+    RAIL_MOST_BEND,
+    RAIL_ROW,
+    ROW_HEIGHT,
+    ROW_LEAST_BEND,
+    ROW_LEVER,
+    ROW_MOST_BENDS,
+    ROW_SLOPE,
+    ROW_STEEPEST_BENDS,
+    ROW_Y,
+    SCAN_BIN_COUNT,
+    SCAN_BIN_OFFSET,
+    SCAN_BINS_PER_METRE,
+    SCAN_COUNT,
+    SCAN_NODES,
+    SCAN_RAIL_COUNT,
+    SCAN_RAIL_OFFSET,
+    SCAN_RAIL_PER_METRE,
+    SCAN_RAIL_START,
+    SCAN_ROW,
+    SCAN_STEEPEST,
+    STEEP,
+    WIDEST,
+)
+from ..surface.profile_table import (
+    PIECE_OFFSET,
+    PIECE_SIZE,
+    START,
+    STOP,
+    find_piece,
+    height_slope,
+    height_slope_bend,
+)
 from .pieces import FULL
-from ..surface.profile_table import PIECE_OFFSET, PIECE_SIZE, START, STOP, find_piece, height_slope, height_slope_bend
-from ..search.search import (LEVELS, RAIL_LEAST_BEND, RAIL_LEAST_BENDS, RAIL_MOST_BEND, RAIL_ROW, ROW_HEIGHT, ROW_LEAST_BEND, ROW_LEVER,
-                     ROW_MOST_BENDS, ROW_SLOPE, ROW_STEEPEST_BENDS, ROW_Y, SCAN_BINS_PER_METRE, SCAN_BIN_COUNT,
-                     SCAN_BIN_OFFSET, SCAN_COUNT, SCAN_NODES, SCAN_RAIL_COUNT, SCAN_RAIL_OFFSET, SCAN_RAIL_PER_METRE,
-                     SCAN_RAIL_START, SCAN_ROW, SCAN_STEEPEST, STEEP, WIDEST)
 
 COARSE_STEP: Final[float] = 1.0e-3        # [m]
 FINE_STEP: Final[float] = 0.5e-3          # [m]
@@ -184,7 +215,7 @@ def write_wheel_rows(tables: 'float[:]', base: int, wheel: int, count: int, work
     return 0
 
 
-def write_levers(tables: 'float[:]', base: int, wheel: int, count: int):
+def write_levers(tables: Tables, base: int, wheel: int, count: int):
     """The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a level
     wheelset, if wheel and rail were parallel there."""
     largest = -FAR
@@ -196,8 +227,8 @@ def write_levers(tables: 'float[:]', base: int, wheel: int, count: int):
             width = tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y]
         for k in range(LAST_SAMPLE):
             y = tables[row + ROW_Y] + width * (float(k) / float(LAST_SAMPLE))
-            z, slope = height_slope(tables, wheel, y)
-            largest = max(largest, -slope * (tables[SET_RADIUS] + z) - (tables[SET_ARM] + y))
+            z, slope = height_slope(tables.raw, wheel, y)
+            largest = max(largest, -slope * (tables.radius + z) - (tables.arm + y))
         tables[row + ROW_LEVER] = largest
     return 0
 
@@ -222,26 +253,26 @@ def write_rail_rows(tables: 'float[:]', at: int, rail: int, count: int, work: 'f
     return 0
 
 
-def write_scan(tables: 'float[:]', base: int, wheel: int, rail: int, work: 'float[:]', scratch: int):
+def write_scan(tables: Tables, base: int, wheel: int, rail: int, work: 'float[:]', scratch: int):
     """The scan table at ``base`` from the profile tables ``wheel`` and ``rail``; the offset after it, or TOO_WIDE or FULL."""
-    pieces = max(piece_count(tables, wheel), piece_count(tables, rail))
+    pieces = max(piece_count(tables.raw, wheel), piece_count(tables.raw, rail))
     firsts = scratch + 3 * pieces
-    sample_pieces(tables, wheel, work, scratch)
-    count = write_raster(tables, base, wheel, work, scratch, firsts)
+    sample_pieces(tables.raw, wheel, work, scratch)
+    count = write_raster(tables.raw, base, wheel, work, scratch, firsts)
     if count < 0:
         return count
     bins = coarse_count(tables[wheel + START], tables[wheel + STOP])
     cells = int(ceil((tables[rail + STOP] - tables[rail + START]) / FINE_STEP))
     rail_offset = SCAN_NODES + SCAN_ROW * count
     bin_offset = rail_offset + RAIL_ROW * cells
-    if base + bin_offset + bins > tables.shape[0]:
+    if base + bin_offset + bins > tables.raw.shape[0]:
         return FULL
-    write_wheel_rows(tables, base, wheel, count, work, scratch)
+    write_wheel_rows(tables.raw, base, wheel, count, work, scratch)
     write_levers(tables, base, wheel, count)
-    least, most, steepest = bend_range(tables, wheel, work, scratch, tables[wheel + START], tables[wheel + STOP])
+    least, most, steepest = bend_range(tables.raw, wheel, work, scratch, tables[wheel + START], tables[wheel + STOP])
     tables[base + SCAN_STEEPEST] = steepest
-    sample_pieces(tables, rail, work, scratch)
-    write_rail_rows(tables, base + rail_offset, rail, cells, work, scratch)
+    sample_pieces(tables.raw, rail, work, scratch)
+    write_rail_rows(tables.raw, base + rail_offset, rail, cells, work, scratch)
     tables[base + SCAN_COUNT] = float(count)
     tables[base + SCAN_RAIL_COUNT] = float(cells)
     tables[base + SCAN_RAIL_START] = tables[rail + START]

@@ -8,20 +8,37 @@ the table of starts (``start_shift`` and ``keep_start``), and last come the meth
 from math import atan
 from typing import Final
 
-from ..layout import (DEPTH_ALL, OUT_LEFT, OUT_RIGHT, OUT_ROLL, SETTING_COUNT, SET_ABSENT, SET_ARM,
-                     SET_CONTACT_MODULUS, SET_DEPTH, SET_HERTZ, SET_INFLUENCE, SET_LATERAL, SET_LATERAL_LIMIT, SET_LOAD,
-                     SET_LONGITUDINAL, SET_MODE, SET_NODES, SET_NORMAL_MODEL, SET_PENETRATION_LEFT, SET_PENETRATION_RIGHT,
-                     SET_RADIUS, SET_RAIL, SET_RAIL_CURVATURE, SET_RAIL_Y, SET_SCAN, SET_SEPARATION, SET_SIDES, SET_STARTS,
-                     SET_STATIONS, SET_STRIDE, SET_STRIPS, SET_SWEEPS, SET_WHEEL, SET_WHEEL_CURVATURE, SET_YAW_LIMIT,
-                     SIDES_BOTH, SIDE_Y_WHEEL, STATION_COUNT, UNLOADED)
+from ..layout import (
+    DEPTH_ALL,
+    OUT_LEFT,
+    OUT_RIGHT,
+    OUT_ROLL,
+    SET_HERTZ,
+    SET_INFLUENCE,
+    SETTING_COUNT,
+    SIDE_Y_WHEEL,
+    SIDES_BOTH,
+    STATION_COUNT,
+    UNLOADED,
+    Tables,
+)
+from ..search.starts import (
+    START_COUNT,
+    START_FIRST,
+    START_KNOWN,
+    START_LEFT,
+    START_PER_METRE,
+    START_RIGHT,
+    START_ROLL,
+    START_ROW,
+    START_ROWS,
+)
+from ..surface.profile_table import START, STOP
 from .curvatures import write_curvatures
 from .pieces import FULL, MM, write_profile
 from .placement import highest_point, inner_face, keep_around_top, turn_zones
 from .scan import TOO_WIDE, write_scan
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES
-from ..surface.profile_table import START, STOP
-from ..search.starts import (START_COUNT, START_FIRST, START_KNOWN, START_LEFT, START_PER_METRE, START_RIGHT, START_ROLL, START_ROW,
-                     START_ROWS)
 
 # the setup: parameters as numbers, SI
 SETUP_INCLINATION: Final[int] = 0
@@ -76,7 +93,7 @@ def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
     return at + size
 
 
-def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tables: 'float[:]', report: 'float[:]'):
+def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tables: Tables, report: 'float[:]'):
     """Cut the wheel's and place the rail's definition in the workspace, and note where the rail stands; the outcome."""
     angle = -atan(setup[SETUP_INCLINATION])
     y_top, z_top = highest_point(work, rail, angle)
@@ -86,7 +103,7 @@ def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tabl
         report[REPORT_DEEPEST] = reached * MM
         report[REPORT_DEPTH] = depth * MM
         return GAUGE_TOO_DEEP
-    tables[SET_RAIL_Y] = setup[SETUP_GAUGE] / 2.0 + (y_top - y_gauge) * MM
+    tables.rail_y = setup[SETUP_GAUGE] / 2.0 + (y_top - y_gauge) * MM
     turn_zones(work, rail, angle, -y_top, -z_top)
     turn_zones(work, wheel, 0.0, 0.0, 0.0)
     if keep_around_top(work, rail) == 0 or keep_around_top(work, wheel) == 0:
@@ -94,35 +111,35 @@ def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tabl
     return PREPARED
 
 
-def write_settings(setup: 'float[:]', tables: 'float[:]'):
+def write_settings(setup: 'float[:]', tables: Tables):
     """The settings that are known from the beginning, with each method's first choice."""
-    tables[SET_RADIUS] = setup[SETUP_RADIUS]
-    tables[SET_ARM] = 0.5 * setup[SETUP_CIRCLE_DISTANCE]
+    tables.radius = setup[SETUP_RADIUS]
+    tables.arm = 0.5 * setup[SETUP_CIRCLE_DISTANCE]
     nu = setup[SETUP_POISSON_RATIO]
-    tables[SET_CONTACT_MODULUS] = setup[SETUP_YOUNGS_MODULUS] / (2.0 * (1.0 - nu * nu))
-    tables[SET_LATERAL_LIMIT] = LATERAL_LIMIT
-    tables[SET_YAW_LIMIT] = YAW_LIMIT
-    tables[SET_NODES] = setup[SETUP_NODES]
-    tables[SET_STRIDE] = setup[SETUP_STRIDE]
-    tables[SET_STRIPS] = setup[SETUP_STRIPS]
-    tables[SET_SWEEPS] = setup[SETUP_SWEEPS]
-    tables[SET_PENETRATION_LEFT] = setup[SETUP_NAN]
-    tables[SET_PENETRATION_RIGHT] = setup[SETUP_NAN]
-    tables[SET_SIDES] = float(SIDES_BOTH)
-    tables[SET_DEPTH] = float(DEPTH_ALL)
-    tables[SET_ABSENT] = setup[SETUP_NAN]
-    tables[SET_STATIONS] = float(STATION_COUNT)
+    tables.contact_modulus = setup[SETUP_YOUNGS_MODULUS] / (2.0 * (1.0 - nu * nu))
+    tables.lateral_limit = LATERAL_LIMIT
+    tables.yaw_limit = YAW_LIMIT
+    tables.nodes = setup[SETUP_NODES]
+    tables.stride = setup[SETUP_STRIDE]
+    tables.strips = setup[SETUP_STRIPS]
+    tables.sweeps = setup[SETUP_SWEEPS]
+    tables.penetration[0] = setup[SETUP_NAN]
+    tables.penetration[1] = setup[SETUP_NAN]
+    tables.sides = float(SIDES_BOTH)
+    tables.depth = float(DEPTH_ALL)
+    tables.absent = setup[SETUP_NAN]
+    tables.stations = float(STATION_COUNT)
     return 0
 
 
-def write_methods(setup: 'float[:]', tables: 'float[:]'):
+def write_methods(setup: 'float[:]', tables: Tables):
     """The chosen methods."""
-    tables[SET_MODE] = setup[SETUP_MODE]
-    tables[SET_LOAD] = setup[SETUP_LOAD]
-    tables[SET_NORMAL_MODEL] = setup[SETUP_NORMAL_MODEL]
-    tables[SET_SEPARATION] = setup[SETUP_SEPARATION]
-    tables[SET_LONGITUDINAL] = setup[SETUP_LONGITUDINAL]
-    tables[SET_LATERAL] = setup[SETUP_LATERAL]
+    tables.mode = setup[SETUP_MODE]
+    tables.load = setup[SETUP_LOAD]
+    tables.normal_model = setup[SETUP_NORMAL_MODEL]
+    tables.separation = setup[SETUP_SEPARATION]
+    tables.longitudinal = setup[SETUP_LONGITUDINAL]
+    tables.lateral = setup[SETUP_LATERAL]
     return 0
 
 
@@ -137,12 +154,12 @@ def append(tables: 'float[:]', at: int, setting: int, table: 'float[:]'):
     return at + size
 
 
-def append_starts(tables: 'float[:]', at: int):
+def append_starts(tables: Tables, at: int):
     """A table of starts with nothing known at ``at``; the offset after it, or FULL."""
     size = START_ROWS + START_ROW * START_ROW_COUNT
-    if at + size > tables.shape[0]:
+    if at + size > tables.raw.shape[0]:
         return FULL
-    tables[SET_STARTS] = float(at)
+    tables.starts = float(at)
     for i in range(size):
         tables[at + i] = 0.0
     tables[at + START_COUNT] = float(START_ROW_COUNT)
@@ -152,7 +169,7 @@ def append_starts(tables: 'float[:]', at: int):
 
 
 def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
-            influence: 'float[:]', tables: 'float[:]', work: 'float[:]', report: 'float[:]'):
+            influence: 'float[:]', tables: Tables, work: 'float[:]', report: 'float[:]'):
     """Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
     as the tables."""
     kind = int(setup[SETUP_LATERAL])
@@ -165,32 +182,32 @@ def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'f
         return outcome
     write_settings(setup, tables)
     wheel = SETTING_COUNT
-    tables[SET_WHEEL] = float(wheel)
-    rail = write_profile(tables, wheel, work, 0, setup[SETUP_NAN], work, scratch)
+    tables.wheel = float(wheel)
+    rail = write_profile(tables.raw, wheel, work, 0, setup[SETUP_NAN], work, scratch)
     if rail == FULL:
         return TABLES_FULL
-    tables[SET_RAIL] = float(rail)
-    at = write_profile(tables, rail, work, rail_zones, setup[SETUP_NAN], work, scratch)
+    tables.rail = float(rail)
+    at = write_profile(tables.raw, rail, work, rail_zones, setup[SETUP_NAN], work, scratch)
     if at == FULL:
         return TABLES_FULL
-    tables[SET_SCAN] = float(at)
+    tables.scan = float(at)
     at = write_scan(tables, at, wheel, rail, work, scratch)
     if at == TOO_WIDE:
         report[REPORT_WIDTH] = tables[wheel + STOP] - tables[wheel + START]
         return WHEEL_TOO_WIDE
     if at != FULL:
-        at = append(tables, at, SET_HERTZ, hertz)
+        at = append(tables.raw, at, SET_HERTZ, hertz)
     if at != FULL:
-        at = append(tables, at, SET_INFLUENCE, influence)
+        at = append(tables.raw, at, SET_INFLUENCE, influence)
     if at != FULL:
         at = append_starts(tables, at)
     if at != FULL:
-        tables[SET_WHEEL_CURVATURE] = float(at)
-        at = write_curvatures(tables, at, wheel, -1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
+        tables.wheel_curvature = float(at)
+        at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
                               work, scratch)
     if at != FULL:
-        tables[SET_RAIL_CURVATURE] = float(at)
-        at = write_curvatures(tables, at, rail, 1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
+        tables.rail_curvature = float(at)
+        at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
                               work, scratch)
     if at == FULL:
         return TABLES_FULL
@@ -198,9 +215,9 @@ def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'f
     return PREPARED
 
 
-def start_shift(tables: 'float[:]', row: int):
+def start_shift(tables: Tables, row: int):
     """Lateral shift [m] of a row of the table of starts."""
-    base = int(tables[SET_STARTS])
+    base = int(tables.starts)
     return tables[base + START_FIRST] + float(row) / tables[base + START_PER_METRE]
 
 
@@ -215,9 +232,9 @@ def note_start(rows: 'float[:]', row: int, status: int, outputs: 'float[:]'):
     return 0
 
 
-def keep_starts(tables: 'float[:]', rows: 'float[:]'):
+def keep_starts(tables: Tables, rows: 'float[:]'):
     """Put all rows in their place; not before the last one is known, as the kernel reads them."""
-    base = int(tables[SET_STARTS]) + START_ROWS
+    base = int(tables.starts) + START_ROWS
     for i in range(START_ROW * START_ROW_COUNT):
         tables[base + i] = rows[i]
     return 0

@@ -14,15 +14,22 @@ at both ends of the way.  Where this does not settle it, the way is halved.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, SET_ARM, SET_RADIUS, SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_BEST,
-                     SIDE_BEST_RAIL, SIDE_BEST_Y, STATE_GAP_COUNT, VALID, WORK_ROLLS)
-from ..surface.locus import (PLACE_ARM, PLACE_COS_ROLL, PLACE_COS_YAW, PLACE_RADIUS, PLACE_SHIFT, PLACE_SIN_ROLL, PLACE_SIN_YAW,
-                    around_wheel, outline_point)
+from ..layout import NOT_CONVERGED, OFF_PROFILE, VALID, WORK_ROLLS, Place, State, Tables, Work
+from ..surface.locus import around_wheel, outline_point
 from ..surface.profile_table import START, height_slope
-from .roll import (LEFT, LEFT_PLACE, RIGHT, RIGHT_PLACE, ROLL_LIMIT, close_in, follow_side, newton_move, search_both,
-                   some_roll, turn_both)
-from .search import (REACH_SHARE, ROW_LEVER, ROW_STEEPEST_BENDS, ROW_Y, SCAN_COUNT, SCAN_NODES, SCAN_ROW, SCAN_STEEPEST,
-                     node_below, search_side)
+from .roll import ROLL_LIMIT, close_in, follow_side, newton_move, search_both, some_roll, turn_both
+from .search import (
+    REACH_SHARE,
+    ROW_LEVER,
+    ROW_STEEPEST_BENDS,
+    ROW_Y,
+    SCAN_COUNT,
+    SCAN_NODES,
+    SCAN_ROW,
+    SCAN_STEEPEST,
+    node_below,
+    search_side,
+)
 
 #: Zeros of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
 APART: Final[float] = 1e-13
@@ -49,21 +56,21 @@ def turned(steep: float, radius: float, arm: float):
     return TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
 
 
-def lever_beyond(tables: 'float[:]', y: float, roll: float, sine: float):
+def lever_beyond(tables: Tables, y: float, roll: float, sine: float):
     """The largest lever of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to ``roll`` [rad] and the
     yaw whose sine is given."""
-    scan = int(tables[SET_SCAN]) + SCAN_NODES
+    scan = int(tables.scan) + SCAN_NODES
     lever = tables[scan + SCAN_ROW * node_below(tables, y) + ROW_LEVER]
-    radius = tables[SET_RADIUS]
-    arm = tables[SET_ARM]
+    radius = tables.radius
+    arm = tables.arm
     steep = fabs(lever + arm) / radius
     yawed = YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
     return lever + turned(steep, radius, arm) * fabs(roll) + yawed
 
 
-def beside_rail(tables: 'float[:]', work: 'float[:]', at: int, known: float, roll: float, sine: float):
+def beside_rail(tables: Tables, work: Work, at: Place, known: float, roll: float, sine: float):
     """1 if all places of a wheel whose levers are not below -``known`` [m] are beside the rail when level, else 0."""
-    scan = int(tables[SET_SCAN])
+    scan = int(tables.scan)
     nodes = scan + SCAN_NODES
     low = -1
     high = int(tables[scan + SCAN_COUNT]) - 1
@@ -75,49 +82,49 @@ def beside_rail(tables: 'float[:]', work: 'float[:]', at: int, known: float, rol
             low = middle
     beside = 1
     if low >= 0:
-        reach = REACH_SHARE * sine * sine * tables[SET_RADIUS] * tables[scan + SCAN_STEEPEST]
-        furthest = work[at + PLACE_SHIFT] + tables[SET_ARM] + tables[nodes + SCAN_ROW * high + ROW_Y] + reach
-        if furthest > tables[SET_RAIL_Y] + tables[int(tables[SET_RAIL]) + START]:
+        reach = REACH_SHARE * sine * sine * tables.radius * tables[scan + SCAN_STEEPEST]
+        furthest = at.shift + tables.arm + tables[nodes + SCAN_ROW * high + ROW_Y] + reach
+        if furthest > tables.rail_y + tables[int(tables.rail) + START]:
             beside = 0
     return beside
 
 
-def certainly_first(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float):
+def certainly_first(tables: Tables, work: Work, state: State, roll: float):
     """1 if D falls all the way from level to its zero at ``roll``, as far as the steepest places tell, else 0.
 
     The wheel that stands higher is known there; of the other one what is not beside the rail when level is taken, or what lies
     beyond its contact when level, for which that one is searched.
     """
-    sine = work[RIGHT_PLACE + PLACE_SIN_YAW]
-    higher = LEFT
-    lower = RIGHT
-    lower_place = RIGHT_PLACE
+    sine = work.places[1].sin_yaw
+    higher = work.sides[0]
+    lower = work.sides[1]
+    lower_place = work.places[1]
     index = 1
     if roll < 0.0:
-        higher = RIGHT
-        lower = LEFT
-        lower_place = LEFT_PLACE
+        higher = work.sides[1]
+        lower = work.sides[0]
+        lower_place = work.places[0]
         index = 0
-    known = lever_beyond(tables, work[higher + SIDE_BEST_Y], roll, sine)
+    known = lever_beyond(tables, higher.best_y, roll, sine)
     if beside_rail(tables, work, lower_place, known, roll, sine) == 1:
         return 1
-    gap = work[lower + SIDE_BEST]
-    y = work[lower + SIDE_BEST_Y]
-    abscissa = work[lower + SIDE_BEST_RAIL]
+    gap = lower.best
+    y = lower.best_y
+    abscissa = lower.best_rail
     certain = 0
     turn_both(work, 0.0)
     followed = follow_side(tables, work, state, index)
     if search_side(tables, work, lower, work, lower_place, state, followed) == 1:
-        if known + lever_beyond(tables, work[lower + SIDE_BEST_Y], roll, sine) < 0.0:
+        if known + lever_beyond(tables, lower.best_y, roll, sine) < 0.0:
             certain = 1
     turn_both(work, roll)
-    work[lower + SIDE_BEST] = gap
-    work[lower + SIDE_BEST_Y] = y
-    work[lower + SIDE_BEST_RAIL] = abscissa
+    lower.best = gap
+    lower.best_y = y
+    lower.best_rail = abscissa
     return certain
 
 
-def falls_at_level(tables: 'float[:]', work: 'float[:]', roll: float):
+def falls_at_level(tables: Tables, work: Work, roll: float):
     """1 if D falls through its known zero at ``roll``, and that is level, else 0."""
     falls = 0
     if fabs(roll) < APART:
@@ -127,22 +134,22 @@ def falls_at_level(tables: 'float[:]', work: 'float[:]', roll: float):
     return falls
 
 
-def lever_at(tables: 'float[:]', work: 'float[:]', at: int, y: float):
+def lever_at(tables: Tables, work: Work, at: Place, y: float):
     """How the gap at ``y`` [m] would change with the roll if the rail there were parallel to the wheel [m]."""
-    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    z, slope = height_slope(tables.raw, int(tables.wheel), y)
     y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
     sin_phi, cos_phi = around_wheel(work, at, slope)
-    arm = work[at + PLACE_ARM] + y
-    height = (work[at + PLACE_RADIUS] + z) * cos_phi
-    sin_roll = work[at + PLACE_SIN_ROLL]
-    cos_roll = work[at + PLACE_COS_ROLL]
-    return (-outline_slope * work[at + PLACE_COS_YAW] * (arm * sin_roll + height * cos_roll)
+    arm = at.arm + y
+    height = (at.radius + z) * cos_phi
+    sin_roll = at.sin_roll
+    cos_roll = at.cos_roll
+    return (-outline_slope * at.cos_yaw * (arm * sin_roll + height * cos_roll)
             - arm * cos_roll + height * sin_roll)
 
 
-def lever_range(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int, one: float, other: float):
+def lever_range(tables: Tables, work: Work, state: State, at: Place, one: float, other: float):
     """Smallest and largest ``lever_at`` between two places of the wheel [m]."""
-    scan = int(tables[SET_SCAN]) + SCAN_NODES
+    scan = int(tables.scan) + SCAN_NODES
     y = one
     last = other
     if other < one:
@@ -150,7 +157,7 @@ def lever_range(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int
         last = one
     node = node_below(tables, y)
     before = lever_at(tables, work, at, y)
-    state[STATE_GAP_COUNT] += 1.0
+    state.gap_count += 1.0
     least = before
     most = before
     while y < last:
@@ -160,8 +167,8 @@ def lever_range(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int
         if following > last or following <= y:
             following = last
         lever = lever_at(tables, work, at, following)
-        state[STATE_GAP_COUNT] += 1.0
-        beyond = 0.5 * FASTER * bend * (following - y) * (work[at + PLACE_RADIUS] + work[at + PLACE_ARM])
+        state.gap_count += 1.0
+        beyond = 0.5 * FASTER * bend * (following - y) * (at.radius + at.arm)
         least = min(least, min(lever, before) - beyond)
         most = max(most, max(lever, before) + beyond)
         before = lever
@@ -169,25 +176,25 @@ def lever_range(tables: 'float[:]', work: 'float[:]', state: 'float[:]', at: int
     return least, most
 
 
-def note_entry(work: 'float[:]', entry: int, roll: float):
+def note_entry(work: Work, entry: int, roll: float):
     """Keep what is known of D at ``roll`` [rad]."""
     work[entry + ENTRY_ROLL] = roll
-    work[entry + ENTRY_DIFFERENCE] = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
-    work[entry + ENTRY_LEFT] = work[LEFT + SIDE_BEST_Y]
-    work[entry + ENTRY_RIGHT] = work[RIGHT + SIDE_BEST_Y]
+    work[entry + ENTRY_DIFFERENCE] = work.sides[1].best - work.sides[0].best
+    work[entry + ENTRY_LEFT] = work.sides[0].best_y
+    work[entry + ENTRY_RIGHT] = work.sides[1].best_y
     return 0
 
 
-def is_clear(tables: 'float[:]', work: 'float[:]', state: 'float[:]', near: int, far: int, sign: float):
+def is_clear(tables: Tables, work: Work, state: State, near: int, far: int, sign: float):
     """1 if D certainly has no zero between the entries ``near`` and ``far``, where it has the sign of ``sign`` or, at ``far``, is
     zero; else 0."""
     width = fabs(work[far + ENTRY_ROLL] - work[near + ENTRY_ROLL])
     turn_both(work, 0.5 * (work[far + ENTRY_ROLL] + work[near + ENTRY_ROLL]))
-    left_least, left_most = lever_range(tables, work, state, LEFT_PLACE, work[near + ENTRY_LEFT], work[far + ENTRY_LEFT])
-    right_least, right_most = lever_range(tables, work, state, RIGHT_PLACE, work[near + ENTRY_RIGHT],
+    left_least, left_most = lever_range(tables, work, state, work.places[0], work[near + ENTRY_LEFT], work[far + ENTRY_LEFT])
+    right_least, right_most = lever_range(tables, work, state, work.places[1], work[near + ENTRY_RIGHT],
                                           work[far + ENTRY_RIGHT])
-    arm = tables[SET_ARM]
-    radius = tables[SET_RADIUS]
+    arm = tables.arm
+    radius = tables.radius
     steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most))) + arm) / radius
     margin = width * turned(steep, radius, arm)
     least = left_least + right_least - margin
@@ -204,7 +211,7 @@ def is_clear(tables: 'float[:]', work: 'float[:]', state: 'float[:]', near: int,
     return clear
 
 
-def first_from_level(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float):
+def first_from_level(tables: Tables, work: Work, state: State, roll: float):
     """The first zero [rad] of D from level, and the outcome; D has a zero at ``roll``."""
     note_entry(work, ENDS, roll)
     work[ENDS + ENTRY_DIFFERENCE] = 0.0
@@ -241,7 +248,7 @@ def first_from_level(tables: 'float[:]', work: 'float[:]', state: 'float[:]', ro
             turn_both(work, middle)
             if search_both(tables, work, state, 0) == 0:
                 status = OFF_PROFILE
-            elif sign * (work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]) > 0.0:
+            elif sign * (work.sides[1].best - work.sides[0].best) > 0.0:
                 end += 1
                 note_entry(work, ENDS + ENTRY_SIZE * end, middle)
             else:
@@ -263,7 +270,7 @@ def first_from_level(tables: 'float[:]', work: 'float[:]', state: 'float[:]', ro
     return roll, status
 
 
-def certified_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+def certified_roll(tables: Tables, work: Work, state: State, guess: float, warm: int):
     """``solve_roll`` from this start alone."""
     roll, status = some_roll(tables, work, state, guess, warm)
     if status == VALID and falls_at_level(tables, work, roll) == 0:
@@ -272,7 +279,7 @@ def certified_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', gues
     return roll, status
 
 
-def solve_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+def solve_roll(tables: Tables, work: Work, state: State, guess: float, warm: int):
     """Roll [rad] of the wheelset and outcome; the sides' smallest gaps stay in the workspace.
 
     With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.  A start from which there is no roll does not decide that.

@@ -12,10 +12,20 @@ take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    PLACE_BLOCK,
+    SIDE_BLOCK,
+    VALID,
+    WORK_PLACE,
+    WORK_SIDE,
+    SideSearch,
+    State,
+    Tables,
+    Work,
+)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
-from ..layout import (IN_LATERAL_SHIFT, IN_YAW, NOT_CONVERGED, OFF_PROFILE, PLACE_BLOCK, SET_ARM, SET_RADIUS, SET_RAIL_Y,
-                     SET_WHEEL, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y, SIDE_BLOCK, STATE_GAP_COUNT, STATE_ROLL_COUNT,
-                     VALID, WORK_INPUTS, WORK_PLACE, WORK_SIDE)
 from ..surface.locus import mirror_place, mirror_roll, outline_point, place_wheelset, turn_wheelset
 from ..surface.profile_table import START, STOP, height_slope
 from .search import SHARP, search_side
@@ -43,81 +53,81 @@ LEFT_PLACE: Final[int] = WORK_PLACE
 RIGHT_PLACE: Final[int] = WORK_PLACE + PLACE_BLOCK
 
 
-def place_both(tables: 'float[:]', work: 'float[:]', roll: float):
+def place_both(tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    place_wheelset(work, RIGHT_PLACE, work[WORK_INPUTS + IN_LATERAL_SHIFT], work[WORK_INPUTS + IN_YAW], roll,
-                   tables[SET_RADIUS], tables[SET_ARM])
-    mirror_place(work, RIGHT_PLACE, LEFT_PLACE)
+    place_wheelset(work, work.places[1], work.inputs.lateral_shift, work.inputs.yaw, roll,
+                   tables.radius, tables.arm)
+    mirror_place(work, work.places[1], work.places[0])
     return 0
 
 
-def turn_both(work: 'float[:]', roll: float):
+def turn_both(work: Work, roll: float):
     """Both placed wheels at another ``roll``."""
-    turn_wheelset(work, RIGHT_PLACE, roll)
-    mirror_roll(work, RIGHT_PLACE, LEFT_PLACE)
+    turn_wheelset(work, work.places[1], roll)
+    mirror_roll(work, work.places[1], work.places[0])
     return 0
 
 
-def search_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', known: int):
+def search_both(tables: Tables, work: Work, state: State, known: int):
     """Search both sides; 1 if both wheels are above their rails, else 0."""
-    left = search_side(tables, work, LEFT, work, LEFT_PLACE, state, known)
-    right = search_side(tables, work, RIGHT, work, RIGHT_PLACE, state, known)
+    left = search_side(tables, work, work.sides[0], work, work.places[0], state, known)
+    right = search_side(tables, work, work.sides[1], work, work.places[1], state, known)
     return left * right
 
 
-def follow_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
+def follow_side(tables: Tables, work: Work, state: State, index: int):
     """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
-    side = WORK_SIDE + SIDE_BLOCK * index
-    at = WORK_PLACE + PLACE_BLOCK * index
-    wheel = int(tables[SET_WHEEL])
-    y = work[side + SIDE_BEST_Y]
+    side = work.sides[index]
+    at = work.places[index]
+    wheel = int(tables.wheel)
+    y = side.best_y
     for i in range(FOLLOW_STEPS):
         gap, mismatch, rate = vertical_gap(tables, work, at, y)
-        state[STATE_GAP_COUNT] += 1.0
+        state.gap_count += 1.0
         if not rate > 0.0:
             return 0
         move = -mismatch / rate
         if fabs(move) < SHARP:
-            z, slope = height_slope(tables, wheel, y)
+            z, slope = height_slope(tables.raw, wheel, y)
             y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-            if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 0:
+            if above_rail(tables, y_track - tables.rail_y) == 0:
                 return 0
-            work[side + SIDE_BEST] = gap
-            work[side + SIDE_BEST_Y] = y
-            work[side + SIDE_BEST_RAIL] = y_track - tables[SET_RAIL_Y]
+            side.best = gap
+            side.best_y = y
+            side.best_rail = y_track - tables.rail_y
             return 1
         y += move
-        if fabs(y - work[side + SIDE_BEST_Y]) > FOLLOW_REACH or not (y > tables[wheel + START] and y < tables[wheel + STOP]):
+        if fabs(y - side.best_y) > FOLLOW_REACH or not (y > tables[wheel + START] and y < tables[wheel + STOP]):
             return 0
     return 0
 
 
-def newton_move(tables: 'float[:]', work: 'float[:]'):
+def newton_move(tables: Tables, work: Work):
     """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
-    difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
-    rate = (gap_per_roll(tables, work, RIGHT_PLACE, work[RIGHT + SIDE_BEST_Y])
-            + gap_per_roll(tables, work, LEFT_PLACE, work[LEFT + SIDE_BEST_Y]))
+    difference = work.sides[1].best - work.sides[0].best
+    rate = (gap_per_roll(tables, work, work.places[1], work.sides[1].best_y)
+            + gap_per_roll(tables, work, work.places[0], work.sides[0].best_y))
     move = 1.0
     if rate < 0.0:
         move = -difference / rate
     return difference, move
 
 
-def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, low: float, high: float):
+def balance(tables: Tables, work: Work, state: State, roll: float, low: float, high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
     It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
     a minimum can run away or vanish.
     """
-    left = work[LEFT + SIDE_BEST_Y]
-    right = work[RIGHT + SIDE_BEST_Y]
+    left = work.sides[0].best_y
+    right = work.sides[1].best_y
     for i in range(NEWTON_STEPS):
-        state[STATE_ROLL_COUNT] += 1.0
-        state[STATE_GAP_COUNT] += 2.0
+        state.roll_count += 1.0
+        state.gap_count += 2.0
         turn_both(work, roll)
-        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work, LEFT_PLACE, left)
-        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work, RIGHT_PLACE,
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work, work.places[0], left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work, work.places[1],
                                                                                              right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
@@ -134,8 +144,8 @@ def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
             if on_profiles(tables, left, rail_left) == 0 or on_profiles(tables, right, rail_right) == 0:
                 return roll, 0
-            keep_known(work, LEFT, left, gap_left, rail_left)
-            keep_known(work, RIGHT, right, gap_right, rail_right)
+            keep_known(work, work.sides[0], left, gap_left, rail_left)
+            keep_known(work, work.sides[1], right, gap_right, rail_right)
             return roll, 1
         if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE and fabs(move_right) < LONGEST_MOVE):
             return roll, 0
@@ -147,24 +157,24 @@ def balance(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
     return roll, 0
 
 
-def on_profiles(tables: 'float[:]', y: float, abscissa: float):
+def on_profiles(tables: Tables, y: float, abscissa: float):
     """1 if there is a wheel at ``y`` and a rail at ``abscissa`` [m], else 0."""
-    wheel = int(tables[SET_WHEEL])
+    wheel = int(tables.wheel)
     on = above_rail(tables, abscissa)
     if y < tables[wheel + START] or y > tables[wheel + STOP]:
         on = 0
     return on
 
 
-def keep_known(work: 'float[:]', side: int, y: float, gap: float, abscissa: float):
+def keep_known(work: Work, side: SideSearch, y: float, gap: float, abscissa: float):
     """Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]."""
-    work[side + SIDE_BEST] = gap
-    work[side + SIDE_BEST_Y] = y
-    work[side + SIDE_BEST_RAIL] = abscissa
+    side.best = gap
+    side.best_y = y
+    side.best_rail = abscissa
     return 0
 
 
-def close_in(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, first: float, last: float, known: int):
+def close_in(tables: Tables, work: Work, state: State, roll: float, first: float, last: float, known: int):
     """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; these gaps stay in the
     workspace.  D has to be positive at ``first`` and negative at ``last``.
 
@@ -177,14 +187,14 @@ def close_in(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: floa
     for i in range(SEARCHES):
         if known == 0:
             turn_both(work, roll)
-        before_left = work[LEFT + SIDE_BEST_Y]
-        before_right = work[RIGHT + SIDE_BEST_Y]
+        before_left = work.sides[0].best_y
+        before_right = work.sides[1].best_y
         found = search_both(tables, work, state, known)
-        if known == 1 and before_left == work[LEFT + SIDE_BEST_Y] and before_right == work[RIGHT + SIDE_BEST_Y]:
+        if known == 1 and before_left == work.sides[0].best_y and before_right == work.sides[1].best_y:
             return roll, VALID
         known = 0
         # a wheel beside its rail has a large gap
-        difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]
+        difference = work.sides[1].best - work.sides[0].best
         if found == 0 and difference == 0.0:
             return roll, OFF_PROFILE
         move = 1.0
@@ -219,7 +229,7 @@ def close_in(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: floa
     return roll, status
 
 
-def some_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', guess: float, warm: int):
+def some_roll(tables: Tables, work: Work, state: State, guess: float, warm: int):
     """A roll [rad] at which both smallest gaps are equal, and the outcome; these gaps stay in the workspace.
 
     With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.

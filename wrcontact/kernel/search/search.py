@@ -11,10 +11,9 @@ minimum is bounded and not assumed.
 from math import fabs
 from typing import Final
 
+from ..layout import SIDE_STACK, Place, SideSearch, State, Tables, Work, offset
 from ..surface.gap import FOLDED, above_rail, vertical_gap
-from ..layout import (SET_RAIL, SET_RAIL_Y, SET_SCAN, SET_WHEEL, SIDE_ABSCISSA, SIDE_BEST, SIDE_BEST_RAIL, SIDE_BEST_Y,
-                     SIDE_FIRST, SIDE_LAST, SIDE_PLACE, SIDE_STACK, STATE_GAP_COUNT, STATE_SCAN_COUNT)
-from ..surface.locus import PLACE_RADIUS, PLACE_SIN_ROLL, PLACE_SIN_YAW, PLACE_YAWED, outline_point
+from ..surface.locus import outline_point
 from ..surface.profile_table import START, STOP, height_slope
 
 # the scan table: sizes, then the nodes, then the raster of the rail's bounds, then the first node of each bin
@@ -81,9 +80,9 @@ LARGE_GAP: Final[float] = 1e3
 CANDIDATES: Final[int] = 16
 
 
-def node_below(tables: 'float[:]', y: float):
+def node_below(tables: Tables, y: float):
     """The scan node at or below ``y`` [m]; the second last one at most."""
-    scan = int(tables[SET_SCAN])
+    scan = int(tables.scan)
     u = (y - tables[scan + SCAN_NODES + ROW_Y]) * tables[scan + SCAN_BINS_PER_METRE]
     if not u > 0.0:
         u = 0.0
@@ -95,25 +94,25 @@ def node_below(tables: 'float[:]', y: float):
     return node
 
 
-def node_gap(tables: 'float[:]', place: 'float[:]', at: int, node: int):
+def node_gap(tables: Tables, place: Work, at: Place, node: int):
     """Gap [m], slope difference rail - outline [-] and rail abscissa [m] at scan node ``node``."""
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * node
     y_track, z_track, outline_slope = outline_point(place, at, tables[row + ROW_Y], tables[row + ROW_HEIGHT],
                                                     tables[row + ROW_SLOPE])
-    abscissa = y_track - tables[SET_RAIL_Y]
-    height, rail_slope = height_slope(tables, int(tables[SET_RAIL]), abscissa)
+    abscissa = y_track - tables.rail_y
+    height, rail_slope = height_slope(tables.raw, int(tables.rail), abscissa)
     return height - z_track, rail_slope - outline_slope, abscissa
 
 
-def rail_cell(tables: 'float[:]', abscissa: float):
+def rail_cell(tables: Tables, abscissa: float):
     """Place of ``abscissa`` [m] in the rail's raster, in cells."""
-    scan = int(tables[SET_SCAN])
+    scan = int(tables.scan)
     return (abscissa - tables[scan + SCAN_RAIL_START]) * tables[scan + SCAN_RAIL_PER_METRE]
 
 
-def rail_row(tables: 'float[:]', u: float):
+def rail_row(tables: Tables, u: float):
     """Offset in ``tables`` of the rail raster's cell at place ``u``, or of the nearest."""
-    scan = int(tables[SET_SCAN])
+    scan = int(tables.scan)
     if not u > 0.0:
         u = 0.0
     if u > tables[scan + SCAN_RAIL_COUNT] - 1.0:
@@ -121,7 +120,7 @@ def rail_row(tables: 'float[:]', u: float):
     return scan + int(tables[scan + SCAN_RAIL_OFFSET]) + RAIL_ROW * int(u)
 
 
-def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direction: int, abscissa: float, excess: float,
+def clear_level(tables: Tables, place: Work, at: Place, node: int, direction: int, abscissa: float, excess: float,
                 slope: float, level: int, risen: int):
     """The largest level of 2^level cells from ``node`` on in which the gap does not fall by more than ``excess`` [m], or
     with ``risen`` = 1 in which it only rises; from ``level`` downwards, -1 if there is none.
@@ -132,7 +131,7 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
     Along the wheel the slope difference rises by no less than m = rail'' - wheel'', each but for its share, and the gap by
     that slope times the outline's stretch 1 +- w.
     """
-    scan = int(tables[SET_SCAN])
+    scan = int(tables.scan)
     count = int(tables[scan + SCAN_COUNT])
     begin = rail_cell(tables, abscissa)
     back = 0.0
@@ -156,20 +155,20 @@ def clear_level(tables: 'float[:]', place: 'float[:]', at: int, node: int, direc
     return level
 
 
-def least_bend(tables: 'float[:]', place: 'float[:]', at: int, first: int, level: int, length: float, u: float):
+def least_bend(tables: Tables, place: Work, at: Place, first: int, level: int, length: float, u: float):
     """By how much the slope difference rises at least [1/m] over the 2^level cells, of ``length`` [m] together, that begin
     with scan node ``first``, and the share by which the outline is stretched there; the first tells nothing where the second is
     not below WIDEST.
 
     u : place in the rail's raster where they begin, in cells.
     """
-    roll = fabs(place[at + PLACE_SIN_ROLL])
+    roll = fabs(at.sin_roll)
     stretch = ROLL_STRETCH * roll
     share = ROLL_BEND * roll
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * first
-    if place[at + PLACE_YAWED] != 0.0:
-        square = place[at + PLACE_SIN_YAW] * place[at + PLACE_SIN_YAW]
-        stretch += STEEP_STRETCH * square + BEND_STRETCH * square * place[at + PLACE_RADIUS] * tables[
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * first
+    if at.yawed:
+        square = at.sin_yaw * at.sin_yaw
+        stretch += STEEP_STRETCH * square + BEND_STRETCH * square * at.radius * tables[
             row + ROW_STEEPEST_BENDS + level]
         share += YAW_BEND * square
     bend = 0.0
@@ -183,12 +182,12 @@ def least_bend(tables: 'float[:]', place: 'float[:]', at: int, first: int, level
     return bend, stretch
 
 
-def leave_minimum(tables: 'float[:]', place: 'float[:]', at: int, cell: int, direction: int, abscissa: float):
+def leave_minimum(tables: Tables, place: Work, at: Place, cell: int, direction: int, abscissa: float):
     """``clear_level`` from a minimum of the gap in ``cell``, at ``abscissa`` on the rail [m]: where the gap only rises.
 
     The stretch is counted from the cell's far node, so that it covers the whole cell.
     """
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * cell
     margin = (1.0 + WIDEST) * (tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y])
     node = cell
     start = abscissa - margin
@@ -212,16 +211,16 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
     return fall
 
 
-def bend_bounds(tables: 'float[:]', place: 'float[:]', at: int, cell: int, abscissa: float):
+def bend_bounds(tables: Tables, place: Work, at: Place, cell: int, abscissa: float):
     """Bounds [1/m] of the gap's second derivative between scan nodes ``cell`` and ``cell`` + 1, the first of them above
     the rail's ``abscissa`` [m]: rail minus wheel."""
     rail = rail_row(tables, rail_cell(tables, abscissa))
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * cell
     share = ROLLED_SHARE
-    if place[at + PLACE_YAWED] != 0.0:
+    if at.yawed:
         # how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''|
-        sine = place[at + PLACE_SIN_YAW]
-        share = YAWED_SHARE + STRETCHED_SHARE * sine * sine * place[at + PLACE_RADIUS] * tables[row + ROW_STEEPEST_BENDS]
+        sine = at.sin_yaw
+        share = YAWED_SHARE + STRETCHED_SHARE * sine * sine * at.radius * tables[row + ROW_STEEPEST_BENDS]
     least_rail = tables[rail + RAIL_LEAST_BEND]
     most_rail = tables[rail + RAIL_MOST_BEND]
     least_wheel = tables[row + ROW_LEAST_BEND]
@@ -233,18 +232,18 @@ def bend_bounds(tables: 'float[:]', place: 'float[:]', at: int, cell: int, absci
     return least, most
 
 
-def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
+def search_side(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State,
                 known: int):
     """Put the smallest gap of the side and its abscissa into SIDE_BEST, SIDE_BEST_Y; 1 if there is one, else 0.
 
     With ``known`` = 1 the two, and SIDE_BEST_RAIL, already hold a local minimum of this pose, and only a smaller one is
     looked for.
     """
-    state[STATE_SCAN_COUNT] += 1.0
+    state.scan_count += 1.0
     if known == 1:
-        cell = node_below(tables, work[side + SIDE_BEST_Y])
-        ahead = leave_minimum(tables, place, at, cell, 1, work[side + SIDE_BEST_RAIL])
-        behind = leave_minimum(tables, place, at, cell, -1, work[side + SIDE_BEST_RAIL])
+        cell = node_below(tables, side.best_y)
+        ahead = leave_minimum(tables, place, at, cell, 1, side.best_rail)
+        behind = leave_minimum(tables, place, at, cell, -1, side.best_rail)
         if ahead >= 0 and behind >= 0:
             march(tables, work, side, place, at, state, cell + (1 << ahead), 1)
             march(tables, work, side, place, at, state, cell + 1 - (1 << behind), -1)
@@ -254,7 +253,7 @@ def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if above_rail(tables, abscissa) == 0:
             node = cell + 1
     else:
-        work[side + SIDE_BEST] = LARGE_GAP
+        side.best = LARGE_GAP
         node = probe(tables, work, side, place, at, state, PROBE_STRIDE)
         if node < 0:
             node = probe(tables, work, side, place, at, state, 1)
@@ -265,19 +264,19 @@ def search_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
     return 1
 
 
-def probe(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', stride: int):
+def probe(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, stride: int):
     """The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best known; -1 if
     there is none."""
     found = -1
     node = 0
-    count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
+    count = int(tables[int(tables.scan) + SCAN_COUNT])
     while node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
-        state[STATE_GAP_COUNT] += 1.0
+        state.gap_count += 1.0
         if above_rail(tables, abscissa) == 1:
-            if gap < work[side + SIDE_BEST]:
-                work[side + SIDE_BEST] = gap
-                work[side + SIDE_BEST_Y] = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
+            if gap < side.best:
+                side.best = gap
+                side.best_y = tables[int(tables.scan) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
                 found = node
         elif found >= 0 and is_gone(tables, place, at, node, 1, abscissa) == 1:
             return found
@@ -285,10 +284,10 @@ def probe(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
     return found
 
 
-def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', node: int,
+def march(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, node: int,
           direction: int):
     """Search from scan node ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel."""
-    scan = int(tables[SET_SCAN])
+    scan = int(tables.scan)
     count = int(tables[scan + SCAN_COUNT])
     level = LEVELS - 1
     gap_before = LARGE_GAP
@@ -297,7 +296,7 @@ def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
     off = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
-        state[STATE_GAP_COUNT] += 1.0
+        state.gap_count += 1.0
         if above_rail(tables, abscissa) == 0:
             if skipped == 0 and off == 0:
                 search_end(tables, work, side, place, at, state, node - direction, direction, abscissa_before, abscissa)
@@ -317,7 +316,7 @@ def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
                     bound_cell(tables, work, side, place, at, state, node, gap, gap_before, abscissa)
             off = 0
             gap_before = gap
-            level = clear_level(tables, place, at, node, direction, abscissa, gap - work[side + SIDE_BEST],
+            level = clear_level(tables, place, at, node, direction, abscissa, gap - side.best,
                                 float(direction) * mismatch, level, 0)
             skipped = 1
             if level < 0:
@@ -330,58 +329,58 @@ def march(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at
     return 0
 
 
-def is_gone(tables: 'float[:]', place: 'float[:]', at: int, node: int, direction: int, abscissa: float):
+def is_gone(tables: Tables, place: Work, at: Place, node: int, direction: int, abscissa: float):
     """1 if the outline, beside the rail at scan node ``node``, does not come back above it further in ``direction``, else 0.
 
     Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can reach over a
     rail that ends below the flange root.
     """
-    scan = int(tables[SET_SCAN])
-    rail = int(tables[SET_RAIL])
+    scan = int(tables.scan)
+    rail = int(tables.rail)
     apart = abscissa - tables[rail + STOP]
     if direction < 0:
         apart = tables[rail + START] - abscissa
     reach = 0.0
-    if place[at + PLACE_YAWED] != 0.0:
-        sine = place[at + PLACE_SIN_YAW]
+    if at.yawed:
+        sine = at.sin_yaw
         steep = tables[scan + SCAN_STEEPEST] + tables[scan + SCAN_NODES + SCAN_ROW * node + ROW_SLOPE]
-        reach = REACH_SHARE * sine * sine * place[at + PLACE_RADIUS] * steep + REACH_ROLL * fabs(place[at + PLACE_SIN_ROLL])
+        reach = REACH_SHARE * sine * sine * at.radius * steep + REACH_ROLL * fabs(at.sin_roll)
     gone = 0
     if apart > reach:
         gone = 1
     return gone
 
 
-def bound_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', cell: int,
+def bound_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, cell: int,
                gap_low: float, gap_high: float, abscissa: float):
     """Search between the scan nodes ``cell`` and ``cell`` + 1 if the gap can be smaller there than the best one known.
 
     gap_low, gap_high : at the two nodes [m].
     abscissa : of the first one on the rail [m].
     """
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * cell
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * cell
     low = tables[row + ROW_Y]
     high = tables[row + SCAN_ROW + ROW_Y]
     least, most = bend_bounds(tables, place, at, cell, abscissa)
     lowest = gap_low
     if gap_high < lowest:
         lowest = gap_high
-    if lowest - most * (high - low) * (high - low) / 8.0 < work[side + SIDE_BEST]:
+    if lowest - most * (high - low) * (high - low) / 8.0 < side.best:
         search_cell(tables, work, side, place, at, state, least, most, low, high)
     return 0
 
 
-def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', node: int,
+def search_end(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, node: int,
                outward: int, abscissa: float, beyond: float):
     """Search between scan node ``node``, above the rail at ``abscissa`` [m], and the end of the rail, which lies before the next
     node at ``beyond`` [m]."""
-    inner = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
+    inner = tables[int(tables.scan) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
     inside = rail_end(tables, place, at, node, outward)
     cell = node
     if outward < 0:
         cell = node - 1
     if beyond < abscissa:
-        abscissa = tables[int(tables[SET_RAIL]) + START]
+        abscissa = tables[int(tables.rail) + START]
     least, most = bend_bounds(tables, place, at, cell, abscissa)
     if inside < inner:
         search_cell(tables, work, side, place, at, state, -1.0, most, inside, inner)
@@ -390,24 +389,24 @@ def search_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]
     return 0
 
 
-def rail_end(tables: 'float[:]', place: 'float[:]', at: int, node: int, outward: int):
+def rail_end(tables: Tables, place: Work, at: Place, node: int, outward: int):
     """Wheel abscissa [m] above the end of the rail, which lies between scan node ``node``, above it, and the next one
     ``outward`` (1 or -1)."""
-    row = int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node
+    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * node
     inside = tables[row + ROW_Y]
     outside = tables[row + SCAN_ROW * outward + ROW_Y]
     while fabs(outside - inside) > END_SHARP:
         middle = 0.5 * (inside + outside)
-        z, slope = height_slope(tables, int(tables[SET_WHEEL]), middle)
+        z, slope = height_slope(tables.raw, int(tables.wheel), middle)
         y_track, z_track, outline_slope = outline_point(place, at, middle, z, slope)
-        if above_rail(tables, y_track - tables[SET_RAIL_Y]) == 1:
+        if above_rail(tables, y_track - tables.rail_y) == 1:
             inside = middle
         else:
             outside = middle
     return inside
 
 
-def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
+def scan_side(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State,
               reach: float, abscissa: float):
     """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
     the rail [m].
@@ -415,9 +414,9 @@ def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
     SIDE_FIRST and SIDE_LAST tell which entries of SIDE_PLACE, their wheel abscissae, and of SIDE_ABSCISSA, their places on
     the rail [m], hold them, by rising abscissa.
     """
-    cell = node_below(tables, work[side + SIDE_BEST_Y])
-    work[side + SIDE_FIRST] = float(CANDIDATES)
-    work[side + SIDE_LAST] = float(CANDIDATES - 1)
+    cell = node_below(tables, side.best_y)
+    side.first = float(CANDIDATES)
+    side.last = float(CANDIDATES - 1)
     ahead = leave_minimum(tables, place, at, cell, 1, abscissa)
     if ahead < 0:
         ahead = 0
@@ -429,14 +428,14 @@ def scan_side(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
     return 0
 
 
-def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
+def scan_on(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, reach: float,
             node: int, direction: int):
     """``scan_side`` from scan node ``node`` on in ``direction`` (1 or -1).
 
     Stretches are skipped in which the gap only rises, or stays above ``reach``.
     """
-    nodes = int(tables[SET_SCAN]) + SCAN_NODES
-    count = int(tables[int(tables[SET_SCAN]) + SCAN_COUNT])
+    nodes = int(tables.scan) + SCAN_NODES
+    count = int(tables[int(tables.scan) + SCAN_COUNT])
     level = LEVELS - 1
     gap_before = 0.0
     mismatch_before = 0.0
@@ -445,7 +444,7 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
     off = 0
     while node >= 0 and node < count:
         gap, mismatch, abscissa = node_gap(tables, place, at, node)
-        state[STATE_GAP_COUNT] += 1.0
+        state.gap_count += 1.0
         y = tables[nodes + SCAN_ROW * node + ROW_Y]
         if above_rail(tables, abscissa) == 0:
             if skipped == 0 and off == 0:
@@ -480,10 +479,10 @@ def scan_on(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', 
     return 0
 
 
-def list_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
+def list_end(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, reach: float,
              node: int, outward: int, direction: int):
     """``list_cell`` between scan node ``node`` and the end of the rail before the next one ``outward`` (1 or -1)."""
-    inner = tables[int(tables[SET_SCAN]) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
+    inner = tables[int(tables.scan) + SCAN_NODES + SCAN_ROW * node + ROW_Y]
     end = rail_end(tables, place, at, node, outward)
     low = min(inner, end)
     high = max(inner, end)
@@ -493,20 +492,20 @@ def list_end(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]',
     if low < high:
         gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
         gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
-        state[STATE_GAP_COUNT] += 2.0
+        state.gap_count += 2.0
         list_cell(tables, work, side, place, at, state, reach, cell, direction, rail_place(tables, place, at, low), low,
                   high, gap_low, gap_high, mismatch_low, mismatch_high)
     return 0
 
 
-def rail_place(tables: 'float[:]', place: 'float[:]', at: int, y: float):
+def rail_place(tables: Tables, place: Work, at: Place, y: float):
     """Abscissa on the rail [m] below wheel abscissa ``y`` [m]."""
-    z, slope = height_slope(tables, int(tables[SET_WHEEL]), y)
+    z, slope = height_slope(tables.raw, int(tables.wheel), y)
     y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
-    return y_track - tables[SET_RAIL_Y]
+    return y_track - tables.rail_y
 
 
-def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]', reach: float,
+def list_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State, reach: float,
               cell: int, direction: int, abscissa: float, low: float, high: float, gap_low: float, gap_high: float,
               mismatch_low: float, mismatch_high: float):
     """List the local minima between ``low`` and ``high`` [m], which lie between the scan nodes ``cell`` and ``cell`` + 1.
@@ -521,9 +520,9 @@ def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
         least = nothing
         gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
         gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
-        state[STATE_GAP_COUNT] += 2.0
-    stack = side + SIDE_STACK
-    push_cell(work, stack, low, high, gap_low, gap_high, mismatch_low, mismatch_high)
+        state.gap_count += 2.0
+    stack = offset(side, work) + SIDE_STACK
+    push_cell(work.raw, stack, low, high, gap_low, gap_high, mismatch_low, mismatch_high)
     depth = 1
     while depth > 0:
         depth -= 1
@@ -545,14 +544,14 @@ def list_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]'
             elif width > LISTED and (folded or is_steady(least, most, width, mismatch_low, mismatch_high) == 0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
-                state[STATE_GAP_COUNT] += 1.0
+                state.gap_count += 1.0
                 # the one that comes first in ``direction`` on top
                 if direction > 0:
-                    push_cell(work, top, middle, high, gap, gap_high, mismatch, mismatch_high)
-                    push_cell(work, top + 6, low, middle, gap_low, gap, mismatch_low, mismatch)
+                    push_cell(work.raw, top, middle, high, gap, gap_high, mismatch, mismatch_high)
+                    push_cell(work.raw, top + 6, low, middle, gap_low, gap, mismatch_low, mismatch)
                 else:
-                    push_cell(work, top, low, middle, gap_low, gap, mismatch_low, mismatch)
-                    push_cell(work, top + 6, middle, high, gap, gap_high, mismatch, mismatch_high)
+                    push_cell(work.raw, top, low, middle, gap_low, gap, mismatch_low, mismatch)
+                    push_cell(work.raw, top + 6, middle, high, gap, gap_high, mismatch, mismatch_high)
                 depth += 2
     return 0
 
@@ -580,30 +579,30 @@ def least_slope(least: float, most: float, width: float, first: float, last: flo
     return lowest
 
 
-def list_minimum(work: 'float[:]', side: int, y: float, abscissa: float, direction: int):
+def list_minimum(work: Work, side: SideSearch, y: float, abscissa: float, direction: int):
     """Add the minimum at ``y`` [m] to the list of ``scan_side``, at the end for ``direction`` = 1, else at the beginning."""
-    entry = int(work[side + SIDE_LAST]) + 1
+    entry = side.last + 1
     if direction < 0:
-        entry = int(work[side + SIDE_FIRST]) - 1
+        entry = side.first - 1
     if entry >= 0 and entry < 2 * CANDIDATES:
-        work[side + SIDE_PLACE + entry] = y
-        work[side + SIDE_ABSCISSA + entry] = abscissa
+        side.place[entry] = y
+        side.abscissa[entry] = abscissa
         if direction < 0:
-            work[side + SIDE_FIRST] = float(entry)
+            side.first = float(entry)
         else:
-            work[side + SIDE_LAST] = float(entry)
+            side.last = float(entry)
     return 0
 
 
-def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:]', at: int, state: 'float[:]',
+def search_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: Place, state: State,
                 least: float, most: float, first: float, last: float):
     """Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
     turns.  ``least`` and ``most`` bound the second derivative."""
-    stack = side + SIDE_STACK
+    stack = offset(side, work) + SIDE_STACK
     gap_low, mismatch_low, rate = vertical_gap(tables, place, at, first)
     gap_high, mismatch_high, rate = vertical_gap(tables, place, at, last)
-    state[STATE_GAP_COUNT] += 2.0
-    push_cell(work, stack, first, last, gap_low, gap_high, mismatch_low, mismatch_high)
+    state.gap_count += 2.0
+    push_cell(work.raw, stack, first, last, gap_low, gap_high, mismatch_low, mismatch_high)
     depth = 1
     while depth > 0:
         depth -= 1
@@ -620,7 +619,7 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
         if gap_high < gap_low:
             lowest = gap_high
             keep_best(work, side, high, gap_high)
-        if lowest - most * width * width / 8.0 < work[side + SIDE_BEST]:
+        if lowest - most * width * width / 8.0 < side.best:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
             steady = is_steady(least, most, width, mismatch_low, mismatch_high) == 1 and not folded
@@ -630,9 +629,9 @@ def search_cell(tables: 'float[:]', work: 'float[:]', side: int, place: 'float[:
             elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, place, at, middle)
-                state[STATE_GAP_COUNT] += 1.0
-                push_cell(work, top, low, middle, gap_low, gap, mismatch_low, mismatch)
-                push_cell(work, top + 6, middle, high, gap, gap_high, mismatch, mismatch_high)
+                state.gap_count += 1.0
+                push_cell(work.raw, top, low, middle, gap_low, gap, mismatch_low, mismatch)
+                push_cell(work.raw, top + 6, middle, high, gap, gap_high, mismatch, mismatch_high)
                 depth += 2
     return 0
 
@@ -649,27 +648,27 @@ def push_cell(work: 'float[:]', top: int, low: float, high: float, gap_low: floa
     return 0
 
 
-def keep_best(work: 'float[:]', side: int, y: float, gap: float):
+def keep_best(work: Work, side: SideSearch, y: float, gap: float):
     """Keep (y, gap) if it is the side's best so far, by more than rounding: a node beside a place of contact is none."""
-    if gap < work[side + SIDE_BEST] - ROUNDING:
-        work[side + SIDE_BEST] = gap
-        work[side + SIDE_BEST_Y] = y
+    if gap < side.best - ROUNDING:
+        side.best = gap
+        side.best_y = y
     return 0
 
 
-def keep_refined(work: 'float[:]', side: int, y: float, gap: float, width: float):
+def keep_refined(work: Work, side: SideSearch, y: float, gap: float, width: float):
     """Keep (y, gap), a place of contact, if it is the side's best so far: before a node within ``width`` [m] that has the same
     gap but for the last bits."""
-    allowed = work[side + SIDE_BEST]
-    if fabs(y - work[side + SIDE_BEST_Y]) < width:
+    allowed = side.best
+    if fabs(y - side.best_y) < width:
         allowed += ROUNDING
     if gap < allowed:
-        work[side + SIDE_BEST] = gap
-        work[side + SIDE_BEST_Y] = y
+        side.best = gap
+        side.best_y = y
     return 0
 
 
-def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float[:]', low: float, high: float,
+def refine_minimum(tables: Tables, place: Work, at: Place, state: State, low: float, high: float,
                    mismatch_low: float, mismatch_high: float, sharp: float):
     """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes between ``low`` and ``high``:
     bracketed Newton."""
@@ -677,7 +676,7 @@ def refine_minimum(tables: 'float[:]', place: 'float[:]', at: int, state: 'float
     gap = 0.0
     for i in range(60):
         gap, mismatch, rate = vertical_gap(tables, place, at, y)
-        state[STATE_GAP_COUNT] += 1.0
+        state.gap_count += 1.0
         if mismatch < 0.0:
             low = y
         else:

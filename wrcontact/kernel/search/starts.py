@@ -5,7 +5,7 @@ A start sets the cost and never the answer, which is certified.
 
 from typing import Final
 
-from ..layout import SET_STARTS
+from ..layout import Tables
 
 # the table of starts: sizes, then a row for each lateral shift
 START_COUNT: Final[int] = 0
@@ -19,9 +19,9 @@ START_LEFT: Final[int] = 2           # wheel abscissae of the contacts [m]
 START_RIGHT: Final[int] = 3
 
 
-def nearest_start(tables: 'float[:]', shift: float):
+def nearest_start(tables: Tables, shift: float):
     """Offset in ``tables`` of the row nearest to the lateral ``shift`` [m]; -1 if nothing is known there."""
-    base = int(tables[SET_STARTS])
+    base = int(tables.starts)
     u = (shift - tables[base + START_FIRST]) * tables[base + START_PER_METRE] + 0.5
     if not (u >= 0.0 and u < tables[base + START_COUNT]):
         return -1

@@ -6,7 +6,7 @@ the profile bulges towards the other body.
 
 from typing import Final
 
-from ..layout import SET_RAIL_CURVATURE, SET_WHEEL_CURVATURE
+from ..layout import Tables
 
 CURVATURE_COUNT: Final[int] = 0
 CURVATURE_START: Final[int] = 1
@@ -29,9 +29,9 @@ def profile_curvature(tables: 'float[:]', base: int, y: float):
     return tables[at] + (u - float(cell)) * (tables[at + 1] - tables[at])
 
 
-def relative_curvature(tables: 'float[:]', y: float, abscissa: float):
+def relative_curvature(tables: Tables, y: float, abscissa: float):
     """B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m], the source's
     eq. (6.5)."""
-    wheel = profile_curvature(tables, int(tables[SET_WHEEL_CURVATURE]), y)
-    rail = profile_curvature(tables, int(tables[SET_RAIL_CURVATURE]), abscissa)
+    wheel = profile_curvature(tables.raw, int(tables.wheel_curvature), y)
+    rail = profile_curvature(tables.raw, int(tables.rail_curvature), abscissa)
     return 0.5 * (wheel + rail)

@@ -12,145 +12,135 @@ Everything here is for a right wheel; the left one comes in mirrored (convention
 from math import cos, sin, sqrt
 from typing import Final
 
+from ..layout import Place, Work
 
 # where the placed wheelset stands in the array ``place``
-PLACE_SHIFT: Final[int] = 0
-PLACE_SIN_YAW: Final[int] = 1
-PLACE_COS_YAW: Final[int] = 2
-PLACE_SIN_ROLL: Final[int] = 3
-PLACE_COS_ROLL: Final[int] = 4
-PLACE_T: Final[int] = 5
-PLACE_W_PER_SLOPE: Final[int] = 6
-PLACE_COS_T: Final[int] = 7
-PLACE_RADIUS: Final[int] = 8
-PLACE_ARM: Final[int] = 9
-PLACE_YAWED: Final[int] = 10
 PLACE_SIZE: Final[int] = 11
 
 
-def place_wheelset(place: 'float[:]', at: int, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
+def place_wheelset(place: Work, at: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
     """Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]."""
-    place[at + PLACE_SHIFT] = lateral_shift
-    place[at + PLACE_SIN_YAW] = 0.0
-    place[at + PLACE_COS_YAW] = 1.0
-    place[at + PLACE_YAWED] = 0.0
+    at.shift = lateral_shift
+    at.sin_yaw = 0.0
+    at.cos_yaw = 1.0
+    at.yawed = False
     if yaw != 0.0:
-        place[at + PLACE_SIN_YAW] = sin(yaw)
-        place[at + PLACE_COS_YAW] = cos(yaw)
-        place[at + PLACE_YAWED] = 1.0
-    place[at + PLACE_RADIUS] = radius
-    place[at + PLACE_ARM] = arm
+        at.sin_yaw = sin(yaw)
+        at.cos_yaw = cos(yaw)
+        at.yawed = True
+    at.radius = radius
+    at.arm = arm
     turn_wheelset(place, at, roll)
     return 0
 
 
-def turn_wheelset(place: 'float[:]', at: int, roll: float):
+def turn_wheelset(place: Work, at: Place, roll: float):
     """Give the wheelset at ``at`` another roll [rad]."""
     sin_roll = sin(roll)
     cos_roll = cos(roll)
     t = 0.0
     cos_t = 1.0
     w_per_slope = 0.0
-    if place[at + PLACE_YAWED] != 0.0:
-        tan_yaw = place[at + PLACE_SIN_YAW] / place[at + PLACE_COS_YAW]
+    if at.yawed:
+        tan_yaw = at.sin_yaw / at.cos_yaw
         t = tan_yaw * sin_roll
         cos_t = 1.0 / sqrt(1.0 + t * t)
         w_per_slope = tan_yaw * cos_roll * cos_t
-    place[at + PLACE_SIN_ROLL] = sin_roll
-    place[at + PLACE_COS_ROLL] = cos_roll
-    place[at + PLACE_T] = t
-    place[at + PLACE_COS_T] = cos_t
-    place[at + PLACE_W_PER_SLOPE] = w_per_slope
+    at.sin_roll = sin_roll
+    at.cos_roll = cos_roll
+    at.t = t
+    at.cos_t = cos_t
+    at.w_per_slope = w_per_slope
     return 0
 
 
-def mirror_place(place: 'float[:]', at: int, to: int):
+def mirror_place(place: Work, at: Place, to: Place):
     """The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign."""
-    place[to + PLACE_SHIFT] = -place[at + PLACE_SHIFT]
-    place[to + PLACE_SIN_YAW] = -place[at + PLACE_SIN_YAW]
-    place[to + PLACE_COS_YAW] = place[at + PLACE_COS_YAW]
-    place[to + PLACE_RADIUS] = place[at + PLACE_RADIUS]
-    place[to + PLACE_ARM] = place[at + PLACE_ARM]
-    place[to + PLACE_YAWED] = place[at + PLACE_YAWED]
+    to.shift = -at.shift
+    to.sin_yaw = -at.sin_yaw
+    to.cos_yaw = at.cos_yaw
+    to.radius = at.radius
+    to.arm = at.arm
+    to.yawed = at.yawed
     mirror_roll(place, at, to)
     return 0
 
 
-def mirror_roll(place: 'float[:]', at: int, to: int):
+def mirror_roll(place: Work, at: Place, to: Place):
     """What ``turn_wheelset`` has changed, mirrored."""
-    place[to + PLACE_SIN_ROLL] = -place[at + PLACE_SIN_ROLL]
-    place[to + PLACE_COS_ROLL] = place[at + PLACE_COS_ROLL]
-    place[to + PLACE_T] = place[at + PLACE_T]
-    place[to + PLACE_COS_T] = place[at + PLACE_COS_T]
-    place[to + PLACE_W_PER_SLOPE] = -place[at + PLACE_W_PER_SLOPE]
+    to.sin_roll = -at.sin_roll
+    to.cos_roll = at.cos_roll
+    to.t = at.t
+    to.cos_t = at.cos_t
+    to.w_per_slope = -at.w_per_slope
     return 0
 
 
-def around_wheel(place: 'float[:]', at: int, slope: float):
+def around_wheel(place: Work, at: Place, slope: float):
     """sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x component.
 
     Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
     """
-    w = place[at + PLACE_W_PER_SLOPE] * slope
+    w = at.w_per_slope * slope
     if w > 1.0:
         w = 1.0
     if w < -1.0:
         w = -1.0
     root = sqrt(1.0 - w * w)
-    t = place[at + PLACE_T]
-    cos_t = place[at + PLACE_COS_T]
+    t = at.t
+    cos_t = at.cos_t
     return -(t * root + w) * cos_t, (root - t * w) * cos_t
 
 
-def outline_point(place: 'float[:]', at: int, y: float, z: float, slope: float):
+def outline_point(place: Work, at: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y, z).
 
     The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
     """
-    sin_roll = place[at + PLACE_SIN_ROLL]
-    cos_roll = place[at + PLACE_COS_ROLL]
-    arm = place[at + PLACE_ARM] + y
-    r = place[at + PLACE_RADIUS] + z
-    if place[at + PLACE_YAWED] == 0.0:
-        y_track = place[at + PLACE_SHIFT] + arm * cos_roll - r * sin_roll
-        z_track = arm * sin_roll + r * cos_roll - place[at + PLACE_RADIUS]
+    sin_roll = at.sin_roll
+    cos_roll = at.cos_roll
+    arm = at.arm + y
+    r = at.radius + z
+    if not at.yawed:
+        y_track = at.shift + arm * cos_roll - r * sin_roll
+        z_track = arm * sin_roll + r * cos_roll - at.radius
         outline_slope = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll)
     else:
-        sin_yaw = place[at + PLACE_SIN_YAW]
-        cos_yaw = place[at + PLACE_COS_YAW]
+        sin_yaw = at.sin_yaw
+        cos_yaw = at.cos_yaw
         sin_phi, cos_phi = around_wheel(place, at, slope)
-        y_track = (place[at + PLACE_SHIFT] + sin_yaw * r * sin_phi
+        y_track = (at.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
-        z_track = arm * sin_roll + r * cos_phi * cos_roll - place[at + PLACE_RADIUS]
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - at.radius
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
         outline_slope = -normal_y / normal_z
     return y_track, z_track, outline_slope
 
 
-def outline_jet(place: 'float[:]', at: int, y: float, z: float, slope: float, bend: float):
+def outline_jet(place: Work, at: Place, y: float, z: float, slope: float, bend: float):
     """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]."""
-    sin_roll = place[at + PLACE_SIN_ROLL]
-    cos_roll = place[at + PLACE_COS_ROLL]
-    arm = place[at + PLACE_ARM] + y
-    r = place[at + PLACE_RADIUS] + z
-    if place[at + PLACE_YAWED] == 0.0:
-        y_track = place[at + PLACE_SHIFT] + arm * cos_roll - r * sin_roll
-        z_track = arm * sin_roll + r * cos_roll - place[at + PLACE_RADIUS]
+    sin_roll = at.sin_roll
+    cos_roll = at.cos_roll
+    arm = at.arm + y
+    r = at.radius + z
+    if not at.yawed:
+        y_track = at.shift + arm * cos_roll - r * sin_roll
+        z_track = arm * sin_roll + r * cos_roll - at.radius
         stretch = cos_roll - slope * sin_roll
         outline_slope = (slope * cos_roll + sin_roll) / stretch
         slope_rate = bend / (stretch * stretch)
     else:
-        sin_yaw = place[at + PLACE_SIN_YAW]
-        cos_yaw = place[at + PLACE_COS_YAW]
+        sin_yaw = at.sin_yaw
+        cos_yaw = at.cos_yaw
         sin_phi, cos_phi = around_wheel(place, at, slope)
-        w = place[at + PLACE_W_PER_SLOPE] * slope
+        w = at.w_per_slope * slope
         phi_rate = 0.0
         if w * w < 1.0:
-            phi_rate = -place[at + PLACE_W_PER_SLOPE] * bend / sqrt(1.0 - w * w)
-        y_track = (place[at + PLACE_SHIFT] + sin_yaw * r * sin_phi
+            phi_rate = -at.w_per_slope * bend / sqrt(1.0 - w * w)
+        y_track = (at.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
-        z_track = arm * sin_roll + r * cos_phi * cos_roll - place[at + PLACE_RADIUS]
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - at.radius
         stretch = (sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate)
                    + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)))
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)

@@ -12,28 +12,60 @@ lets the result move by them.  Values are left as they are.  What the rules call
 
 from math import cos, fabs, log, sin, sqrt
 
-from ..normal.analyn import influence, load_regions, region_load, solve_levels
-from ..contact.contact_plane import TRACER_RAIL, TRACER_STATION, TRACER_WHEEL, normal_gap, start_tracer
-from ..wheelset.elastic import ELASTIC_SHARP, bear_side, carry_side
-from ..surface.gap import gap_per_roll, vertical_gap
-from ..normal.hertz import table_value, upright_coefficients
-from ..layout import (IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, OUT_ROLL, OUT_VERTICAL_SHIFT,
-                     PLACE_BLOCK, SET_MODE, SET_RAIL, SET_RAIL_Y, SET_WHEEL, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK,
-                     SUPPORT_BLOCK, WORK_INPUTS, WORK_OUTPUTS, WORK_PLACE, WORK_SIDE, WORK_SUPPORT, WORK_SYSTEM)
-from ..surface.locus import PLACE_COS_YAW, PLACE_SIN_YAW, PLACE_YAWED, mirror_place, outline_jet, turn_wheelset
-from ..contact.overlaps import (DEEP_BETWEEN, DEEP_DEPTH, DEEP_FIRST, DEEP_HUMP, DEEP_RAIL, DEEP_SIZE, DEEP_WHEEL, find_overlaps)
+from ..contact.contact_plane import TRACER_WHEEL, normal_gap, start_tracer
+from ..contact.overlaps import (
+    DEEP_BETWEEN,
+    DEEP_DEPTH,
+    DEEP_FIRST,
+    DEEP_HUMP,
+    DEEP_RAIL,
+    DEEP_SIZE,
+    DEEP_WHEEL,
+    find_overlaps,
+)
 from ..contact.pressed import normal_line
-from ..surface.profile_table import START, STOP, height_slope_bend
-from ..contact.regions import (FAR, HALVED_SHARP, PLACE_SHARP, REGION_GAP, REGION_HIGH, REGION_LEVEL, REGION_LOAD, REGION_LOW,
-                      REGION_RAIL, REGION_REACHED, REGION_SHARE, REGION_STATION, REGION_TURN, REGION_WHEEL, TRACE,
-                      WIDTH_TRACE, find_hump, open_region, region_block, zone_width)
-from ..wheelset.resultant import write_resultant
-from ..search.roll import LEFT_PLACE, RIGHT_PLACE, place_both
-from ..contact.separation import arc_length, curve_jet, curve_speed, move_across, move_arc, move_chord, separation
-from ..wheelset.side import SUPPORT_HEIGHT, side_resultant
-from ..wheelset.step import side_force, stand_rigid, withhold
-from ..normal.strips import eliminate
+from ..contact.regions import (
+    FAR,
+    HALVED_SHARP,
+    PLACE_SHARP,
+    TRACE,
+    WIDTH_TRACE,
+    find_hump,
+    open_region,
+    zone_width,
+)
+from ..contact.separation import (
+    arc_length,
+    curve_jet,
+    curve_speed,
+    move_across,
+    move_arc,
+    move_chord,
+    separation,
+)
 from ..contact.touching import touching_pair
+from ..layout import (
+    MODE_COMPLIANT,
+    MODE_ELASTIC,
+    MODE_RIGID,
+    WORK_SYSTEM,
+    Place,
+    Region,
+    SideSearch,
+    State,
+    Tables,
+    Work,
+)
+from ..normal.analyn import influence, load_regions, region_load, solve_levels
+from ..normal.hertz import table_value, upright_coefficients
+from ..normal.strips import eliminate
+from ..search.roll import place_both
+from ..surface.gap import gap_per_roll, vertical_gap
+from ..surface.locus import mirror_place, outline_jet, turn_wheelset
+from ..surface.profile_table import START, STOP, height_slope_bend
+from ..wheelset.elastic import ELASTIC_SHARP, bear_side, carry_side
+from ..wheelset.resultant import write_resultant
+from ..wheelset.step import side_force, stand_rigid, withhold
 
 
 def held(x: float):
@@ -61,46 +93,46 @@ def differentiated(x: float):
     return x
 
 
-def place_moving(tables: 'float[:]', work: 'float[:]', roll: float):
+def place_moving(tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
     place_both(tables, work, roll)
-    yaw = work[WORK_INPUTS + IN_YAW]
+    yaw = work.inputs.yaw
     if yaw == 0.0 and rate_of(yaw) != 0.0:
-        work[RIGHT_PLACE + PLACE_SIN_YAW] = sin(yaw)
-        work[RIGHT_PLACE + PLACE_COS_YAW] = cos(yaw)
-        work[RIGHT_PLACE + PLACE_YAWED] = 1.0
-        turn_wheelset(work, RIGHT_PLACE, roll)
-        mirror_place(work, RIGHT_PLACE, LEFT_PLACE)
+        work.places[1].sin_yaw = sin(yaw)
+        work.places[1].cos_yaw = cos(yaw)
+        work.places[1].yawed = True
+        turn_wheelset(work, work.places[1], roll)
+        mirror_place(work, work.places[1], work.places[0])
     return 0
 
 
-def follow_minimum(tables: 'float[:]', work: 'float[:]', index: int):
+def follow_minimum(tables: Tables, work: Work, index: int):
     """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of wheel and rail
     agree, mismatch(y) = 0."""
-    side = WORK_SIDE + SIDE_BLOCK * index
-    at = WORK_PLACE + PLACE_BLOCK * index
-    y = held(work[side + SIDE_BEST_Y])
+    side = work.sides[index]
+    at = work.places[index]
+    y = held(side.best_y)
     gap, mismatch, rate = vertical_gap(tables, work, at, y)
     y = moving(y, -mismatch / held(rate))
     gap, mismatch, rate = vertical_gap(tables, work, at, y)
-    work[side + SIDE_BEST_Y] = y
-    work[side + SIDE_BEST] = moving(work[side + SIDE_BEST], gap)
+    side.best_y = y
+    side.best = moving(side.best, gap)
     return 0
 
 
-def follow_roll(tables: 'float[:]', work: 'float[:]'):
+def follow_roll(tables: Tables, work: Work):
     """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for how it follows the roll."""
-    roll = held(work[WORK_OUTPUTS + OUT_ROLL])
+    roll = held(work.outputs.roll)
     place_moving(tables, work, roll)
-    left = held(work[WORK_SIDE + SIDE_BEST_Y])
-    right = held(work[WORK_SIDE + SIDE_BLOCK + SIDE_BEST_Y])
-    gap_left, mismatch_left, rate_left = vertical_gap(tables, work, LEFT_PLACE, left)
-    gap_right, mismatch_right, rate_right = vertical_gap(tables, work, RIGHT_PLACE, right)
-    lever = (gap_per_roll(tables, work, RIGHT_PLACE, right) + gap_per_roll(tables, work, LEFT_PLACE, left))
+    left = held(work.sides[0].best_y)
+    right = held(work.sides[1].best_y)
+    gap_left, mismatch_left, rate_left = vertical_gap(tables, work, work.places[0], left)
+    gap_right, mismatch_right, rate_right = vertical_gap(tables, work, work.places[1], right)
+    lever = (gap_per_roll(tables, work, work.places[1], right) + gap_per_roll(tables, work, work.places[0], left))
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
-def follow_stand(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, height: float):
+def follow_stand(tables: Tables, work: Work, state: State, roll: float, height: float):
     """Both sides of an elastic wheelset that stands at ``roll`` and ``height``, each under its load."""
     place_moving(tables, work, roll)
     for index in range(2):
@@ -109,55 +141,55 @@ def follow_stand(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
     return 0
 
 
-def follow_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+def follow_elastic(tables: Tables, work: Work, state: State):
     """The elastic stand: what both sides lack of the height vanishes, over height and roll.
 
     1 where it does not, else 0: then the wheelset stands where a side's load jumps past its force (elastic.bracket_height), and
     no equation tells how that place moves.
     """
-    roll = work[WORK_OUTPUTS + OUT_ROLL]
-    height = work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT]
-    left = WORK_SUPPORT + SUPPORT_HEIGHT
-    right = WORK_SUPPORT + SUPPORT_BLOCK + SUPPORT_HEIGHT
+    roll = work.outputs.roll
+    height = work.outputs.vertical_shift
+    left = work.supports[0]
+    right = work.supports[1]
     follow_stand(tables, work, state, held(roll), held(height))
-    if fabs(work[left] - height) + fabs(work[right] - height) > 1e4 * ELASTIC_SHARP:
+    if fabs(left.height - height) + fabs(right.height - height) > 1e4 * ELASTIC_SHARP:
         return 1
-    lack_left = rate_of(work[left])
-    lack_right = rate_of(work[right])
+    lack_left = rate_of(left.height)
+    lack_right = rate_of(right.height)
     follow_stand(tables, work, state, held(roll), seeded(height, 1.0))
-    left_height = rate_of(work[left]) - lack_left - 1.0
-    right_height = rate_of(work[right]) - lack_right - 1.0
+    left_height = rate_of(left.height) - lack_left - 1.0
+    right_height = rate_of(right.height) - lack_right - 1.0
     follow_stand(tables, work, state, seeded(roll, 1.0), held(height))
-    left_roll = rate_of(work[left]) - lack_left
-    right_roll = rate_of(work[right]) - lack_right
+    left_roll = rate_of(left.height) - lack_left
+    right_roll = rate_of(right.height) - lack_right
     determinant = left_height * right_roll - right_height * left_roll
     if determinant == 0.0:
         return 1
     height_rate = (lack_right * left_roll - lack_left * right_roll) / determinant
     roll_rate = (lack_left * right_height - lack_right * left_height) / determinant
     follow_stand(tables, work, state, seeded(roll, roll_rate), seeded(height, height_rate))
-    work[WORK_OUTPUTS + OUT_ROLL] = seeded(roll, roll_rate)
-    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = seeded(height, height_rate)
+    work.outputs.roll = seeded(roll, roll_rate)
+    work.outputs.vertical_shift = seeded(height, height_rate)
     return 0
 
 
-def follow_compliant(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+def follow_compliant(tables: Tables, work: Work, state: State):
     """Both sides of a wheelset that stands at the height and roll of the inputs."""
-    roll = work[WORK_INPUTS + IN_ROLL]
-    height = work[WORK_INPUTS + IN_VERTICAL_SHIFT]
+    roll = work.inputs.roll
+    height = work.inputs.vertical_shift
     place_moving(tables, work, roll)
-    work[WORK_OUTPUTS + OUT_ROLL] = roll
-    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = height
+    work.outputs.roll = roll
+    work.outputs.vertical_shift = height
     for index in range(2):
         follow_minimum(tables, work, index)
         bear_side(tables, work, state, index, height)
     return 0
 
 
-def differentiate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+def differentiate(tables: Tables, work: Work, state: State):
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step left it.
     1 where that cannot be told (``follow_elastic``), else 0."""
-    mode = int(tables[SET_MODE])
+    mode = int(tables.mode)
     outcome = 0
     if mode == MODE_RIGID:
         roll = follow_roll(tables, work)
@@ -169,30 +201,30 @@ def differentiate(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
         outcome = follow_elastic(tables, work, state)
     if mode == MODE_COMPLIANT:
         follow_compliant(tables, work, state)
-    write_resultant(tables, work, side_resultant(0), side_resultant(1))
+    write_resultant(tables, work, work.supports[0].resultant, work.supports[1].resultant)
     withhold(tables, work)
     return outcome
 
 
-def minimum_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, station: float):
+def minimum_rule(tables: Tables, work: Work, state: State, index: int, station: float):
     """``open_region``: at the minimum the gap's rate is zero."""
     found = open_region(tables, work, state, index, station)
     if found < FAR:
-        place = held(work[region_block(index) + REGION_STATION])
-        start_tracer(work, place, held(work[TRACER_RAIL]), held(work[TRACER_WHEEL]))
+        place = held(work.regions[index].station)
+        start_tracer(work, place, held(work.frame.tracer_rail), held(work.frame.tracer_wheel))
         gap, rate, bend, curvature = normal_gap(tables, work, state, place, TRACE)
         place = moving(place, -rate / held(bend))
         found = differentiated(open_region(tables, work, state, index, place))
     return found
 
 
-def hump_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int, high: int):
+def hump_rule(tables: Tables, work: Work, state: State, low: Region, high: Region):
     """``find_hump``: at the hump the gap's rate is zero; a sample that stands for it keeps its share of the way."""
     station, gap = find_hump(tables, work, state, low, high)
-    way = work[high + REGION_STATION] - work[low + REGION_STATION]
-    place = work[low + REGION_STATION] + way * held((station - work[low + REGION_STATION]) / way)
-    if work[TRACER_STATION] == station:
-        start_tracer(work, held(station), held(work[TRACER_RAIL]), held(work[TRACER_WHEEL]))
+    way = high.station - low.station
+    place = low.station + way * held((station - low.station) / way)
+    if work.frame.tracer_station == station:
+        start_tracer(work, held(station), held(work.frame.tracer_rail), held(work.frame.tracer_wheel))
         hump, rate, bend, curvature = normal_gap(tables, work, state, held(station), TRACE)
         if bend < 0.0 and fabs(rate) < -10.0 * PLACE_SHARP * bend:
             place = -rate / held(bend)
@@ -200,31 +232,31 @@ def hump_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', low: int,
     return station, gap
 
 
-def width_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, level: float,
+def width_rule(tables: Tables, work: Work, state: State, block: Region, direction: float, level: float,
                guess: float):
     """``zone_width``: its Newton steps are followed as they are.  A width that halving has found ends where a profile ends, and
     stays on that point; or else where the gap has risen by ``level``."""
     width = differentiated(zone_width(tables, work, state, block, direction, level, guess))
-    limit = work[block + REGION_HIGH] - work[block + REGION_STATION]
+    limit = block.high - block.station
     if direction < 0.0:
-        limit = work[block + REGION_STATION] - work[block + REGION_LOW]
-    if width < limit and work[block + REGION_REACHED] != level:
+        limit = block.station - block.low
+    if width < limit and block.reached != level:
         inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
         tolerance = 1e-3 * held(guess)
         if tolerance > WIDTH_TRACE:
             tolerance = WIDTH_TRACE
         gap, rate = width_jet(tables, work, state, block, direction, inner, tolerance)
-        rail_rate = rate_of(work[TRACER_RAIL])
-        wheel_rate = rate_of(work[TRACER_WHEEL])
-        lack = rate_of(level - gap + work[block + REGION_GAP])
+        rail_rate = rate_of(work.frame.tracer_rail)
+        wheel_rate = rate_of(work.frame.tracer_wheel)
+        lack = rate_of(level - gap + block.gap)
         moved = 0.0
         if rate * direction > 0.0:
             moved = lack / held(rate * direction)
         gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, 1.0), tolerance)
-        rail = int(tables[SET_RAIL])
-        wheel = int(tables[SET_WHEEL])
-        x = work[TRACER_RAIL]
-        y = work[TRACER_WHEEL]
+        rail = int(tables.rail)
+        wheel = int(tables.wheel)
+        x = work.frame.tracer_rail
+        y = work.frame.tracer_wheel
         out = rate_of(x) - rail_rate
         if out != 0.0 and (x < tables[rail + START] + WIDTH_TRACE or x > tables[rail + STOP] - WIDTH_TRACE):
             moved = -rail_rate / out
@@ -233,20 +265,20 @@ def width_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: i
             moved = -wheel_rate / out
         gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
-        work[block + REGION_REACHED] = moving(work[block + REGION_REACHED], gap - work[block + REGION_GAP])
+        block.reached = moving(block.reached, gap - block.gap)
     return width
 
 
-def width_jet(tables: 'float[:]', work: 'float[:]', state: 'float[:]', block: int, direction: float, width: float,
+def width_jet(tables: Tables, work: Work, state: State, block: Region, direction: float, width: float,
               tolerance: float):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as ``zone_width`` measures it."""
-    start_tracer(work, work[block + REGION_STATION], work[block + REGION_RAIL], work[block + REGION_WHEEL])
-    gap, rate, bend, curvature = separation(tables, work, state, work[block + REGION_STATION] + direction * width,
+    start_tracer(work, block.station, block.rail, block.wheel)
+    gap, rate, bend, curvature = separation(tables, work, state, block.station + direction * width,
                                         tolerance)
     return gap, rate
 
 
-def levels_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: int, force: float, penetration: float,
+def levels_rule(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
                 prescribed: int, sharp: float):
     """``solve_levels``: of each region level = turn penetration - gap - sum of pushes, and of all the load is the force.
 
@@ -259,56 +291,56 @@ def levels_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', count: 
     size = count + 1
     width = size + 2
     for i in range(count):
-        level = region_block(i) + REGION_LEVEL
-        work[level] = held(work[level])
-    total = load_regions(tables, work, count)
+        region = work.regions[i]
+        region.level = held(region.level)
+    total = load_regions(tables.raw, work, count)
     last = WORK_SYSTEM + width * count
     for i in range(count):
-        block = region_block(i)
+        block = work.regions[i]
         row = WORK_SYSTEM + width * i
         pushed = 0.0
         for j in range(count):
             share = influence(tables, work, i, j)
-            pushed += share * work[region_block(j) + REGION_LOAD]
+            pushed += share * work.regions[j].load
             work[row + j] = held(share)
-        rest = work[block + REGION_TURN] * held(penetration) - work[block + REGION_GAP] - pushed
-        work[row + count] = -held(work[block + REGION_TURN])
+        rest = block.turn * held(penetration) - block.gap - pushed
+        work[row + count] = -held(block.turn)
         work[row + size] = rate_of(rest)
         work[row + size + 1] = 0.0
     for j in range(count):
-        block = region_block(j)
-        load, stiffness = region_load(work, j, seeded(work[block + REGION_LEVEL], 1.0))
-        per_level = rate_of(load) - rate_of(work[block + REGION_LOAD])
+        block = work.regions[j]
+        load, stiffness = region_load(work, j, seeded(block.level, 1.0))
+        per_level = rate_of(load) - rate_of(block.load)
         for i in range(count):
             work[WORK_SYSTEM + width * i + j] = held(work[WORK_SYSTEM + width * i + j]) * per_level
         work[WORK_SYSTEM + width * j + j] = held(work[WORK_SYSTEM + width * j + j]) + 1.0
         work[last + j] = 0.0
         if prescribed == 0:
-            work[last + j] = held(work[block + REGION_SHARE]) * per_level
+            work[last + j] = held(block.share) * per_level
     work[last + count] = 0.0
     work[last + size] = rate_of(force - total)
     work[last + size + 1] = 0.0
     if prescribed == 1:
         work[last + count] = 1.0
         work[last + size] = rate_of(given)
-    eliminate(work, size)
+    eliminate(work.raw, size)
     for i in range(count):
-        level = region_block(i) + REGION_LEVEL
-        work[level] = seeded(work[level], work[WORK_SYSTEM + width * i + size])
-    load_regions(tables, work, count)
+        region = work.regions[i]
+        region.level = seeded(region.level, work[WORK_SYSTEM + width * i + size])
+    load_regions(tables.raw, work, count)
     penetration = seeded(penetration, work[last + size])
     return penetration, met
 
 
-def pair_rule(tables: 'float[:]', work: 'float[:]', at: int, y: float, abscissa: float, shift: float):
+def pair_rule(tables: Tables, work: Work, at: Place, y: float, abscissa: float, shift: float):
     """``touching_pair``: both slopes agree, and the line between the points is normal to them."""
     y, abscissa, depth, aside, back_shift, found = touching_pair(tables, work, at, y, abscissa, shift)
     if found == 1:
         for i in range(2):
-            z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
+            z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
             y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
-            height, m, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
-            across = y_track - tables[SET_RAIL_Y] - abscissa
+            height, m, rail_bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
+            across = y_track - tables.rail_y - abscissa
             down = z_track + shift - height
             if i == 0:
                 turned = outline_slope - m
@@ -340,7 +372,7 @@ def upright_rule(tables: 'float[:]', base: int, length: float, width: float, nr:
     return A, B, share
 
 
-def arc_rule(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
+def arc_rule(tables: Tables, work: Work, tracer: int, length: float):
     """``move_arc``: the arc from the old abscissa to the new one has the given length."""
     start = work[tracer]
     exists = move_arc(tables, work, tracer, length)
@@ -355,7 +387,7 @@ def arc_rule(tables: 'float[:]', work: 'float[:]', tracer: int, length: float):
     return exists
 
 
-def chord_rule(tables: 'float[:]', work: 'float[:]', tracer: int, chord: float):
+def chord_rule(tables: Tables, work: Work, tracer: int, chord: float):
     """``move_chord``: both abscissae are a chord apart."""
     from_across, from_down, slope, stretch, bend = curve_jet(tables, work, tracer, work[tracer])
     exists = move_chord(tables, work, tracer, chord)
@@ -370,30 +402,30 @@ def chord_rule(tables: 'float[:]', work: 'float[:]', tracer: int, chord: float):
     return exists
 
 
-def across_rule(tables: 'float[:]', work: 'float[:]', lateral: float):
+def across_rule(tables: Tables, work: Work, lateral: float):
     """``move_across``: the wheel's outline is at the given lateral coordinate."""
     exists = move_across(tables, work, lateral)
     if exists == 1:
-        u = held(work[TRACER_WHEEL])
+        u = held(work.frame.tracer_wheel)
         across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, u)
-        work[TRACER_WHEEL] = moving(u, -(across - lateral) / held(stretch))
+        work.frame.tracer_wheel = moving(u, -(across - lateral) / held(stretch))
     return exists
 
 
-def line_rule(tables: 'float[:]', work: 'float[:]', at: int, abscissa: float, y: float, height: float):
+def line_rule(tables: Tables, work: Work, at: Place, abscissa: float, y: float, height: float):
     """``normal_line``: the wheel's point lies on the rail's normal."""
     y, overlap, tangent, turn, curvature, found = normal_line(tables, work, at, abscissa, y, height)
     if found == 1:
-        z_rail, m, rail_bend = height_slope_bend(tables, int(tables[SET_RAIL]), abscissa)
-        z, slope, bend = height_slope_bend(tables, int(tables[SET_WHEEL]), y)
+        z_rail, m, rail_bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
+        z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
         y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
-        rest = y_track - tables[SET_RAIL_Y] - abscissa + (z_track + height - z_rail) * m
+        rest = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
         y = moving(y, -rest / held(stretch * (1.0 + m * outline_slope)))
         y, overlap, tangent, turn, curvature, found = differentiated(normal_line(tables, work, at, abscissa, y, height))
     return y, overlap, tangent, turn, curvature, found
 
 
-def turning_rule(tables: 'float[:]', work: 'float[:]', at: int, x: float, y: float, height: float):
+def turning_rule(tables: Tables, work: Work, at: Place, x: float, y: float, height: float):
     """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the overlap: its rate is
     zero there."""
     x = held(x)
@@ -408,7 +440,7 @@ def turning_rule(tables: 'float[:]', work: 'float[:]', at: int, x: float, y: flo
     return place, y, overlap, found
 
 
-def overlaps_rule(tables: 'float[:]', work: 'float[:]', state: 'float[:]', side: int, at: int, height: float):
+def overlaps_rule(tables: Tables, work: Work, state: State, side: SideSearch, at: Place, height: float):
     """``find_overlaps``: the overlap's rate is zero at deepest points and humps."""
     count = find_overlaps(tables, work, state, side, at, height)
     for entry in range(count):

@@ -18,15 +18,11 @@ and each wheel's load follows from how deep it stands.
 from math import fabs
 from typing import Final
 
-from ..contact.contact_plane import FRAME_COS, FRAME_DEPTH
-from ..layout import (IN_ROLL, IN_VERTICAL_SHIFT, NOT_CONVERGED, OFF_PROFILE, OUT_ROLL, OUT_VERTICAL_SHIFT, SET_ABSENT,
-                     SET_ARM, SIDE_BEST, SIDE_BLOCK, SIDE_CONTACT_ANGLE, SIDE_PENETRATION, STATE_ROLL_COUNT,
-                     SUPPORT_BLOCK, UNLOADED, VALID, WORK_INPUTS, WORK_OUTPUTS, WORK_SIDE, WORK_SUPPORT)
-from ..normal.normal_contact import first_penetration
-from ..contact.regions import REGION_CARRIED, REGION_SHARE, region_block
-from ..search.roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
-from .side import SUPPORT_FIRST, SUPPORT_HEIGHT, SUPPORT_LEVER, load_side, press_side, rest_side, side_lever, side_outputs
 from ..contact.touching import limited
+from ..layout import NOT_CONVERGED, OFF_PROFILE, UNLOADED, VALID, State, Tables, Work
+from ..normal.normal_contact import first_penetration
+from ..search.roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
+from .side import load_side, press_side, rest_side, side_lever
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 25
@@ -52,42 +48,42 @@ DEEPEST: Final[float] = 2e-3
 GRAZING: Final[float] = 1e-13
 
 
-def first_sink(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
+def first_sink(tables: Tables, work: Work, state: State, index: int, force: float):
     """Estimate how far a wheel under ``force`` [N] sinks below its smallest gap; the outcome."""
-    support = WORK_SUPPORT + SUPPORT_BLOCK * index
+    support = work.supports[index]
     status = rest_side(tables, work, state, index)
-    work[support + SUPPORT_FIRST] = 0.0
+    support.first = 0.0
     if status == UNLOADED:
         status = VALID
         if force > 0.0:
-            work[support + SUPPORT_FIRST] = first_penetration(tables, work, state, force) / work[FRAME_COS]
+            support.first = first_penetration(tables, work, state, force) / work.frame.cos
     return status
 
 
-def carry_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float, height: float):
+def carry_side(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
     """Find at which height a side carries ``force`` [N], with regions and nodes laid where it stands at ``height`` [m]; its
     outcome.  Outputs are those of the side under this force."""
-    support = WORK_SUPPORT + SUPPORT_BLOCK * index
-    best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+    support = work.supports[index]
+    best = work.sides[index].best
     if not force > 0.0:
-        work[support + SUPPORT_HEIGHT] = best
-        work[support + SUPPORT_LEVER] = side_lever(tables, work, index, 0)
+        support.height = best
+        support.lever = side_lever(tables, work, index, 0)
         return rest_side(tables, work, state, index)
     sink = height - best
-    if sink < SHALLOWEST * work[support + SUPPORT_FIRST]:
-        sink = SHALLOWEST * work[support + SUPPORT_FIRST]
+    if sink < SHALLOWEST * support.first:
+        sink = SHALLOWEST * support.first
     if sink > DEEPEST:
         sink = DEEPEST
     status = press_side(tables, work, state, index, sink)
     if status == VALID:
-        count, status = load_side(tables, work, state, index, force, tables[SET_ABSENT])
-        carried = sink + (work[side_outputs(index) + SIDE_PENETRATION] - work[FRAME_DEPTH]) / work[FRAME_COS]
-        work[support + SUPPORT_HEIGHT] = best + carried
-        work[support + SUPPORT_LEVER] = side_lever(tables, work, index, count)
+        count, status = load_side(tables, work, state, index, force, tables.absent)
+        carried = sink + (work.outputs.left[index].penetration - work.frame.depth) / work.frame.cos
+        support.height = best + carried
+        support.lever = side_lever(tables, work, index, count)
     return status
 
 
-def turn_to(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float):
+def turn_to(tables: Tables, work: Work, state: State, roll: float):
     """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are above their rails, else 0."""
     turn_both(work, roll)
     known = follow_side(tables, work, state, 0)
@@ -96,9 +92,9 @@ def turn_to(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float
     return search_both(tables, work, state, known)
 
 
-def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: float, right: float, height: float):
+def carry_both(tables: Tables, work: Work, state: State, left: float, right: float, height: float):
     """``carry_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
-    state[STATE_ROLL_COUNT] += 1.0
+    state.roll_count += 1.0
     status = carry_side(tables, work, state, 0, left, height)
     if status <= UNLOADED:
         outcome = carry_side(tables, work, state, 1, right, height)
@@ -107,16 +103,16 @@ def carry_both(tables: 'float[:]', work: 'float[:]', state: 'float[:]', left: fl
     return status
 
 
-def too_deep(work: 'float[:]', index: int):
+def too_deep(work: Work, index: int):
     """1 if a side carries its load deeper than DEEPEST, which the compliant form refuses too, else 0."""
     deep = 0
-    best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
-    if work[WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_HEIGHT] - best > DEEPEST:
+    best = work.sides[index].best
+    if work.supports[index].height - best > DEEPEST:
         deep = 1
     return deep
 
 
-def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
+def solve_elastic(tables: Tables, work: Work, state: State, roll: float, left: float, right: float):
     """Roll [rad] at which the wheelset stands under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
     sides.  Starts at the rigid ``roll``, whose smallest gaps are known; where Broyden's method finds nothing, brackets do."""
     status = first_sink(tables, work, state, 0, left)
@@ -124,24 +120,24 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         status = first_sink(tables, work, state, 1, right)
     if status != VALID:
         return roll, status
-    first = WORK_SUPPORT
-    second = WORK_SUPPORT + SUPPORT_BLOCK
+    first = work.supports[0]
+    second = work.supports[1]
     rigid_roll = roll
     # where both would stand if each had sunk as estimated
     lever_left = side_lever(tables, work, 0, 0)
     lever_right = side_lever(tables, work, 1, 0)
     turn = 0.0
     if lever_left + lever_right < -LEAST_LEVER:
-        turn = (work[second + SUPPORT_FIRST] - work[first + SUPPORT_FIRST]) / -(lever_left + lever_right)
-    turn = limited(turn, LONGEST / tables[SET_ARM])
+        turn = (second.first - first.first) / -(lever_left + lever_right)
+    turn = limited(turn, LONGEST / tables.arm)
     # in one order for a wheelset and its mirror image
-    height = work[WORK_SIDE + SIDE_BEST] + 0.5 * ((work[first + SUPPORT_FIRST] - lever_left * turn)
-                                                  + (work[second + SUPPORT_FIRST] + lever_right * turn))
+    height = work.sides[0].best + 0.5 * ((first.first - lever_left * turn)
+                                                  + (second.first + lever_right * turn))
     roll += turn
     if turn_to(tables, work, state, roll) == 0:
         return roll, OFF_PROFILE
     # Broyden's (1965) method for what both sides lack of the height, over height and roll; the roll in metres at the wheels
-    arm = tables[SET_ARM]
+    arm = tables.arm
     lack_left = 0.0
     lack_right = 0.0
     left_height = -1.0
@@ -156,12 +152,12 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
             break
         before_left = lack_left
         before_right = lack_right
-        lack_left = work[first + SUPPORT_HEIGHT] - height
-        lack_right = work[second + SUPPORT_HEIGHT] - height
+        lack_left = first.height - height
+        lack_right = second.height - height
         size = move_height * move_height + move_roll * move_roll
         if trial == 0:
-            left_roll = -work[first + SUPPORT_LEVER] / arm
-            right_roll = work[second + SUPPORT_LEVER] / arm
+            left_roll = -first.lever / arm
+            right_roll = second.lever / arm
         elif size > 0.0:
             off_left = (lack_left - before_left - left_height * move_height - left_roll * move_roll) / size
             off_right = (lack_right - before_right - right_height * move_height - right_roll * move_roll) / size
@@ -173,8 +169,8 @@ def solve_elastic(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll:
         if not fabs(determinant) > SINGULAR:
             left_height = -1.0
             right_height = -1.0
-            left_roll = -work[first + SUPPORT_LEVER] / arm
-            right_roll = work[second + SUPPORT_LEVER] / arm
+            left_roll = -first.lever / arm
+            right_roll = second.lever / arm
             determinant = left_height * right_roll - right_height * left_roll
             if not fabs(determinant) > SINGULAR:
                 break
@@ -206,55 +202,55 @@ def within_bracket(low: float, high: float, at_low: float, at_high: float, i: in
     return place
 
 
-def carried_load(work: 'float[:]', count: int):
+def carried_load(work: Work, count: int):
     """What ``count`` regions carry [N], vertically where the prescribed load is vertical."""
     total = 0.0
     for region in range(count):
-        block = region_block(region)
-        total += work[block + REGION_SHARE] * work[block + REGION_CARRIED]
+        block = work.regions[region]
+        total += block.share * block.carried
     return total
 
 
-def lay_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float, height: float):
+def lay_side(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
     """What a side that is laid down at ``height`` lacks of the height at which it carries ``force`` [m]; 1 if it is carried
     there, else 0; and the outcome.
 
     The nodes of a deep stand may carry more than the force at every level, or less; then what they carry at ``height``
     tells whether that is too low or too high, and the lack counts as the whole depth.
     """
-    support = WORK_SUPPORT + SUPPORT_BLOCK * index
+    support = work.supports[index]
     status = carry_side(tables, work, state, index, force, height)
-    lack = work[support + SUPPORT_HEIGHT] - height
+    lack = support.height - height
     met = 1
     if status == NOT_CONVERGED:
         met = 0
-        sink = height - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+        sink = height - work.sides[index].best
         if sink > DEEPEST:
             sink = DEEPEST
-        if sink < SHALLOWEST * work[support + SUPPORT_FIRST]:
-            sink = SHALLOWEST * work[support + SUPPORT_FIRST]
+        if sink < SHALLOWEST * support.first:
+            sink = SHALLOWEST * support.first
         status = press_side(tables, work, state, index, sink)
         if status == VALID:
-            count, status = load_side(tables, work, state, index, 0.0, work[FRAME_DEPTH])
+            count, status = load_side(tables, work, state, index, 0.0, work.frame.depth)
             lack = sink
             if carried_load(work, count) > force:
                 lack = -sink
-            work[support + SUPPORT_HEIGHT] = height + lack
+            support.height = height + lack
     return lack, met, status
 
 
-def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
+def bracket_height(tables: Tables, work: Work, state: State, index: int, force: float):
     """Find the height at which a side carries ``force`` [N] when it is laid down just there; the outcome.
 
     Laid down too high it lacks height, too low it has too much.  Where its load jumps past the force as it comes down, since
     a region comes or goes, the height of the jump is taken, with the regions just below it, or just above where those cannot
     carry the force.  Where DEEPEST is too high the height is what it would be with regions as they are there.
     """
-    support = WORK_SUPPORT + SUPPORT_BLOCK * index
-    best = work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+    support = work.supports[index]
+    best = work.sides[index].best
     if not force > 0.0:
         return carry_side(tables, work, state, index, force, best)
-    low = best + SHALLOWEST * work[support + SUPPORT_FIRST]
+    low = best + SHALLOWEST * support.first
     lack_low, met, status = lay_side(tables, work, state, index, force, low)
     if status > UNLOADED:
         return status
@@ -293,24 +289,24 @@ def bracket_height(tables: 'float[:]', work: 'float[:]', state: 'float[:]', inde
     status = carry_side(tables, work, state, index, force, high)
     if status == NOT_CONVERGED:
         status = carry_side(tables, work, state, index, force, low)
-    work[support + SUPPORT_HEIGHT] = high
+    support.height = high
     return status
 
 
-def flatter_side(work: 'float[:]'):
+def flatter_side(work: Work):
     """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal."""
     flat = 0
-    if fabs(work[side_outputs(1) + SIDE_CONTACT_ANGLE]) < fabs(work[side_outputs(0) + SIDE_CONTACT_ANGLE]):
+    if fabs(work.outputs.left[1].contact_angle) < fabs(work.outputs.left[0].contact_angle):
         flat = 1
     return flat
 
 
-def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float, flat: int):
+def stand_at(tables: Tables, work: Work, state: State, roll: float, left: float, right: float, flat: int):
     """Let side ``flat`` carry its load at ``roll``, and lay down the other one at this height; how much lower the right one
     would stand than the left one [m], 1 if either load is carried, else 0, and the outcome."""
     if turn_to(tables, work, state, roll) == 0:
         return 0.0, 0, OFF_PROFILE
-    state[STATE_ROLL_COUNT] += 1.0
+    state.roll_count += 1.0
     flat_force = left
     steep_force = right
     if flat == 1:
@@ -319,9 +315,9 @@ def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: floa
     status = bracket_height(tables, work, state, flat, flat_force)
     if status > UNLOADED:
         return 0.0, 0, status
-    height = work[WORK_SUPPORT + SUPPORT_BLOCK * flat + SUPPORT_HEIGHT]
+    height = work.supports[flat].height
     lack, met, outcome = lay_side(tables, work, state, 1 - flat, steep_force, height)
-    work[WORK_SUPPORT + SUPPORT_BLOCK * (1 - flat) + SUPPORT_HEIGHT] = height
+    work.supports[1 - flat].height = height
     if outcome > status:
         status = outcome
     if flat == 1:
@@ -329,7 +325,7 @@ def stand_at(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: floa
     return lack, met, status
 
 
-def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: float, left: float, right: float):
+def bracket_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float):
     """``solve_elastic`` by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
 
     A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
@@ -397,26 +393,26 @@ def bracket_roll(tables: 'float[:]', work: 'float[:]', state: 'float[:]', roll: 
     return roll, status
 
 
-def bear_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, height: float):
+def bear_side(tables: Tables, work: Work, state: State, index: int, height: float):
     """The load of a side whose wheelset stands at the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted."""
-    sink = height - work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST]
+    sink = height - work.sides[index].best
     if not sink > GRAZING:
         return rest_side(tables, work, state, index)
     if sink > DEEPEST:
         return OFF_PROFILE
     status = press_side(tables, work, state, index, sink)
     if status == VALID:
-        count, status = load_side(tables, work, state, index, 0.0, work[FRAME_DEPTH])
+        count, status = load_side(tables, work, state, index, 0.0, work.frame.depth)
     return status
 
 
-def stand_compliant(tables: 'float[:]', work: 'float[:]', state: 'float[:]'):
+def stand_compliant(tables: Tables, work: Work, state: State):
     """Compliant contact: the wheelset stands at the height and roll of the inputs; the outcome."""
-    roll = work[WORK_INPUTS + IN_ROLL]
-    height = work[WORK_INPUTS + IN_VERTICAL_SHIFT]
+    roll = work.inputs.roll
+    height = work.inputs.vertical_shift
     place_both(tables, work, roll)
-    work[WORK_OUTPUTS + OUT_ROLL] = roll
-    work[WORK_OUTPUTS + OUT_VERTICAL_SHIFT] = height
+    work.outputs.roll = roll
+    work.outputs.vertical_shift = height
     status = VALID
     if search_both(tables, work, state, 0) == 0:
         return OFF_PROFILE

@@ -1,59 +1,60 @@
 """One side of a wheelset, from where its wheel stands to its outputs: contact, patches, and its share of the resultant."""
 
 from math import isfinite
-from typing import Final
 
 from ..contact.contact_point import describe_contact
-from ..surface.gap import gap_per_roll
-from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, NOT_CONVERGED, OFF_PROFILE, OUT_LEFT, OUT_RIGHT, PLACE_BLOCK,
-                     SET_ABSENT, SET_DEPTH, SET_PENETRATION_LEFT, SIDE_BEST, SIDE_BEST_Y, SIDE_BLOCK, SIDE_PATCH_COUNT,
-                     SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, SUPPORT_BLOCK, UNLOADED, VALID, WORK_OUTPUTS, WORK_PLACE,
-                     WORK_SIDE, WORK_SUPPORT)
+from ..contact.overlaps import (
+    DEEP_DEPTH,
+    DEEP_FIRST,
+    DEEP_SIZE,
+    DEEP_WHEEL,
+    deepest_entry,
+    find_overlaps,
+    press_frame,
+    touching_shift,
+)
+from ..layout import (
+    DEPTH_GEOMETRY,
+    DEPTH_PATCHES,
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    SIDE_PENETRATION,
+    SIDE_SIZE,
+    SIDE_STATION,
+    UNLOADED,
+    VALID,
+    SideOutputs,
+    State,
+    Tables,
+    Work,
+)
 from ..normal.normal_contact import solve_normal
 from ..patch.outline import fill_apart
-from ..contact.overlaps import (DEEP_DEPTH, DEEP_FIRST, DEEP_SIZE, DEEP_WHEEL, deepest_entry, find_overlaps, press_frame,
-                       touching_shift)
-from ..contact.regions import REGION_COS, REGION_SHARE, REGION_STIFFNESS, REGION_WHEEL, region_block
+from ..surface.gap import gap_per_roll
 from .resultant import add_region, clear_resultant
 
-# how a side carries its load, at WORK_SUPPORT + SUPPORT_BLOCK * index
-SUPPORT_FIRST: Final[int] = 0        # how far below its smallest gap the wheel is estimated to sink [m]
-SUPPORT_HEIGHT: Final[int] = 1       # the vertical shift at which it carries its load [m]
-SUPPORT_LEVER: Final[int] = 2        # how that follows the roll [m]
-SUPPORT_RESULTANT: Final[int] = 8    # force on the wheel and its moment about the track's origin
 
-
-def side_outputs(index: int):
-    """Offset in the workspace of the outputs of side ``index`` (0 left, 1 right)."""
-    return WORK_OUTPUTS + OUT_LEFT + (OUT_RIGHT - OUT_LEFT) * index
-
-
-def side_resultant(index: int):
-    """Offset in the workspace of the force and moment of side ``index``."""
-    return WORK_SUPPORT + SUPPORT_BLOCK * index + SUPPORT_RESULTANT
-
-
-def clear_side(tables: 'float[:]', work: 'float[:]', out: int):
+def clear_side(tables: Tables, work: Work, out: SideOutputs):
     """Zeros in a side's outputs."""
     for i in range(SIDE_SIZE):
-        work[out + i] = 0.0
+        out[i] = 0.0
     fill_apart(tables, work, out, 0.0)
     return 0
 
 
-def clear_from(tables: 'float[:]', work: 'float[:]', out: int, first: int):
+def clear_from(tables: Tables, work: Work, out: SideOutputs, first: int):
     """Write what stands for outputs that are not wanted, from a side's output ``first`` on."""
     for i in range(first, SIDE_SIZE):
-        work[out + i] = tables[SET_ABSENT]
-    fill_apart(tables, work, out, tables[SET_ABSENT])
+        out[i] = tables.absent
+    fill_apart(tables, work, out, tables.absent)
     if first <= SIDE_PENETRATION:
-        work[out + SIDE_PATCH_COUNT] = tables[SET_ABSENT]
+        out.patch_count = tables.absent
     return 0
 
 
-def first_unwanted(tables: 'float[:]'):
+def first_unwanted(tables: Tables):
     """The first of a side's outputs that is not wanted; SIDE_SIZE if all are."""
-    depth = int(tables[SET_DEPTH])
+    depth = int(tables.depth)
     first = SIDE_SIZE
     if depth == DEPTH_PATCHES:
         first = SIDE_STATION
@@ -62,55 +63,55 @@ def first_unwanted(tables: 'float[:]'):
     return first
 
 
-def load_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float, prescribed: float):
+def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome."""
     status = VALID
-    count, met = solve_normal(tables, work, state, WORK_SIDE + SIDE_BLOCK * index, side_outputs(index), force, prescribed)
+    count, met = solve_normal(tables, work, state, work.sides[index], work.outputs.left[index], force, prescribed)
     if met == 0:
         status = NOT_CONVERGED
     else:
         for region in range(count):
-            add_region(tables, work, region, float(2 * index - 1), side_resultant(index))
+            add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
     return count, status
 
 
-def rest_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int):
+def rest_side(tables: Tables, work: Work, state: State, index: int):
     """Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED."""
-    side = WORK_SIDE + SIDE_BLOCK * index
-    clear_side(tables, work, side_outputs(index))
-    clear_resultant(work, side_resultant(index))
+    side = work.sides[index]
+    clear_side(tables, work, work.outputs.left[index])
+    clear_resultant(work.supports[index].resultant)
     status = UNLOADED
-    if describe_contact(tables, work, state, index, work[side + SIDE_BEST_Y], 0.0, work[side + SIDE_BEST]) == 0:
+    if describe_contact(tables, work, state, index, side.best_y, 0.0, side.best) == 0:
         status = OFF_PROFILE
     return status
 
 
-def step_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, force: float):
+def step_side(tables: Tables, work: Work, state: State, index: int, force: float):
     """Contact and patches of one side of a rigid wheelset, as far as they are wanted; its outcome."""
     status = rest_side(tables, work, state, index)
     if status == UNLOADED:
-        penetration = tables[SET_PENETRATION_LEFT + index]
+        penetration = tables.penetration[index]
         pressed = force
         if isfinite(penetration):
             pressed = penetration
         if pressed > 0.0:
             status = VALID
-            if int(tables[SET_DEPTH]) != DEPTH_GEOMETRY:
+            if int(tables.depth) != DEPTH_GEOMETRY:
                 count, status = load_side(tables, work, state, index, force, penetration)
     return status
 
 
-def press_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: int, sink: float):
+def press_side(tables: Tables, work: Work, state: State, index: int, sink: float):
     """Describe the side whose wheel stands ``sink`` [m] below its smallest gap, where it overlaps its rail most; its outcome."""
-    side = WORK_SIDE + SIDE_BLOCK * index
-    at = WORK_PLACE + PLACE_BLOCK * index
-    height = work[side + SIDE_BEST] + sink
-    clear_side(tables, work, side_outputs(index))
-    clear_resultant(work, side_resultant(index))
+    side = work.sides[index]
+    at = work.places[index]
+    height = side.best + sink
+    clear_side(tables, work, work.outputs.left[index])
+    clear_resultant(work.supports[index].resultant)
     if find_overlaps(tables, work, state, side, at, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE
-    deepest = deepest_entry(work)
+    deepest = deepest_entry(work.raw)
     deep = DEEP_FIRST + DEEP_SIZE * deepest
     aside, shift = touching_shift(tables, work, at, deepest, height)
     describe_contact(tables, work, state, index, work[deep + DEEP_WHEEL], aside, shift)
@@ -118,17 +119,17 @@ def press_side(tables: 'float[:]', work: 'float[:]', state: 'float[:]', index: i
     return VALID
 
 
-def side_lever(tables: 'float[:]', work: 'float[:]', index: int, count: int):
+def side_lever(tables: Tables, work: Work, index: int, count: int):
     """How the height at which a side carries its load follows the roll [m], from its regions' levers and stiffnesses."""
-    at = WORK_PLACE + PLACE_BLOCK * index
+    at = work.places[index]
     total = 0.0
     weight = 0.0
     for region in range(count):
-        block = region_block(region)
-        stiffness = work[block + REGION_STIFFNESS] * work[block + REGION_SHARE] * work[block + REGION_COS]
+        block = work.regions[region]
+        stiffness = block.stiffness * block.share * block.cos
         weight += stiffness
-        total += stiffness * gap_per_roll(tables, work, at, work[block + REGION_WHEEL])
-    lever = gap_per_roll(tables, work, at, work[WORK_SIDE + SIDE_BLOCK * index + SIDE_BEST_Y])
+        total += stiffness * gap_per_roll(tables, work, at, block.wheel)
+    lever = gap_per_roll(tables, work, at, work.sides[index].best_y)
     if weight > 0.0:
         lever = total / weight
     return lever

@@ -1,0 +1,356 @@
+"""Lower records to offsets: from kernel modules with records to the same modules without, before anything is translated.
+
+    region.spacing                work[region + REGION_SPACING]
+    region.first                  int(work[region + REGION_FIRST])             where the field is an int
+    work.regions[i].low           work[WORK_REGIONS + REGION_SIZE * i + REGION_LOW]
+    region = work.regions[i]      region = WORK_REGIONS + REGION_SIZE * i
+    frame.cos                     work[WORK_FRAME + FRAME_COS]                 there is one Frame: nothing to hand on
+    def f(frame: Frame, region: Region, x: float)     def f(work: 'float[:]', region: int, x: float)
+    f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)
+
+The classes of layout.py say where each field is and in which array each record lives; those with ``array = "..."`` are that
+array's head.  What is not a field, and a record of another class than the one asked for, is refused with its line.
+"""
+
+import ast
+import re
+from collections import namedtuple
+from copy import deepcopy
+from ctypes import Array, sizeof
+
+#: Arrays in which records live, in the order in which a function gets them.
+ARRAYS = ("setup", "tables", "work", "state", "report")
+Ref = namedtuple("Ref", "kind array terms")         # records, or numbers, at the sum of ``terms`` in ``array``
+
+
+class Refused(Exception):
+    """The module cannot be lowered; the message says where and why."""
+
+
+def constant(name):
+    """REGION_LOAD of RegionLoad."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).upper()
+
+
+class Layout:
+    """The record classes of the module layout.py, which is imported."""
+
+    def __init__(self, module):
+        named = {name: kind for name, kind in vars(module).items() if is_record(kind) or is_run(kind)}
+        self.classes = {name: kind for name, kind in named.items() if getattr(kind, "_fields_", True)}
+        self.places, self.values = {}, {}       # where each class is met in the arrays; values of the constants
+        for name, kind in self.classes.items():
+            if not is_record(kind):
+                continue
+            self.values[f"{constant(name)}_SIZE"] = sizeof(kind) // 8
+            for field, _ in kind._fields_:
+                self.values[self.offset(kind, field)] = getattr(kind, field).offset // 8
+        for name, value in self.values.items():
+            if getattr(module, name, value) != value:
+                raise Refused(f"layout.py: {name} is {getattr(module, name)}, and {value} in a record")
+        for kind in self.classes.values():
+            if getattr(kind, "array", None):
+                self.walk(kind, kind.array, [], True)
+
+    def walk(self, kind, array, terms, single):
+        self.places.setdefault(kind, []).append((array, terms if single else None))
+        if is_run(kind):
+            if is_record(kind._type_) or is_run(kind._type_):
+                self.walk(kind._type_, array, terms, False)
+            return
+        for field, inner in kind._fields_:
+            if is_record(inner) or is_run(inner):
+                self.walk(inner, array, [*terms, self.offset(kind, field)], single)
+        for target in kind.targets.values():
+            self.walk(target, array, [], False)
+
+    @staticmethod
+    def offset(kind, field):
+        return f"{constant(kind.__name__)}_{field.lstrip('_').upper()}"
+
+    def home(self, kind):
+        """The array that records of a class live in, and their offset's terms where there is only one of them, else None."""
+        arrays = {array for array, _ in self.places.get(kind, ())}
+        if not arrays:
+            raise Refused(f"{kind.__name__} is in none of the arrays")
+        if len(arrays) > 1:
+            raise Refused(f"{kind.__name__} is met in {', '.join(sorted(arrays))}")
+        return arrays.pop(), self.places[kind][0][1] if len(self.places[kind]) == 1 else None
+
+
+def is_record(kind):
+    """Whether a type is a class of records."""
+    return isinstance(kind, type) and hasattr(kind, "_fields_")
+
+
+def is_run(kind):
+    """Whether a type is a run of numbers or records, one after the other."""
+    return isinstance(kind, type) and issubclass(kind, Array) and hasattr(kind, "_length_")
+
+
+def total(terms):
+    """The sum of names, numbers and expressions as an expression."""
+    nodes = [ast.Name(term, ast.Load()) if isinstance(term, str) else term for term in terms] or [ast.Constant(0)]
+    result = nodes[0]
+    for node in nodes[1:]:
+        result = ast.BinOp(result, ast.Add(), node)
+    return result
+
+
+class Lowered(ast.NodeTransformer):
+    """One module.  ``signatures`` of all modules: {function: [(parameter, record class or None)]}."""
+
+    def __init__(self, name, text, layout, signatures):
+        self.name, self.layout, self.signatures = name, layout, signatures
+        self.lines = text.split(b"\n")
+        self.tree = ast.parse(text)
+        self.origins = {alias.name: node.module for node in self.tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+        self.edits, self.records = [], {}
+        for node in self.tree.body:
+            if isinstance(node, ast.FunctionDef):
+                self.function(node)
+        self.imports()
+
+    def refuse(self, node, why):
+        raise Refused(f"{self.name}.py, line {node.lineno}: {why}")
+
+    # --- functions ------------------------------------------------------------------------------------
+
+    def function(self, node):
+        parameters = record_parameters(node, self.layout)
+        self.records, given = {}, []
+        self.assigned = [n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
+        for name, kind in parameters:
+            if is_root(kind):
+                self.records[name] = Ref(kind, name, [])
+        for name, kind in parameters:
+            if kind and not is_root(kind):
+                array, terms = self.layout.home(kind)
+                self.records[name] = Ref(kind, self.array_name(array), [name] if terms is None else terms)
+        if any(kind for _, kind in parameters):
+            annotations = {a.arg: ast.unparse(a.annotation) for a in node.args.args}
+            texts = [f"{array}: 'float[:]'" for array in added_arrays(parameters, self.layout)]
+            for name, kind in parameters:
+                if kind is None:
+                    texts.append(f"{name}: {annotations[name]}")
+                elif is_root(kind):
+                    texts.append(f"{name}: 'float[:]'")
+                elif self.layout.home(kind)[1] is None:
+                    texts.append(f"{name}: int")
+            first, last = node.args.args[0], node.args.args[-1].annotation
+            self.edit(first, last, ", ".join(texts))
+        self.block(node.body)
+
+    def array_name(self, array):
+        """What this function calls an array: its parameter of the class at that array's head, or the array's own name."""
+        return next((name for name, ref in self.records.items() if is_root(ref.kind) and ref.kind.array == array and not ref.terms), array)
+
+    def block(self, statements):
+        for node in statements:
+            if isinstance(node, (ast.If, ast.While)):
+                self.replace(node.test)
+            elif isinstance(node, ast.For):
+                self.replace(node.iter)
+            elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and self.note(node):
+                continue
+            elif isinstance(node, (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)):
+                self.replace(node)
+            for body in (getattr(node, "body", []), getattr(node, "orelse", [])):
+                self.block(body)
+
+    def note(self, node):
+        """A record under a local name: an offset, or nothing at all where it has only one place."""
+        name, ref = node.targets[0].id, self.ref(node.value)
+        if ref is None or not (is_record(ref.kind) or is_run(ref.kind)):
+            return False
+        if self.assigned.count(name) == 1 and all(isinstance(term, str) and term.isupper() for term in ref.terms):
+            self.records[name] = ref
+            self.edit(node, node, "")
+            return True
+        known = self.records.get(name)
+        if known and (known.kind, known.array) != (ref.kind, ref.array):
+            self.refuse(node, f"{name} is a {known.kind.__name__} before")
+        self.records[name] = Ref(ref.kind, ref.array, [name])
+        self.edit(node, node, f"{name} = {ast.unparse(total(ref.terms))}")
+        return True
+
+    # --- expressions ----------------------------------------------------------------------------------
+
+    def ref(self, node):
+        """The record, the records or the numbers that an expression stands for; None if it is a value."""
+        if isinstance(node, ast.Name):
+            return self.records.get(node.id)
+        if isinstance(node, ast.Attribute):
+            outer = self.ref(node.value)
+            if node.attr == "raw" and outer and not outer.terms:
+                return outer
+            if node.attr == "shape":                # of an array; Pyccel knows it
+                return None
+            if outer is None:
+                self.refuse(node, f"{ast.unparse(node.value)} is no record")
+            place = Ref(self.field(node, outer.kind), outer.array, [*outer.terms, self.layout.offset(outer.kind, node.attr)])
+            if node.attr in outer.kind.targets and isinstance(node.ctx, ast.Load):
+                return Ref(outer.kind.targets[node.attr], outer.array, [integer(self.element(place, ast.Load()))])
+            return place
+        if isinstance(node, ast.Subscript):
+            outer = self.ref(node.value)
+            if outer is None:
+                return None
+            many = hasattr(outer.kind, "_length_")
+            element, index = outer.kind._type_ if many else float, self.visit(deepcopy(node.slice))
+            if not (is_record(element) or is_run(element)):
+                middle = getattr(outer.kind, "middle", 0) if many else 0
+                return Ref(float, outer.array, [*outer.terms, *([ast.Constant(middle)] if middle else []), index])
+            size = ast.Constant(sizeof(element) // 8)
+            if is_record(element):
+                size = ast.Name(f"{constant(element.__name__)}_SIZE", ast.Load())
+            terms = [] if ast.unparse(index) == "0" else [ast.BinOp(size, ast.Mult(), index)]
+            return Ref(element, outer.array, [*outer.terms, *terms])
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "at":
+            kind, array = self.layout.classes.get(ast.unparse(node.func.value)), self.ref(node.args[0])
+            return Ref(kind, array.array if array else node.args[0].id, [self.visit(deepcopy(argument)) for argument in node.args[1:]])
+        return None
+
+    def field(self, node, kind):
+        """The type of a record's field."""
+        fields = dict(kind._fields_) if hasattr(kind, "_fields_") else {}
+        if node.attr not in fields and "_" + node.attr not in fields:
+            self.refuse(node, f"{getattr(kind, '__name__', 'an array')} has no field {node.attr}")
+        if node.attr in kind.targets:
+            return int
+        return kind.scalars.get(node.attr) or fields.get(node.attr) or fields["_" + node.attr]
+
+    def value(self, node):
+        """A field or an element as the dialect reads it."""
+        ref = self.ref(node)
+        if ref is None:
+            return self.generic_visit(node)
+        if isinstance(node, ast.Attribute) and node.attr == "raw":
+            return ast.Name(ref.array, ast.Load())
+        if is_record(ref.kind) or is_run(ref.kind):
+            self.refuse(node, f"{ast.unparse(node)} is no number")
+        place = self.element(ref, node.ctx)
+        if isinstance(node.ctx, ast.Load) and ref.kind is int:
+            return integer(place)
+        if isinstance(node.ctx, ast.Load) and ref.kind is bool:
+            return ast.Compare(place, [ast.Eq()], [ast.Constant(1.0)])
+        return place
+
+    visit_Attribute = visit_Subscript = value
+
+    @staticmethod
+    def element(ref, ctx):
+        """The number that stands at a reference."""
+        return ast.Subscript(ast.Name(ref.array, ast.Load()), total(ref.terms), ctx)
+
+    def visit_Assign(self, node):
+        ref = self.ref(node.targets[0]) if isinstance(node.targets[0], (ast.Attribute, ast.Subscript)) else None
+        if ref and ref.kind in (int, bool):
+            node.value = ast.Call(ast.Name("float", ast.Load()), [node.value], [])
+        return self.generic_visit(node)
+
+    def visit_AugAssign(self, node):
+        ref = self.ref(node.target) if isinstance(node.target, (ast.Attribute, ast.Subscript)) else None
+        if ref and ref.kind in (int, bool):
+            self.refuse(node, "a whole number in a record is written as a whole: x.n = x.n + 1")
+        return self.generic_visit(node)
+
+    def visit_Call(self, node):
+        name = ast.unparse(node.func)
+        if name == "offset":
+            return total(self.ref(node.args[0]).terms)
+        parameters = self.signatures.get((self.origins.get(name, self.name), name), [])
+        if not any(kind for _, kind in parameters):
+            return self.generic_visit(node)
+        if len(parameters) != len(node.args):
+            self.refuse(node, f"{name} has {len(parameters)} parameters")
+        arguments = [ast.Name(self.array_name(array), ast.Load()) for array in added_arrays(parameters, self.layout)]
+        for (parameter, kind), argument in zip(parameters, node.args):
+            ref = self.ref(argument) if kind else None
+            if kind and (ref is None or ref.kind is not kind):
+                self.refuse(argument, f"{name} wants a {kind.__name__} as its {parameter}")
+            if kind is None:
+                arguments.append(self.visit(argument))
+            elif is_root(kind):
+                arguments.append(ast.Name(ref.array, ast.Load()))
+            elif self.layout.home(kind)[1] is None:
+                arguments.append(total(ref.terms))
+        return ast.Call(node.func, arguments, [])
+
+    def visit_Name(self, node):
+        ref = self.records.get(node.id)
+        if ref and is_root(ref.kind) and not ref.terms:
+            return ast.Name(ref.array, node.ctx)        # the whole array, to a function that takes arrays
+        if ref:
+            self.refuse(node, f"the record {node.id} is used as a number")
+        return node
+
+    # --- text -----------------------------------------------------------------------------------------
+
+    def replace(self, node):
+        """The text of a statement or expression anew, if it changes; comments around it stay."""
+        before = ast.unparse(node)
+        after = ast.unparse(ast.fix_missing_locations(self.visit(node)))
+        if after != before:
+            self.edit(node, node, after)
+
+    def edit(self, first, last, text):
+        self.edits.append(((first.lineno, first.col_offset), (last.end_lineno, last.end_col_offset), text))
+
+    def imports(self):
+        """The constants that the lowered text names come from layout.py, records do not."""
+        wanted = {name for name in self.layout.values if any(re.search(rf"\b{name}\b", text) for _, _, text in self.edits)}
+        for node in self.tree.body:
+            if isinstance(node, ast.ImportFrom) and node.module == "layout":
+                names = {alias.name for alias in node.names} - set(self.layout.classes) | wanted
+                self.edit(node, node, f"from .layout import {', '.join(sorted(names))}" if names else "")
+            elif isinstance(node, ast.ImportFrom) and node.module == "record":
+                self.edit(node, node, "")
+
+    def text(self):
+        for start, stop, text in sorted(self.edits, reverse=True):
+            head, tail = self.lines[start[0] - 1][:start[1]], self.lines[stop[0] - 1][stop[1]:]
+            self.lines[start[0] - 1:stop[0]] = [head + text.encode() + tail]
+        return b"\n".join(self.lines)
+
+
+def is_root(kind):
+    """Whether a type is the class of records at the head of an array."""
+    return getattr(kind, "array", None) is not None
+
+
+def integer(expression):
+    """``int(expression)``."""
+    return ast.Call(ast.Name("int", ast.Load()), [expression], [])
+
+
+def record_parameters(node, layout):
+    """(name, record class or None) of a function's parameters."""
+    return [(a.arg, layout.classes.get(ast.unparse(a.annotation).strip("'"))) for a in node.args.args]
+
+
+def added_arrays(parameters, layout):
+    """The arrays that a function's records live in and that it is not given anyway."""
+    kinds = [kind for _, kind in parameters if kind]
+    return [array for array in ARRAYS if array in {layout.home(kind)[0] for kind in kinds if not is_root(kind)}
+            and array not in {kind.array for kind in kinds if is_root(kind)}]
+
+
+def lower(texts, module):
+    """Modules without records, {name: text}, from modules with, and the imported layout.py."""
+    layout = Layout(module)
+    signatures = {(name, node.name): record_parameters(node, layout) for name, text in texts.items()
+                  for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    lowered, refusals = {}, []
+    for name in texts.keys() - {"layout"}:
+        try:
+            lowered[name] = Lowered(name, texts[name], layout, signatures).text()
+        except Refused as refusal:
+            refusals.append(str(refusal))
+    if refusals:
+        raise Refused("\n".join(sorted(refusals)))
+    finals = {name: value for name, value in vars(module).items() if name.isupper() and isinstance(value, (int, float))}
+    lines = [f"{name}: Final[{type(value).__name__}] = {value!r}" for name, value in (finals | layout.values).items()]
+    docstring = ast.get_docstring(ast.parse(texts["layout"]))
+    lowered["layout"] = "\n".join([f'"""{docstring}"""', "", "from typing import Final", "", *lines, ""]).encode()
+    return lowered

@@ -1,0 +1,109 @@
+"""Records: named numbers in one block of memory, for Python.  (C never sees this file: tools/lower_records.py.)
+
+    @record
+    class Region:
+        spacing: float                 # a number
+        first: int                     # a whole number, kept as a float
+        pressed: bool                  # 1.0 or 0.0
+        row: Float * 31                # numbers one after the other
+        patches: Patch * 3             # records, likewise
+        place: Place                   # one record inside another
+
+A record is where its memory is: ``Region.at(array, offset)`` copies nothing, a record handed on or kept under another name is
+the same memory, and what Python writes the compiled kernel reads.
+"""
+
+import ctypes
+
+import numpy
+
+Float = ctypes.c_double
+#: Length of a run of which only the tables themselves know the end.
+OPEN = 1_000_000
+WIDTH = ctypes.sizeof(Float)
+READ = {int: int, bool: lambda value: value == 1.0}
+
+
+class Record(ctypes.Structure):
+    """Fields by name; any other name is an AttributeError, also when it is written."""
+
+    __slots__ = ()
+
+    @classmethod
+    def at(cls, array, offset=0):
+        """The record that begins at ``array[offset]``; ``array`` is writable memory of float64."""
+        array = getattr(array, "raw", array)
+        if cls.open_ended or memoryview(array).readonly:
+            found = cls.from_address(numpy.asarray(array).ctypes.data + WIDTH * offset)
+        else:
+            found = cls.from_buffer(array, WIDTH * offset)
+        if cls.array:
+            found.raw = memoryview(array)       # the whole of the array whose head this is; faster than numpy, plain floats
+        return found
+
+    def __getitem__(self, index):
+        """Number ``index`` of the record, for loops over all of them."""
+        return (self.raw if self.array else self.numbers())[index]
+
+    def __setitem__(self, index, value):
+        (self.raw if self.array else self.numbers())[index] = value
+
+    def numbers(self):
+        return (Float * size(self)).from_buffer(self)
+
+
+def record(cls):
+    """The class whose annotations are ``cls``'s, over memory."""
+    kinds = cls.__annotations__
+    targets = {name: kind.kind for name, kind in kinds.items() if isinstance(kind, To)}
+    scalars = {name: kind for name, kind in kinds.items() if kind in (float, int, bool)}
+    fields = [("_" + name if kind in READ or name in targets else name, Float if name in scalars or name in targets else kind)
+              for name, kind in kinds.items()]
+    names = {name: converted("_" + name, READ[kind]) for name, kind in scalars.items() if kind in READ}
+    names |= {name: pointed("_" + name, kind) for name, kind in targets.items()}
+    ends = [kind for _, kind in fields[-1:]]
+    return type(cls.__name__, (Record,), {"__slots__": ("raw",) if hasattr(cls, "array") else (), "__doc__": cls.__doc__,
+                                          "__module__": cls.__module__, "array": getattr(cls, "array", None),
+                                          "scalars": scalars, "targets": targets, "_fields_": fields, **names,
+                                          "open_ended": any(getattr(kind, "_length_", 0) >= OPEN for kind in ends)})
+
+
+class To:
+    """The type of a field that says where in the same array a record of ``kind`` begins."""
+
+    def __init__(self, kind):
+        self.kind = kind
+
+
+def pointed(name, kind):
+    """A field that reads as the record at the offset that it holds, and is written as an offset."""
+    return property(lambda self: kind.at(self.raw, int(getattr(self, name))),
+                    lambda self, value: setattr(self, name, float(value)))
+
+
+def run(length):
+    """The type of ``length`` numbers, one after the other, as a type of its own: functions can ask for it."""
+    return type("Run", (ctypes.Array,), {"_type_": Float, "_length_": length})
+
+
+def centred(length, middle):
+    """The type of ``length`` numbers that are counted from the one in their ``middle``: -1 is the one before it."""
+    base = ctypes.Array
+    return type("Centred", (base,), {"_type_": Float, "_length_": length, "middle": middle,
+                                     "__getitem__": lambda self, k: base.__getitem__(self, middle + k),
+                                     "__setitem__": lambda self, k, value: base.__setitem__(self, middle + k, value)})
+
+
+def converted(name, read):
+    """A field that reads as another type than the float that it is kept as."""
+    return property(lambda self: read(getattr(self, name)), lambda self, value: setattr(self, name, float(value)))
+
+
+def size(kind):
+    """How many numbers a record is."""
+    return ctypes.sizeof(kind) // WIDTH
+
+
+def offset(part, whole):
+    """Where a record begins in the array whose head is ``whole``."""
+    return (ctypes.addressof(part) - ctypes.addressof(whole)) // WIDTH
