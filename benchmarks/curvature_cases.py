@@ -9,23 +9,18 @@ The truth is frictionless half-space theory (tests/reference/halfspace_reference
 ANALYN is given.
 """
 
-import sys
 from dataclasses import dataclass
-from importlib import import_module
-from pathlib import Path
 
 import numpy as np
 from scipy.interpolate import CubicSpline, make_smoothing_spline
 
 import wrcontact
+from tests.reference import halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import contact_plane
 from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.profiles.files import profile_from_points
 from wrcontact.profiles.placement import readable_wheel
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "reference"))
-halfspace_reference = import_module("halfspace_reference")
 
 MM = 1e-3
 POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6.2, 6.3, 6.4, 6.5)  # [mm]

@@ -2,7 +2,7 @@
 
     python -m benchmarks.native [FMU ...]
 
-Without an argument the FMUs are built into a temporary folder.  The host is tests/native_host.c, compiled by the system's
+Without an argument the FMUs are built into a temporary folder.  The host is tests/helpers/native_host.c, compiled by the system's
 ``cc`` against the archive alone; the errors are those of the same run's values against the half-space.
 """
 
@@ -21,7 +21,7 @@ from . import errors, machine, runs
 from .fmu_step import MOVED
 from .table import figure, markdown, percent
 
-HOST = runs.TESTS / "native_host.c"
+HOST = runs.TESTS / "helpers" / "native_host.c"
 ROUNDS = 5
 TARGET = 12.5   # units
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brute_force import rigid_contact, track
+from tests.reference.brute_force import rigid_contact, track
 
 STEP = 0.05e-3  # [m] walking step
 FAR = 0.2e-3  # [m] a larger move of the contact in one step is looked into

@@ -22,7 +22,7 @@ from scipy import fft
 from scipy.interpolate import RegularGridInterpolator
 from scipy.optimize.elementwise import find_root
 
-from brute_force import Pose, Zones
+from tests.reference.brute_force import Pose, Zones
 
 YOUNGS_MODULUS = 210e9  # [Pa] both bodies
 POISSON_RATIO = 0.28

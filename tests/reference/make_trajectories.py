@@ -3,7 +3,7 @@
 Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``halfspace_reference`` at the rigid
 pose.  S1002 on UIC60 1:40, gauge 1435 mm.  SI units.  About a quarter of an hour on one core::
 
-    python make_trajectories.py [hunting] [jumps] [load]
+    python -m tests.reference.make_trajectories [hunting] [jumps] [load]
 """
 
 import csv
@@ -14,9 +14,9 @@ from pathlib import Path
 
 import numpy as np
 
-from brute_force import rigid_contact, track
-from find_jumps import find_jumps
-from halfspace_reference import normal_contact
+from tests.reference.brute_force import rigid_contact, track
+from tests.reference.find_jumps import find_jumps
+from tests.reference.halfspace_reference import normal_contact
 
 OUTPUT = Path(__file__).resolve().parent.parent / "trajectories"
 TIME_STEP = 0.01  # [s]

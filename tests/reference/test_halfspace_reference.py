@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brute_force import rigid_contact, track
-from halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
+from tests.reference.brute_force import rigid_contact, track
+from tests.reference.halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk

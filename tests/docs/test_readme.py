@@ -1,0 +1,68 @@
+"""The README tells the truth: its example runs, its files exist, its counts are today's."""
+
+import re
+
+import pytest
+
+from tests.helpers.paths import ROOT
+from wrcontact.fmu import build, native
+from wrcontact.fmu.compilers import PLATFORMS
+from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES, select
+from wrcontact.profiles.catalogue import BUILDERS
+
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_example_runs(capsys):
+    exec(re.search(r"```python\n(.*?)```", README, re.DOTALL).group(1), {})
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 4 and lines[0].startswith("0 -0.000369")        # two patches at 5 mm
+    assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)            # the S1002's 70 deg flank, and the roll
+
+
+@pytest.mark.parametrize("name", ["README.md", "docs/fmu.md"])
+def test_linked_files_exist(name):
+    page = ROOT / name
+    for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
+        assert (page.parent / link).exists(), link
+
+
+#: A word that a test has if it runs the tool.
+TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"', "ecospy": '"ecospy"',
+         "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
+
+
+def test_tools_that_are_said_to_run_are_run():
+    """Every row with a "yes" names the tests that run the tool."""
+    rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", README, re.MULTILINE)
+    assert len(rows) >= len(TOOLS)
+    for tool, _, tests in rows:
+        sources = [(ROOT / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
+        word = next((word for name, word in TOOLS.items() if tool.startswith(name)), tool.split(",")[0])
+        assert sources and all(word in source for source in sources), tool
+
+
+def test_the_page_on_fmus_names_what_there_is(capsys):
+    page = (ROOT / "docs" / "fmu.md").read_text(encoding="utf-8")
+    for name in (*PLATFORMS, *BUILDERS, *native.compiled_units(2)):
+        assert name in page, name
+    with pytest.raises(SystemExit):
+        build.main(["--help"])
+    options = capsys.readouterr().out
+    for option in re.findall(r"--[a-z]+", page):
+        assert option in options, option
+
+
+def test_counts():
+    assert f"all {len(select(OUTPUT))} outputs" in README
+    assert f"{len(select(INPUT))} inputs and {len(select(OUTPUT))} outputs" in README
+
+
+def test_every_input_and_parameter_is_in_a_table():
+    """And every choice of every method."""
+    for variable in VARIABLES:
+        if variable.causality != OUTPUT:
+            assert re.search(rf"^\| [^|]*`{variable.name}`[^|]* \|", README, re.MULTILINE), variable.name
+            assert all(f'"{choice}"' in README for choice in variable.choices), variable.name
+    for name in ("force", "moment", "roll", "vertical_shift", "status"):
+        assert re.search(rf"^\| [^|]*`{name}`[^|]* \|", README, re.MULTILINE), name

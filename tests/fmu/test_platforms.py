@@ -1,0 +1,486 @@
+"""Libraries and wheels for other machines: what they need and export; those of Windows and aarch64 run under emulators."""
+
+import importlib.util
+import os
+import platform
+import shutil
+import struct
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import zipfile
+from pathlib import Path
+
+import fmpy
+import numpy as np
+import pytest
+from fmpy import read_model_description
+from fmpy.validation import validate_fmu
+
+from build_hooks import kernel_compiler
+from build_hooks.kernel_compiler import chosen_platform, requirements
+from tests.fmu.test_fmu import INPUT_NAMES, stored
+from tests.fmu.test_native_fmu import header_functions
+from tests.helpers.paths import HELPERS, ROOT
+from wrcontact import ContactSystem
+from wrcontact.fmu import build_fmu, native, online
+from wrcontact.fmu.compilers import CompilerProblem, compile_kernel, compiler_for
+from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
+from wrcontact.kernel import layout
+from wrcontact.kernel.binding.files import HERE as KERNEL
+from wrcontact.kernel.binding.files import fingerprint
+from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
+
+REFERENCE = "x86_64-linux"      # the platform that others are compared with
+ARM_ROOT = Path("/usr/aarch64-linux-gnu")
+WINE = shutil.which("wine") or shutil.which("wine64")
+
+RUNS = ("hunting", "jumps", "load")
+# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan, atan2, sin and
+# cos differ in the last bit here and there.
+SAME = 1e-12
+SEARCHED = 1e-11    # height and roll of elastic contact, which a search ends close to
+AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify what the positions differ by
+KERNEL_EXPORTS = {f"wrcontact_{name}" for name in ("abi", "step", "step_many", "prepare", "prepare_room", "tangent", "tangent_room")}
+
+
+def needs(condition, reason):
+    return pytest.mark.skipif(not condition, reason=reason)
+
+
+needs_zig = needs(importlib.util.find_spec("ziglang"), "ziglang is not installed")
+needs_lief = needs(importlib.util.find_spec("lief"), "lief, which reads libraries of every platform, is not installed")
+needs_build = needs(all(map(importlib.util.find_spec, ("build", "setuptools"))), "build or setuptools is not installed")
+needs_reference = needs(host_platform() == REFERENCE, f"this is not {REFERENCE}, with whose values others are compared")
+
+
+# --- names ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("system, machine, python, name, library", [
+    ("linux", "x86_64", "linux-x86_64", "x86_64-linux", "_wrcontact_kernel-x86_64-linux.so"),
+    ("linux", "aarch64", "linux-aarch64", "aarch64-linux", "_wrcontact_kernel-aarch64-linux.so"),
+    ("linux", "riscv64", "linux-riscv64", "riscv64-linux", "_wrcontact_kernel-riscv64-linux.so"),
+    ("win32", "AMD64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
+    ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),      # emulated there
+    ("win32", "AMD64", "win32", "x86-windows", "_wrcontact_kernel-x86-windows.dll"),
+    ("darwin", "arm64", "macosx-11.0-universal2", "aarch64-darwin", "_wrcontact_kernel-aarch64-darwin.dylib"),
+    ("darwin", "x86_64", "macosx-11.0-universal2", "x86_64-darwin", "_wrcontact_kernel-x86_64-darwin.dylib"),
+])
+def test_names_of_platforms(monkeypatch, system, machine, python, name, library):
+    monkeypatch.setattr(sys, "platform", system)
+    monkeypatch.setattr(platform, "machine", lambda: machine)
+    monkeypatch.setattr(sysconfig, "get_platform", lambda: python)
+    assert host_platform() == name and library_name(name) == library
+
+
+def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
+    monkeypatch.delenv("WRCONTACT_PLATFORM", raising=False)
+    assert chosen_platform() is None
+    monkeypatch.setenv("WRCONTACT_PLATFORM", "x86_64-windows")
+    assert chosen_platform() == "x86_64-windows" and requirements() == ["ziglang"]
+    monkeypatch.setenv("WRCONTACT_PLATFORM", "amiga")
+    with pytest.raises(kernel_compiler.CompilerProblem, match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
+        requirements()
+
+
+def test_generated_c_of_another_version_is_not_compiled(monkeypatch):
+    monkeypatch.setattr("wrcontact.fmu.compilers.fingerprint", lambda: 5)
+    with pytest.raises(CompilerProblem, match="another version of its source"):
+        compile_kernel(host_platform())
+
+
+def test_a_failing_compiler_leaves_this_machines_kernel(monkeypatch, capsys):
+    def fail(name):
+        raise CompilerProblem("zig is broken")
+
+    monkeypatch.setattr(online, "has_zig", lambda: True)
+    monkeypatch.setattr(online, "compile_kernel", fail)
+    made = online.kernel_libraries(["x86_64-windows"])
+    told = capsys.readouterr().err
+    assert "WARNING: the FMU gets no compiled kernel for other machines: zig is broken" in told
+    if KERNEL.joinpath(LIBRARY_NAME).exists():
+        assert made == {f"kernel/{LIBRARY_NAME}": KERNEL.joinpath(LIBRARY_NAME).read_bytes()}
+    else:
+        assert made == {} and "runs the slow Python source" in told
+
+
+# --- what libraries need and export -------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def fmus(tmp_path_factory):
+    """The native FMUs for every platform, unpacked, by version of FMI."""
+    folders = {}
+    made = native.build_native_fmus(tmp_path_factory.mktemp("native"), platforms=list(PLATFORMS))
+    for version, fmu in zip((2, 3), made):
+        assert validate_fmu(str(fmu)) == []
+        folders[version] = Path(fmpy.extract(str(fmu), tmp_path_factory.mktemp(f"fmi{version}")))
+    return folders
+
+
+@pytest.fixture(scope="session")
+def kernels():
+    """The kernel's library of every platform, by name."""
+    return {name: compile_kernel(name) for name in PLATFORMS}
+
+
+def library_of(folder, version, name):
+    place = PLATFORMS[name]
+    return folder / "binaries" / (place.fmi2 if version == 2 else place.name) / f"WheelsetContact{place.suffix}"
+
+
+def parsed(content):
+    """A library as lief reads it."""
+    import lief
+
+    read = lief.parse(list(content))
+    return read.at(0) if isinstance(read, lief.MachO.FatBinary) else read
+
+
+MACHINES = {"x86_64-linux": "X86_64", "aarch64-linux": "AARCH64", "x86_64-windows": "AMD64", "aarch64-darwin": "ARM64",
+            "x86_64-darwin": "X86_64"}
+
+
+def check_library(content, name, identifier, wanted):
+    """Right machine, nothing needed beyond the C library of the oldest system promised, exactly ``wanted`` exported."""
+    read, suffix = parsed(content), PLATFORMS[name].suffix
+    if suffix == ".so":
+        assert read.header.machine_type.name == MACHINES[name]
+        assert set(read.libraries) <= {"libm.so.6", "libc.so.6"}
+        versions = [symbol.name for need in read.symbols_version_requirement for symbol in need.get_auxiliary_symbols()]
+        assert versions and all(tuple(map(int, text.removeprefix("GLIBC_").split("."))) <= (2, 17) for text in versions)
+        exported = {symbol.name for symbol in read.exported_symbols}
+    elif suffix == ".dll":
+        assert read.header.machine.name == MACHINES[name]
+        system = ("kernel32", "api-ms-win-crt-")      # part of Windows 10
+        assert all(library.name.lower().startswith(system) for library in read.imports), [lib.name for lib in read.imports]
+        exported = {function.name for function in read.exported_functions}
+    else:
+        assert read.header.cpu_type.name == MACHINES[name]
+        assert [library.name for library in read.libraries] == [f"@rpath/{identifier}.dylib", "/usr/lib/libSystem.B.dylib"]
+        assert read.build_version.minos == ([11, 0, 0] if name == "aarch64-darwin" else [10, 15, 0])
+        assert read.has_uuid and (read.has_code_signature or name == "x86_64-darwin")    # Apple's own machines ask for it
+        exported = {symbol.name for symbol in read.exported_symbols} - {"__mh_dylib_header", "___dso_handle"}
+        exported = {symbol.removeprefix("_") for symbol in exported}
+    assert exported == wanted
+
+
+@pytest.mark.slow
+@needs_zig
+@needs_lief
+@pytest.mark.parametrize("name", PLATFORMS)
+@pytest.mark.parametrize("version", (2, 3))
+def test_libraries_need_the_c_library_alone_and_export_the_standard(fmus, version, name):
+    content = library_of(fmus[version], version, name).read_bytes()
+    check_library(content, name, "WheelsetContact", set(header_functions(version)))
+
+
+@pytest.mark.slow
+@needs_zig
+@needs_lief
+@pytest.mark.parametrize("name", PLATFORMS)
+def test_kernels_need_the_c_library_alone(kernels, name):
+    check_library(kernels[name], name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
+
+
+# --- values on other machines ---------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def run_on(tmp_path_factory):
+    """Run library_host.c on a platform, under an emulator if need be; its lines."""
+    folder, made = tmp_path_factory.mktemp("hosts"), {}
+
+    def run_on(name, *arguments):
+        emulator = emulator_of(name, folder)
+        if name not in made:
+            made[name] = folder / f"{name} host.exe"
+            headers = ["-I", str(Path(fmpy.__file__).parent / "c-code"), "-I", str(KERNEL / "native")]
+            subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HELPERS / "library_host.c"), "-o", str(made[name]),
+                            *([] if name.endswith("windows") else ["-ldl"])], check=True)
+        quiet = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml=", "DISPLAY": "",
+                 "WINEPREFIX": str(folder / "wine")}
+        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True, capture_output=True,
+                              timeout=600, env={**os.environ, **quiet})
+        assert done.returncode == 0, done.stderr
+        return done.stdout.splitlines()
+
+    return run_on
+
+
+def emulator_of(name, folder):
+    """The command that runs programs of a platform here; skips the test where there is none."""
+    if name == host_platform():
+        return []
+    if name == "x86_64-windows":
+        return [WINE] if WINE else pytest.skip("wine is not installed")
+    if name == "aarch64-linux" and shutil.which("qemu-aarch64") and (ARM_ROOT / "lib").is_dir():
+        return ["qemu-aarch64", "-L", str(ARM_ROOT)]
+    return pytest.skip("qemu-user or libc6-arm64-cross is not installed")
+
+
+def bits(numbers):
+    return [struct.pack(">d", number).hex() for number in numbers]
+
+
+def listed(references):
+    return [f"{number:x}" for number in (len(references), *references)]
+
+
+def answers(lines):
+    """Outputs (n, m) and status (n,) of the host's lines."""
+    rows = [line.split() for line in lines]
+    outputs = np.array([[int(word, 16) for word in row[:-1]] for row in rows], np.uint64)
+    return outputs.view(float), [int(row[-1], 16) for row in rows]
+
+
+def rows_of(run):
+    """All inputs of a stored run."""
+    starts = {v.name: v.start for v in VARIABLES}
+    return [[row.get(name, starts[name]) for name in INPUT_NAMES] for row in stored(run)[1]]
+
+
+def plan_of(description, rows):
+    """What the host reads: the references of an FMU's inputs and outputs, and rows of inputs."""
+    variables = {v.name: v for v in description.modelVariables}
+    outputs = [v for v in variables.values() if v.causality == "output" and v.type in ("Real", "Float64")]
+    words = listed([variables[name].valueReference for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
+    count = len([v for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
+    return " ".join([*words, f"{count:x}", f"{variables['status'].valueReference:x}", f"{len(rows):x}",
+                     *bits(sum(rows, []))])
+
+
+SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"}, {"normal_model": "hertz"},
+            {"lateral_curvature": "smooth", "separation": "equidistant", "rail_profile": "54E1"}]
+NOMINAL = np.array([v.nominal or 1.0 for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
+
+
+@pytest.mark.slow
+@needs_zig
+@needs_reference
+@pytest.mark.parametrize("settings", SETTINGS, ids=lambda settings: "-".join(settings.values()) or "default")
+@pytest.mark.parametrize("version", (2, 3))
+@pytest.mark.parametrize("name", ("x86_64-windows", "aarch64-linux"))
+def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, settings):
+    """The library is loaded and stepped through the stored runs; aarch64's C library gives the same bits."""
+    emulator_of(name, tmp_path)
+    description, plan = read_model_description(str(fmus[version])), tmp_path / "plan.txt"
+    reference = {v.name: v.valueReference for v in description.modelVariables}
+    texts = [f"{reference[key]}={text}" for key, text in settings.items()]
+    rows = {run: rows_of(run) for run in RUNS}
+    plan.write_text(plan_of(description, sum(rows.values(), [])))
+    (ours, our_status), (theirs, status) = (
+        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid, plan, *texts))
+        for place in (REFERENCE, name))
+    assert len(ours) == sum(map(len, rows.values())) and status == our_status and set(status) <= {0, 1}
+    if name == "aarch64-linux":
+        np.testing.assert_array_equal(theirs.view(np.int64), ours.view(np.int64))
+        return
+    difference = (np.abs(theirs - ours) / np.maximum(np.abs(ours), NOMINAL)).max(axis=1)
+    for run, start in zip(RUNS, np.cumsum([0, *map(len, rows.values())])):
+        largest = difference[start:start + len(rows[run])].max()
+        print(f"FMI {version} {settings} {run}: {largest:.1e}")
+        assert largest <= (AT_JUMPS if run == "jumps" else SEARCHED if "contact_mode" in settings else SAME), run
+
+
+# --- the Python FMU ---------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def python_fmu(tmp_path_factory):
+    """The Python FMU, unpacked."""
+    fmu = build_fmu(tmp_path_factory.mktemp("python"))
+    return Path(fmpy.extract(str(fmu), tmp_path_factory.mktemp("unpacked")))
+
+
+def packed_kernel(folder):
+    return next(folder.glob("resources/wrcontact_*/kernel"))
+
+
+@pytest.mark.slow
+@needs_zig
+def test_python_fmu_carries_the_kernel_of_each_platform_that_loads_it(python_fmu, kernels):
+    carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir() if file.suffix != ".py"}
+    places = {place.fmi2: name for name, place in PLATFORMS.items()}
+    names = {places[folder.name] for folder in python_fmu.joinpath("binaries").iterdir()} | {host_platform()}
+    assert {"x86_64-linux", "x86_64-windows"} <= names
+    assert carried == {library_name(name): kernels[name] for name in names}
+
+
+LOAD = """
+import platform, sys
+sys.path.insert(0, sys.argv[1])
+if len(sys.argv) > 3:
+    platform.machine = lambda: sys.argv[3]
+library = __import__(sys.argv[2] + ".kernel.library", fromlist=["library"])
+print(library.default_kernel().compiled, library.default_kernel().compiled and library.default_kernel().library._name)
+"""
+
+
+@pytest.mark.slow
+@needs_zig
+@needs(sys.platform != "win32", "the machine's name has another source there")
+def test_python_fmu_loads_the_kernel_of_its_platform(python_fmu):
+    kernel = packed_kernel(python_fmu)
+    loads = [sys.executable, "-I", "-W", "always", "-c", LOAD, str(python_fmu / "resources"), kernel.parent.name]
+    here = subprocess.run(loads, text=True, capture_output=True, check=True)
+    assert here.stdout.split(maxsplit=1) == ["True", f"{kernel / LIBRARY_NAME}\n"] and not here.stderr
+    elsewhere = subprocess.run([*loads, "riscv64"], text=True, capture_output=True, check=True)
+    assert elsewhere.stdout.split() == ["False", "False"]
+    assert elsewhere.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
+    assert f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}" in elsewhere.stderr
+
+
+@pytest.mark.slow
+@needs_zig
+@needs_reference
+@pytest.mark.parametrize("name", ("x86_64-windows", "aarch64-linux"))
+def test_kernel_on_other_machines(kernels, run_on, tmp_path, name):
+    """The kernel's library, of this source, steps there as here."""
+    emulator_of(name, tmp_path)
+    library = tmp_path / library_name(name)
+    library.write_bytes(kernels[name])
+    stepper, rows = ContactSystem().stepper(), rows_of("hunting")
+    sizes = (layout.STATE_SIZE, layout.WORK_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT, len(rows))
+    tables = stepper._tables
+    plan = [f"{len(tables):x}", *bits(tables), *(f"{size:x}" for size in sizes), *bits(sum(rows, []))]
+    (tmp_path / "plan.txt").write_text(" ".join(plan))
+    version, *lines = run_on(name, "kernel", library, tmp_path / "plan.txt")
+    assert int(version, 16) == fingerprint()
+    found, status = answers(lines)
+    for row, values, outcome in zip(rows, found, status, strict=True):
+        stepper.inputs[:] = row
+        assert stepper.step() == outcome
+        np.testing.assert_allclose(values, stepper.outputs, rtol=SAME, atol=SAME)
+
+
+# --- the same bytes again ---------------------------------------------------------------------------------------
+
+BUILD = """
+import sys
+from wrcontact.fmu import build_fmu
+from wrcontact.fmu.native import build_native_fmus
+build_native_fmus(sys.argv[1], platforms=sys.argv[2:])
+build_fmu(sys.argv[1])
+"""
+
+
+@pytest.mark.slow
+@needs_zig
+def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
+    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own, with the products of
+    matrices of two processors; the compiler's cache is that of this user for the one and empty for the other."""
+    made = []
+    cache = {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")}
+    for folder, processor, caches in (("one", "Haswell", {}), ("an other", "Prescott", cache)):
+        place = tmp_path / folder
+        (place / "scratch").mkdir(parents=True)
+        subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True, stderr=subprocess.DEVNULL,
+                       env={**os.environ, **caches, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
+                            "TMPDIR": str(place / "scratch"), "OPENBLAS_CORETYPE": processor})
+        made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})
+    assert len(made[0]) == 3
+    assert made[0].keys() == made[1].keys()
+    assert [name for name, content in made[0].items() if content != made[1][name]] == []
+
+
+# --- wheels -------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def sources(tmp_path_factory):
+    """A copy of the checkout, with a library in it that belongs to no wheel."""
+    copy = tmp_path_factory.mktemp("sources") / "wrcontact"
+    ignored = (".git", ".venv", "build", "dist", "out", "*.egg-info", "__pycache__", "*.so", "*.dll", "*.dylib")
+    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*ignored))
+    (copy / "wrcontact" / "kernel" / "_wrcontact_kernel-amiga.so").write_bytes(b"a stray one")
+    return copy
+
+
+PACK = [sys.executable, "-m", "build", "--no-isolation"]
+
+
+def built_wheel(sources, folder, **settings):
+    """``python -m build --wheel`` with these settings; the wheel."""
+    clean = {key: value for key, value in os.environ.items() if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")}
+    done = subprocess.run([*PACK, "--wheel", "--outdir", str(folder), str(sources)], text=True, capture_output=True,
+                          env={**clean, **settings})
+    assert done.returncode == 0, done.stdout + done.stderr
+    wheel, = folder.iterdir()
+    return wheel
+
+
+def libraries_in(wheel):
+    with zipfile.ZipFile(wheel) as archive:
+        return {name: archive.read(name) for name in archive.namelist() if name.endswith((".so", ".dll", ".dylib"))}
+
+
+def install(wheel, folder):
+    """An environment of its own with the wheel and the libraries that Python has here; its interpreter."""
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
+    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    pip = [sys.executable, "-m", "pip", "--python", str(python)]
+    subprocess.run([*pip, "install", "-q", "--no-deps", "--no-index", str(wheel)], check=True,
+                   env={**os.environ, "PATH": ""})
+    where = "import sysconfig; print(sysconfig.get_path('purelib'))"
+    site = Path(subprocess.run([str(python), "-c", where], text=True, capture_output=True, check=True).stdout.strip())
+    site.joinpath("theirs.pth").write_text(f"{sysconfig.get_path('purelib')}\n{sysconfig.get_path('platlib')}\n")
+    return python
+
+
+EVALUATE = """
+import wrcontact
+from wrcontact.kernel.binding import library
+kernel = library.default_kernel()
+state = wrcontact.ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3)
+print(library.__file__, kernel.compiled, state.right.penetration.hex())
+"""
+
+
+@pytest.mark.slow
+@needs_zig
+@needs_build
+@pytest.mark.parametrize("name", PLATFORMS)
+def test_wheel_for_a_platform(sources, tmp_path, name):
+    """Its tag and its library, the right one alone; this machine's is installed without a compiler and runs compiled."""
+    wheel = built_wheel(sources, tmp_path / "wheels", WRCONTACT_PLATFORM=name)
+    place = PLATFORMS[name]
+    assert wheel.name.endswith(f"-py3-none-{place.wheel}.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        metadata = archive.read(next(entry for entry in archive.namelist() if entry.endswith(".dist-info/WHEEL"))).decode()
+    tags = [line for line in metadata.splitlines() if line.startswith("Tag: ")]
+    assert tags == [f"Tag: py3-none-{tag}" for tag in place.wheel.split(".")]
+    found = libraries_in(wheel)
+    assert list(found) == [f"wrcontact/kernel/{library_name(name)}"]
+    if importlib.util.find_spec("lief"):
+        check_library(*found.values(), name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
+    if name == host_platform():
+        python = install(wheel, tmp_path / "environment")
+        done = subprocess.run([str(python), "-I", "-W", "error", "-c", EVALUATE], cwd=tmp_path, text=True,
+                              capture_output=True, env={"PATH": "", "WRCONTACT_KERNEL": "auto"})
+        assert done.returncode == 0, done.stderr
+        file, compiled, penetration = done.stdout.split()
+        assert Path(file).is_relative_to(tmp_path / "environment") and compiled == "True"
+        assert float.fromhex(penetration) == ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration
+
+
+@pytest.mark.slow
+@needs_build
+@needs(kernel_compiler.find_compiler(), "no C compiler here")
+def test_wheel_of_this_machine(sources, tmp_path):
+    wheel = built_wheel(sources, tmp_path / "wheels")
+    tag = wheel.stem.split("-")[2:]
+    assert tag[:2] == ["py3", "none"] and tag[2] == sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    assert list(libraries_in(wheel)) == [f"wrcontact/kernel/{LIBRARY_NAME}"]
+
+
+@pytest.mark.slow
+@needs_build
+def test_source_archive_has_no_library(sources, tmp_path):
+    subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True, capture_output=True)
+    with tarfile.open(next(tmp_path.iterdir())) as archive:
+        names = archive.getnames()
+    assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []
+    assert [name for name in names if name.endswith("wrcontact/kernel/binding/platforms.py")]

@@ -1,0 +1,96 @@
+"""The kernel's tables by numpy from exact profiles: the witness of the kernel's own preparation (kernel/prepare/tables.py)."""
+
+import numpy as np
+
+from tests.helpers.numpy_curvatures import empty_curvature_table, rough_curvature_table, smooth_curvature_table
+from tests.helpers.numpy_scan import scan_table
+from wrcontact.kernel.binding.hertz_table import hertz_table
+from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel import layout
+from wrcontact.kernel.search import starts
+from wrcontact.kernel.binding.library import default_kernel
+from wrcontact.kernel.prepare.tables import LATERAL_LIMIT, START_STEP, YAW_LIMIT
+from wrcontact.profiles.compiled import compile_profile
+
+#: Where the kernel keeps the number of each method.
+METHOD_SETTINGS = {"contact_mode": layout.SET_MODE, "load": layout.SET_LOAD, "normal_model": layout.SET_NORMAL_MODEL,
+                   "separation": layout.SET_SEPARATION, "longitudinal_curvature": layout.SET_LONGITUDINAL,
+                   "lateral_curvature": layout.SET_LATERAL}
+
+
+def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, methods, resolution,
+                 curvature_step=0.2e-3, curvature_reach=3e-3):
+    """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
+
+    ``methods`` holds the kernel's number MODE_..., LOAD_..., MODEL_... of each method by its parameter's name (those left
+    out are 0, the first choice), ``resolution`` is a :class:`~wrcontact.resolution.Resolution`.
+    """
+    lateral_curvature = methods.get("lateral_curvature", layout.LATERAL_ADAPTIVE)
+    wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
+    parts = {
+        layout.SET_WHEEL: wheel_table,
+        layout.SET_RAIL: rail_table,
+        layout.SET_SCAN: scan_table(wheel_table, rail_table, nominal_radius, 0.5 * running_circle_distance),
+        layout.SET_HERTZ: hertz_table(),
+        layout.SET_INFLUENCE: influence_table(),
+        layout.SET_STARTS: empty_starts(),
+        layout.SET_WHEEL_CURVATURE: curvature_table(wheel_table, -1.0, lateral_curvature, curvature_step, curvature_reach),
+        layout.SET_RAIL_CURVATURE: curvature_table(rail_table, 1.0, lateral_curvature, curvature_step, curvature_reach),
+    }
+    settings = np.zeros(layout.SETTING_COUNT)
+    settings[layout.SET_RADIUS] = nominal_radius
+    settings[layout.SET_ARM] = 0.5 * running_circle_distance
+    settings[layout.SET_RAIL_Y] = placed_rail.y_track
+    settings[layout.SET_CONTACT_MODULUS] = contact_modulus
+    settings[layout.SET_LATERAL_LIMIT] = LATERAL_LIMIT
+    settings[layout.SET_YAW_LIMIT] = YAW_LIMIT
+    settings[[layout.SET_NODES, layout.SET_STRIDE, layout.SET_STRIPS, layout.SET_SWEEPS]] = resolution
+    settings[[layout.SET_PENETRATION_LEFT, layout.SET_PENETRATION_RIGHT]] = np.nan
+    settings[layout.SET_SIDES], settings[layout.SET_DEPTH] = layout.SIDES_BOTH, layout.DEPTH_ALL
+    settings[layout.SET_ABSENT] = np.nan
+    settings[layout.SET_STATIONS] = layout.STATION_COUNT
+    offset = len(settings)
+    for setting, table in parts.items():
+        settings[setting] = offset
+        offset += len(table)
+    tables = np.concatenate([settings, *parts.values()])
+    fill_starts(tables)
+    for name, number in methods.items():
+        tables[METHOD_SETTINGS[name]] = number
+    return tables
+
+
+def curvature_table(profile, sign, kind, step, reach):
+    """What the lateral curvature ``kind``, one of LATERAL_..., reads of a compiled profile; ``sign`` as in
+    numpy_curvatures.py."""
+    if kind == layout.LATERAL_SMOOTH:
+        return smooth_curvature_table(profile, sign, reach)
+    if kind == layout.LATERAL_ROUGH:
+        return rough_curvature_table(profile, sign, step)
+    return empty_curvature_table()
+
+
+def empty_starts():
+    """Table of starts with nothing known; layout in wrcontact/kernel/search/starts.py."""
+    count = 2 * round(LATERAL_LIMIT / START_STEP) + 1
+    table = np.zeros(starts.START_ROWS + starts.START_ROW * count)
+    table[starts.START_COUNT] = count
+    table[starts.START_FIRST], table[starts.START_PER_METRE] = -LATERAL_LIMIT, 1.0 / START_STEP
+    return table
+
+
+def fill_starts(tables):
+    """Roll and contacts at the table of starts' lateral shifts, from the kernel itself, in one sweep without load."""
+    base = int(tables[layout.SET_STARTS])
+    count, first, per_metre = tables[base:base + starts.START_ROWS]
+    state, inputs, outputs = (np.zeros(size) for size in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
+    bound = default_kernel().bind(tables, state, np.zeros(layout.WORK_SIZE), inputs, outputs)
+    rows = tables[base + starts.START_ROWS:][:starts.START_ROW * int(count)].reshape(-1, starts.START_ROW)
+    found = np.zeros_like(rows)
+    for row, shift in zip(found, first + np.arange(count) / per_metre):
+        inputs[layout.IN_LATERAL_SHIFT] = shift
+        if bound.step() <= layout.UNLOADED:
+            row[[starts.START_KNOWN, starts.START_ROLL]] = 1.0, outputs[layout.OUT_ROLL]
+            row[starts.START_LEFT] = outputs[layout.OUT_LEFT + layout.SIDE_Y_WHEEL]
+            row[starts.START_RIGHT] = outputs[layout.OUT_RIGHT + layout.SIDE_Y_WHEEL]
+    rows[:] = found

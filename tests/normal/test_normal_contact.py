@@ -1,0 +1,356 @@
+"""Normal contact: Hertz in closed form, the complete theory's tables, balances, limits and scaling."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipkm1
+
+import wrcontact
+from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
+from wrcontact.kernel.binding.influence_table import influence_table
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import regions
+from wrcontact.kernel.normal import analyn, nodes
+from wrcontact.kernel.patch import patches
+from wrcontact.kernel.normal.hertz import hertz_coefficients, hertz_stiffness
+from wrcontact.profiles.profile import Profile
+from wrcontact.profiles.zones import Arc
+
+from tests.reference import brute_force, halfspace_reference
+from tests.helpers.paths import REFERENCE_DATA
+
+MODULUS = 210e9 / (2 * (1 - 0.28**2))
+
+
+def hertz(A, B, force):
+    """Penetration, semi-axes a (along), b (across) and peak pressure of Hertz's contact by scipy's elliptic integrals.
+
+    Johnson (1985), eq. (4.24)-(4.32), with separation A x^2 + B s^2.
+    """
+    small, large = min(A, B), max(A, B)
+
+    def mismatch(log_q):
+        q = np.exp(log_q)
+        K, E = ellipkm1(q * q), ellipe(1 - q * q)
+        return (K - E) / (E / q**2 - K) - small / large
+
+    q = np.exp(brentq(mismatch, np.log(1e-6), np.log(1 - 1e-9), xtol=1e-15, rtol=1e-15)) if small < large else 1.0
+    K, E = ellipkm1(q * q), ellipe(1 - q * q)
+    L = (2 * E / (np.pi * q**2)) ** (1 / 3)
+    scale = (0.75 * force / (MODULUS * (A + B))) ** (1 / 3)
+    a, b = (L * scale, q * L * scale) if A < B else (q * L * scale, L * scale)
+    penetration = 2 * K / (np.pi * L) * ((0.75 * force / MODULUS) ** 2 * (A + B)) ** (1 / 3)
+    return penetration, a, b, 1.5 * force / (np.pi * a * b)
+
+
+CURVATURES = [(1.087, 1.087 * ratio) for ratio in (0.03, 0.2, 0.7, 1.3, 5.0, 60.0)]
+
+
+@pytest.mark.parametrize("ratio", np.exp(np.linspace(-15, 15, 31)))
+def test_hertz_table_holds_the_elliptic_integrals(ratio):
+    one_alpha, one_beta, nr = hertz_coefficients(hertz_table(), 0, 1.0, ratio)
+    exact_alpha, exact_nr = coefficients(np.log(ratio))
+    assert (one_alpha, nr) == pytest.approx((float(exact_alpha), float(exact_nr)), rel=1e-11)
+    assert one_beta == pytest.approx(float(coefficients(-np.log(ratio))[0]), rel=1e-11)
+    # and those are Hertz's, by scipy: penetration = (1 + alpha) A a^2 = (1 + beta) B b^2
+    if abs(np.log(ratio)) < 11 and abs(np.log(ratio)) > 1e-9:
+        penetration, a, b, _ = hertz(1.0, ratio, 1e4)
+        assert one_alpha * a**2 == pytest.approx(penetration, rel=1e-8)
+        assert one_beta * ratio * b**2 == pytest.approx(penetration, rel=1e-8)
+
+
+@pytest.mark.parametrize("A, B", CURVATURES)
+def test_hertz_stiffness(A, B):
+    penetration = hertz(A, B, 78.5e3)[0]
+    assert hertz_stiffness(hertz_table(), 0, A, B, MODULUS) * penetration**1.5 == pytest.approx(78.5e3, rel=1e-8)
+
+
+def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, sweeps=2):
+    """The kernel's tables, workspace and state with nodes on the gap B s^2 and constant A, written by hand; and Hertz's
+    penetration [m]."""
+    flat = [-0.05, 0.05, 1e3, 1, 6, 6, -0.05] + [0.0] * 6 + [np.nan] * 7    # a flat rail, for the patch's angle
+    parts = {layout.SET_HERTZ: hertz_table(), layout.SET_RAIL: flat, layout.SET_INFLUENCE: influence_table()}
+    settings = np.zeros(layout.SETTING_COUNT)
+    settings[layout.SET_CONTACT_MODULUS] = MODULUS
+    settings[layout.SET_STRIPS], settings[layout.SET_SWEEPS] = strips, sweeps
+    offset = len(settings)
+    for setting, table in parts.items():
+        settings[setting] = offset
+        offset += len(table)
+    tables = np.concatenate([settings, *parts.values()])
+    work, state = np.zeros(layout.WORK_SIZE), np.zeros(layout.STATE_SIZE)
+    penetration = hertz(A, B, force)[0]
+    half_width = np.sqrt(penetration / B)
+    block = regions.region_block(0)
+    regions.lean_region(tables, work, block, 0.0)                # one plane: the whole penetration, the whole load
+    spacing = half_width / half_nodes
+    last = half_nodes + 2
+    work[block + regions.REGION_LOW], work[block + regions.REGION_HIGH] = -1.0, 1.0
+    work[block + regions.REGION_SPACING] = spacing
+    work[block + regions.REGION_FIRST], work[block + regions.REGION_LAST] = -last, last
+    work[[block + regions.REGION_WIDTH_LOW, block + regions.REGION_WIDTH_HIGH]] = half_width
+    work[[block + regions.REGION_SIDE_LOW, block + regions.REGION_SIDE_HIGH]] = B
+    k = np.arange(-last - window, last + window + 1)
+    work[nodes.node_field(0, nodes.NODE_GAP) + k] = B * (spacing * k) ** 2
+    work[nodes.node_field(0, nodes.NODE_A) + k] = A
+    nodes.weigh_nodes(tables, work, 0, window)
+    return tables, work, state, penetration
+
+
+def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
+    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A."""
+    tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
+    found, met = analyn.solve_levels(tables, work, state, 1, force, 0.7 * penetration, 0, analyn.FORCE_SHARP)
+    assert met == 1
+    islands = patches.gather_islands(tables, work, 1)
+    patches.write_patches(work, 0, islands)
+    patches.write_outline(work, 0, layout.SIDE_STATION, layout.STATION_COUNT, 1, islands)
+    return found, work[:layout.SIDE_SIZE]
+
+
+@pytest.mark.parametrize("A, B", CURVATURES)
+@pytest.mark.parametrize("force", [1.0, 78.5e3])
+def test_analyn_on_constant_curvatures_is_hertz(A, B, force):
+    penetration, a, b, pressure = hertz(A, B, force)
+    found, side = solve_constant_curvatures(A, B, force)
+    assert found == pytest.approx(penetration, rel=1e-9)
+    assert side[layout.SIDE_AREA] == pytest.approx(np.pi * a * b, rel=1e-9)
+    assert side[layout.SIDE_MAX_PRESSURE] == pytest.approx(pressure, rel=1e-9)
+    assert side[layout.SIDE_PATCH_LENGTH] == pytest.approx(2 * a, rel=1e-9)
+    assert side[layout.SIDE_PATCH_WIDTH] == pytest.approx(2 * b, rel=1e-9)
+    assert side[layout.SIDE_PATCH_CENTROID] == pytest.approx(0.0, abs=1e-12 * b)
+    assert side[layout.SIDE_NORMAL_FORCE] == pytest.approx(force, rel=1e-12)
+    station = side[layout.SIDE_STATION:layout.SIDE_STATION + layout.STATION_COUNT]
+    ellipse = np.sqrt(np.maximum(0.0, 1 - (station / b) ** 2))
+    half_length = side[layout.SIDE_HALF_LENGTH:layout.SIDE_HALF_LENGTH + layout.STATION_COUNT]
+    np.testing.assert_allclose(half_length, a * ellipse, atol=1e-6 * a)    # the ends, like a root, to 1e-12
+
+
+@pytest.fixture(scope="module")
+def system():
+    return wrcontact.ContactSystem()
+
+
+@pytest.mark.parametrize("shift", [0.0, 1e-3, 3e-3, 5e-3, 6e-3])
+def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
+    side = wrcontact.ContactSystem(normal_model="hertz").evaluate(lateral_shift=shift).right
+    A, B = side.curvature_x / 2, max(side.curvature_y / 2, nodes.FLOOR * side.curvature_x / 2)
+    penetration, a, b, pressure = hertz(A, B, 78.5e3)
+    assert (side.penetration, side.area, side.max_pressure) == pytest.approx((penetration, np.pi * a * b, pressure), rel=1e-8)
+    outline = side.outline
+    np.testing.assert_allclose((outline.half_length / a) ** 2 + (outline.station / b) ** 2, 1.0, atol=1e-8)
+
+
+def planar_cases():
+    return json.loads((REFERENCE_DATA / "contact_planar.json").read_text())["cases"]
+
+
+@pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
+def test_complete_theory_on_the_planar_gap(system, case):
+    """CONTACT's frictionless solution for the same gap: 5 % in penetration, 12 % in area, 15 % in peak pressure."""
+    truth = case["solution"]
+    side = system.evaluate(lateral_shift=case["y_ws_mm"] * 1e-3, normal_force=78.5e3).right
+    assert side.contact_angle == pytest.approx(-case["delta_rad"], abs=1e-4)
+    # theirs is r / cos(angle in the track), exact is the angle in the wheelset's frame: roll times tan(angle) less
+    assert 1e3 / side.curvature_x == pytest.approx(case["R_x_mm"], rel=4e-4)
+    assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.05)
+    assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.12)
+    assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=0.15)
+    assert side.patch_count == len(truth["regions"])
+    loads = sorted((region["fn_N"] for region in truth["regions"]), reverse=True)
+    np.testing.assert_allclose([patch.normal_force for patch in side.patches], loads, rtol=0.05)
+    # the load-weighted centre: a millimetre on a tread patch 20 mm wide
+    centre = sum(region["s_centroid_mm"] * region["fn_N"] for region in truth["regions"]) / 78500
+    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=1.2e-3)
+
+
+def test_complete_theory_with_full_geometry_and_yaw(system):
+    """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose.  At 5 and 6 mm its load-weighted
+    contact plane is 0.02 ... 0.09 rad away from the rigid one and the figures are not comparable."""
+    with open(REFERENCE_DATA / "contact_full.csv", newline="") as file:
+        finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in csv.DictReader(file)}
+    compared = 0
+    for (shift, yaw), row in finest.items():
+        if shift in ("5.0", "6.0"):
+            continue
+        side = system.evaluate(lateral_shift=float(shift) * 1e-3, yaw=np.radians(float(yaw))).right
+        assert side.penetration * 1e3 == pytest.approx(float(row["penetration_mm"]), rel=0.05), (shift, yaw)
+        assert side.area * 1e6 == pytest.approx(float(row["area_fit_mm2"]), rel=0.12), (shift, yaw)
+        assert side.max_pressure * 1e-6 == pytest.approx(float(row["max_pressure_MPa"]), rel=0.15), (shift, yaw)
+        compared += 1
+    assert compared == 5
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shift", [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 4.7, 5.0, 5.2, 5.5, 5.8, 6.0, 6.2, 6.3,
+                                   6.4, 6.5])
+def test_half_space_on_positions_from_tread_to_flange(system, shift):
+    """Complete theory on the true gap, millimetre by millimetre; no yaw, 78.5 kN."""
+    track = brute_force.track()
+    truth = halfspace_reference.normal_contact(track, brute_force.rigid_contact(track, shift * 1e-3, 0.0), "right", 78.5e3)
+    side = system.evaluate(shift * 1e-3).right
+    assert side.penetration == pytest.approx(truth.penetration, rel=0.05)
+    assert side.area == pytest.approx(truth.area, rel=0.12)
+    assert side.max_pressure == pytest.approx(truth.max_pressure, rel=0.15)
+
+
+def random_poses(count, seed, least_force=1.0):
+    rng = np.random.default_rng(seed)
+    shift = rng.uniform(-0.0066, 0.0066, count)
+    yaw = rng.uniform(-0.035, 0.035, count) * (rng.random(count) < 0.5)
+    return shift, yaw, 10 ** rng.uniform(np.log10(least_force), 5.5, count)
+
+
+def test_force_balance_and_sane_patches(system):
+    shift, yaw, force = random_poses(1500, 7)
+    transfer = np.random.default_rng(8).uniform(-0.9, 0.9, 1500)
+    table = system.evaluate_many(shift, yaw, force, transfer)
+    assert not np.any(table.status)
+    for sign, side in ((-1, table.left), (1, table.right)):
+        np.testing.assert_allclose(side.normal_force, force * (1 + sign * transfer), rtol=1e-6)
+        shown = sum(patch.normal_force for patch in side.patches)
+        few = side.patch_count <= 3
+        np.testing.assert_allclose(shown[few], side.normal_force[few], rtol=1e-9)
+        for name in ("penetration", "area", "max_pressure", "patch_length", "patch_width"):
+            assert np.all(getattr(side, name) > 0), name
+        # no spurious peak: not above four times the Hertz pressure of the mean, p = 1.5 N / area (3.4 of two joined regions)
+        assert np.all(side.max_pressure < 6 * side.normal_force / side.area)
+        outline = side.outline
+        assert np.all(np.diff(outline.station, axis=1) > 0) and np.all(outline.half_length >= 0)
+        longest = 2 * outline.half_length.max(axis=1) / side.patch_length    # 31 stations can miss a narrow second patch
+        assert longest.max() < 1 + 1e-12 and np.all(longest[side.patch_count == 1] > 0.9)
+        width = outline.station[:, -1] - outline.station[:, 0]
+        np.testing.assert_allclose(width, side.patch_width, rtol=1e-12)
+
+
+def test_outline_integrates_to_area_and_force(system):
+    """31 stations by the trapezoidal rule: a few per cent, since the ends fall like a root."""
+    for shift in (0.0, 1e-3, 3e-3, 6e-3, 7e-3):
+        side = system.evaluate(lateral_shift=shift).right
+        outline = side.outline
+        assert np.trapezoid(2 * outline.half_length, outline.station) == pytest.approx(side.area, rel=0.03)
+        line = np.pi / 2 * outline.half_length * outline.pressure
+        assert np.trapezoid(line, outline.station) == pytest.approx(side.normal_force, rel=0.03)
+
+
+def test_prescribed_penetration_is_the_inverse(system):
+    """The window of the lateral curvature follows the estimated penetration in one case and the given one in the other;
+    that is a few per cent of a window, and much less of the force unless regions exchange load."""
+    shift, yaw, force = random_poses(100, 9, least_force=1e3)
+    ratios = []
+    for k in range(100):
+        by_force = system.evaluate(shift[k], yaw[k], force[k])
+        back = system.evaluate(shift[k], yaw[k], penetration=(by_force.left.penetration, by_force.right.penetration))
+        for one, other in ((by_force.left, back.left), (by_force.right, back.right)):
+            ratios.append(other.normal_force / one.normal_force)
+            assert other.penetration == one.penetration, (shift[k], yaw[k], force[k])
+    error = np.abs(np.array(ratios) - 1)
+    assert np.median(error) < 2e-3 and np.percentile(error, 90) < 0.02 and error.max() < 0.2
+    with pytest.raises(ValueError, match=r"penetration \(left\) is -1 m; permitted is 0 ... 0.01 m"):
+        system.evaluate(penetration=-1.0)
+    assert system.evaluate().right.normal_force == pytest.approx(78.5e3)
+
+
+@pytest.mark.parametrize("model", ["analyn", "hertz"])
+def test_no_penetration_is_no_load(model):
+    """Whatever force is given beside it; the other wheel does not mind."""
+    state = wrcontact.ContactSystem(normal_model=model).evaluate(2e-3, penetration=(0.0, 5e-5))
+    assert state.status == wrcontact.Status.UNLOADED and np.all(np.isfinite(state.values))
+    assert state.left.patch_count == 0 and state.left.normal_force == 0.0
+    assert state.right.penetration == 5e-5 and state.right.normal_force > 1e4
+
+
+def test_force_rises_with_penetration(system):
+    for shift, yaw in ((0.0, 0.0), (1e-3, 0.0), (5e-3, 0.0), (6e-3, 0.02), (6.2e-3, 0.0), (7e-3, 0.01)):
+        loads = [system.evaluate(shift, yaw, penetration=d).right.normal_force for d in np.linspace(5e-6, 2e-4, 60)]
+        assert np.all(np.diff(loads) > 0), (shift, yaw)
+
+
+def test_light_loads_tend_to_hertz():
+    """As the patch shrinks the curvatures become constant: ANALYN and Hertz meet, away from joints."""
+    bodies = {model: wrcontact.ContactSystem(normal_model=model) for model in ("analyn", "hertz")}
+    for shift in (0.0, 3e-3, 6e-3, 7e-3):
+        light = {model: body.evaluate(lateral_shift=shift, normal_force=1e-2).right for model, body in bodies.items()}
+        for name in ("penetration", "area", "max_pressure"):
+            assert getattr(light["analyn"], name) == pytest.approx(getattr(light["hertz"], name), rel=2e-3), (shift, name)
+
+
+def test_scaling_with_size():
+    """All lengths times k and forces times k^2: pressures stay, lengths grow k-fold."""
+
+    def contact(k):
+        wheel = Profile("ball", "wheel", (Arc(-50.0 * k, 50.0 * k, 200.0 * k, 20.0 * k, -199.0 * k, 1),))
+        rail = Profile("crown", "rail", (Arc(-36.0 * k, 36.0 * k, 90.0 * k, 0.0, 90.0 * k, -1),))
+        pair = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4 * k, gauge_depth=6e-3 * k,
+                                       running_circle_distance=1.5 * k, nominal_radius=0.46 * k)
+        return pair.evaluate(lateral_shift=2e-3 * k, yaw=0.01, normal_force=5e4 * k**2)
+
+    one, large = contact(1.0), contact(1.3)
+    assert one.status == large.status == 0
+    assert large.roll == pytest.approx(one.roll, abs=1e-12)
+    for side_one, side_large in ((one.left, large.left), (one.right, large.right)):
+        assert side_large.max_pressure == pytest.approx(side_one.max_pressure, rel=1e-7)
+        assert side_large.penetration == pytest.approx(1.3 * side_one.penetration, rel=1e-7)
+        assert side_large.area == pytest.approx(1.69 * side_one.area, rel=1e-7)
+        assert side_large.contact.y_wheel == pytest.approx(1.3 * side_one.contact.y_wheel, rel=1e-9)
+
+
+def test_scaling_with_stiffness(system):
+    """Twice the modulus under twice the force is the same geometry at twice the pressure."""
+    stiff = wrcontact.ContactSystem(youngs_modulus=420e9)
+    for shift in (0.0, 5e-3, 6.5e-3):
+        soft, hard = system.evaluate(shift, normal_force=5e4).right, stiff.evaluate(shift, normal_force=1e5).right
+        assert (hard.penetration, hard.area) == pytest.approx((soft.penetration, soft.area), rel=1e-9)
+        assert hard.max_pressure == pytest.approx(2 * soft.max_pressure, rel=1e-9)
+
+
+def test_flat_and_concave_pairs_are_handled(system):
+    """S1002 on UIC60: the relative lateral curvature is below zero at some tread contacts and inside many patches."""
+    table = system.evaluate_many(np.linspace(-4e-3, 4e-3, 400))
+    assert not np.any(table.status)
+    for side in (table.left, table.right):
+        assert np.any(side.curvature_y < 0.3 * side.curvature_x)
+        # peak over Hertz's share of the mean pressure: 1 for an ellipse
+        assert np.all(np.abs(np.log(side.max_pressure / (1.5 * side.normal_force / side.area))) < np.log(2.2))
+
+
+def test_basic_and_effective_longitudinal_curvature():
+    """At the flange the effective radius is longer: the patch grows along the track and shrinks across (source, ch. 7.2)."""
+    states = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate(lateral_shift=6.5e-3)
+              for kind in ("effective", "basic")]
+    effective, basic = (state.right for state in states)
+    in_the_wheelset = effective.contact_angle + states[0].roll
+    assert 1 / effective.curvature_x == pytest.approx(effective.rolling_radius / np.cos(in_the_wheelset), rel=1e-9)
+    assert 1 / basic.curvature_x == pytest.approx(basic.rolling_radius, rel=1e-12)
+    assert effective.patch_length > 1.2 * basic.patch_length
+    assert effective.patch_width < basic.patch_width
+    tread = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate().right.area for kind in ("effective", "basic")]
+    assert tread[0] == pytest.approx(tread[1], rel=1e-3)
+
+
+def test_unloaded_wheels_keep_their_geometry(system):
+    loaded, empty = system.evaluate(2e-3, 0.01), system.evaluate(2e-3, 0.01, normal_force=0.0)
+    assert empty.status == wrcontact.Status.UNLOADED
+    assert empty.right.contact.y_wheel == pytest.approx(loaded.right.contact.y_wheel, abs=1e-12)
+    assert (empty.right.patch_count, empty.right.area, empty.right.patches) == (0, 0.0, ())
+    one_sided = system.evaluate(2e-3, load_transfer=1.0)
+    assert one_sided.status == wrcontact.Status.UNLOADED
+    assert one_sided.left.normal_force == 0.0 and one_sided.right.normal_force == pytest.approx(157e3)
+
+
+def test_work_is_bounded(system):
+    """Counts per pose, in trajectory order and at random: the budget that performance rests on.  Some twenty of the gaps look at
+    the ends of the profiles and for minima between two nodes of the scan."""
+    stepper = system.stepper()
+    for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)), (73, 2.3, 135, 11)),
+                                ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000), (73, 2.3, 135, 11))):
+        stepper.state[:] = 0.0
+        inputs = np.zeros((2000, layout.INPUT_COUNT))
+        inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_NORMAL_FORCE] = shift, 78.5e3
+        stepper.step_many(inputs, np.zeros((2000, layout.OUTPUT_COUNT)), np.zeros(2000))
+        counts = stepper.state[[layout.STATE_GAP_COUNT, layout.STATE_SCAN_COUNT, layout.STATE_NODE_COUNT,
+                                layout.STATE_SOLVE_COUNT]] / 2000
+        assert np.all(counts <= budget), (name, counts)

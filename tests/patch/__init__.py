@@ -1,0 +1,1 @@
+"""Tests of contact patches and their outlines."""

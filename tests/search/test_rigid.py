@@ -1,0 +1,466 @@
+"""Rigid contact: published positions, an independent brute-force search, and the conditions of contact themselves."""
+
+import csv
+
+import numpy as np
+import pytest
+
+import wrcontact
+from benchmarks.profile_noise import noisy_points
+from tests.helpers.fuzzing import cut
+from tests.helpers.numpy_tables import build_tables
+from tests.helpers.surface_witness import Surfaces
+from wrcontact.kernel import layout
+from wrcontact.kernel.search import roll, search
+from wrcontact.kernel.surface import gap, locus, profile_table
+from wrcontact.profiles import standard_profile
+from wrcontact.profiles.compiled import evaluate_table
+from wrcontact.profiles.placement import place_rail, readable_wheel
+from wrcontact.methods.resolution import resolve
+
+from tests.reference import brute_force
+from tests.helpers.paths import REFERENCE_DATA
+
+ROLL = 1e-9      # [rad]
+POSITION = 1e-6  # [m]
+
+
+@pytest.fixture(scope="module")
+def system():
+    return wrcontact.ContactSystem()
+
+
+def rows(name):
+    with open(REFERENCE_DATA / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("row", rows("rigid_positions.csv"), ids=lambda r: f"{r['lateral_shift_mm']}mm_{r['yaw_deg']}deg")
+def test_reference_positions(system, row):
+    value = {name: float(text) for name, text in row.items()}
+    state = system.evaluate(lateral_shift=value["lateral_shift_mm"] * 1e-3, yaw=np.radians(value["yaw_deg"]))
+    assert state.status == 0
+    assert state.roll == pytest.approx(value["roll_rad"], abs=ROLL)
+    assert state.vertical_shift == pytest.approx(value["wheelset_z_mm"] * 1e-3, abs=1e-9)
+    for letter, side in (("R", state.right), ("L", state.left)):
+        assert side.contact.y_wheel == pytest.approx(value[f"{letter}_y_wheel_mm"] * 1e-3, abs=POSITION)
+        assert side.contact.x_wheel == pytest.approx(value[f"{letter}_x_wheel_mm"] * 1e-3, abs=POSITION)
+        assert side.contact.y_track == pytest.approx(value[f"{letter}_y_track_mm"] * 1e-3, abs=POSITION)
+        assert side.rolling_radius == pytest.approx(value[f"{letter}_rolling_radius_mm"] * 1e-3, abs=POSITION)
+        # the angle follows the position with the wheel's curvature, 77 1/m at most
+        assert side.contact_angle == pytest.approx(value[f"{letter}_contact_angle_rad"], abs=1e-4)
+
+
+def poses(count, seed):
+    """Random pairs, inclinations and poses; every second one without yaw."""
+    rng = np.random.default_rng(seed)
+    for k in range(count):
+        yaw = rng.uniform(-0.0873, 0.0873) if k % 2 else 0.0
+        yield ("UIC60", "60E1", "54E1")[k % 3], (1 / 40, 1 / 20)[k // 3 % 2], rng.uniform(-0.01, 0.01), yaw
+
+
+#: Within 50 um of the right contact's jumps on UIC60 1:40 (tests/reference/find_jumps.py), but for the 1 um in which the
+#: raw step of S1002's printed coefficients at y = -35 mm would hold the contact.
+NEAR_JUMPS = [("UIC60", 1 / 40, shift, yaw) for shift, yaw in
+              ((4.8475e-3, 0.0), (4.8485e-3, 0.0), (4.80e-3, 0.0), (4.89e-3, 0.0), (6.2507e-3, 0.0), (6.2519e-3, 0.0),
+               (6.21e-3, 0.0), (6.30e-3, 0.0), (4.9265e-3, np.radians(1)), (4.9272e-3, np.radians(1)),
+               (6.1572e-3, np.radians(1)), (6.1578e-3, np.radians(1)), (-5.1632e-3, np.radians(-2)),
+               (-5.8775e-3, np.radians(-2)), (-5.8780e-3, np.radians(-2)))]
+
+
+def compare_with_brute_force(rail, inclination, shift, yaw):
+    system = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination)
+    state = system.evaluate(lateral_shift=shift, yaw=yaw)
+    truth = brute_force.rigid_contact(brute_force.track(rail, inclination), shift, yaw)
+    pose = f"{rail} 1:{1 / inclination:.0f}, lateral_shift {shift!r}, yaw {yaw!r}"
+    assert state.status == 0, pose
+    assert abs(state.roll - truth.roll) < ROLL, pose
+    assert abs(state.vertical_shift - truth.vertical_shift) < 1e-9, pose
+    for side in ("left", "right"):
+        mine, other = getattr(state, side), getattr(truth, side)
+        for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track"):
+            assert abs(getattr(mine.contact, name) - getattr(other, name)) < POSITION, f"{pose}: {side} {name}"
+        assert abs(mine.contact_angle - other.contact_angle) < 1e-4, pose
+        assert abs(mine.rolling_radius - other.rolling_radius) < POSITION, pose
+
+
+@pytest.mark.parametrize("pose", list(poses(3, seed=11)) + NEAR_JUMPS[::8])
+def test_brute_force_agrees(pose):
+    compare_with_brute_force(*pose)
+
+
+MANY = list(poses(60, seed=12)) + NEAR_JUMPS
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pose", [pytest.param(pose, marks=pytest.mark.complete) if k % 3 else pose
+                                  for k, pose in enumerate(MANY)])
+def test_brute_force_agrees_on_many(pose):
+    compare_with_brute_force(*pose)
+
+
+def smallest_distance(state, sign, wheel, rail):
+    """Smallest vertical gap [m] of one side at the state's pose over a dense cloud of wheel points, straight from the
+    profiles: no locus, no kernel."""
+    shift, yaw = state.inputs[0], state.inputs[1]
+    y = np.linspace(-0.0695, 0.0599, 2600)
+    radius = 0.46 + wheel.height(y)
+    centre = getattr(state, "right" if sign > 0 else "left").contact.x_wheel
+    x = np.concatenate([np.linspace(-0.06, 0.06, 241), centre + np.linspace(-2e-3, 2e-3, 81)])[:, None]
+    point = np.array([x + 0 * y, sign * (0.75 + y) + 0 * x, np.sqrt(radius**2 - x**2)])
+    c, s = np.cos(state.roll), np.sin(state.roll)
+    rolled = np.array([point[0], c * point[1] - s * point[2], s * point[1] + c * point[2]])
+    lateral = np.sin(yaw) * rolled[0] + np.cos(yaw) * rolled[1] + shift
+    vertical = rolled[2] - 0.46 + state.vertical_shift
+    with np.errstate(invalid="ignore"):
+        return np.nanmin(rail.profile.height(sign * lateral - rail.y_track) - vertical)
+
+
+@pytest.mark.parametrize("shift, yaw", [(0.0, 0.0), (3e-3, 0.01), (5e-3, 0.0), (-6e-3, -0.02), (6.26e-3, 0.0),
+                                        (8e-3, 0.035), (-0.01, 0.05)])
+def test_nothing_penetrates(system, shift, yaw):
+    state = system.evaluate(lateral_shift=shift, yaw=yaw)
+    wheel = standard_profile("S1002")
+    rail = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+    for sign in (-1, 1):
+        # touching, within the cloud's resolution (50 um at curvature 100 1/m) and the closed steps of S1002
+        assert -1.3e-7 < smallest_distance(state, sign, wheel, rail) < 1e-6
+
+
+SEARCH_YAWS = (0.0, 0.02, 0.05, 0.105)   # [rad]
+PER_CELL = 8                             # samples of the gap in a cell of the search
+
+
+def sampled_placements(count, seed, largest_roll):
+    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of the search: tables, workspace,
+    abscissae, gaps, slope differences and whether the rail is below, (n,) each."""
+    rng = np.random.default_rng(seed)
+    tables = system_tables()
+    work, scan = np.zeros(layout.WORK_SIZE), int(tables[layout.SET_SCAN])
+    nodes = tables[scan + search.SCAN_NODES:][:search.SCAN_ROW * int(tables[scan])].reshape(-1, search.SCAN_ROW)
+    share = np.arange(PER_CELL) / PER_CELL
+    y = np.append((nodes[:-1, :1] + share * np.diff(nodes[:, 0])[:, None]).ravel(), nodes[-1, 0])
+    for trial in range(count):
+        work[layout.WORK_INPUTS] = rng.uniform(-0.01, 0.01)
+        work[layout.WORK_INPUTS + 1] = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
+        roll.place_both(tables, work, rng.uniform(-largest_roll, largest_roll))
+        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, work, roll.RIGHT_PLACE, place) for place in y]).T
+        below = np.array([on_rail(tables, work, [place]) for place in y])
+        yield tables, work, y, gaps, mismatches, below
+
+
+def test_no_cell_of_the_search_holds_more_than_its_bound_says():
+    """The certificate of the global minimum, against dense sampling of the gap at random placements up to 6 deg."""
+    checked = 0
+    for tables, work, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
+        for cell in range(len(y) // PER_CELL):
+            inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
+            if not np.all(below[inside]):
+                continue
+            checked += 1
+            abscissa = search.node_gap(tables, work, roll.RIGHT_PLACE, cell)[2]
+            least, most = search.bend_bounds(tables, work, roll.RIGHT_PLACE, cell, abscissa)
+            dip = min(gaps[inside][0], gaps[inside][-1]) - gaps[inside].min()
+            where = (cell, y[inside][0], work[layout.WORK_INPUTS + 1])
+            assert dip <= most * np.ptp(y[inside])**2 / 8 + 1e-12, where
+            if least > 0.0 and mismatches[inside].max() < gap.FOLDED:
+                assert np.all(np.diff(mismatches[inside]) > -1e-12), where     # one place of contact at most
+    assert checked > 1200
+
+
+def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
+    """What roll and yaw make of a profile point, against the shares of ``clear_level``."""
+    rng = np.random.default_rng(23)
+    place, checked = np.zeros(layout.PLACE_BLOCK), 0
+    for _ in range(20000):
+        turn, yaw = rng.choice([0.02, 0.1]) * rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.12, 0.12)])
+        slope, bend = rng.uniform(-search.STEEP, search.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
+        z = rng.uniform(-0.02, 0.03)
+        locus.place_wheelset(place, 0, 0.0, yaw, turn, 0.46, 0.75)
+        _, _, _, stretch, rate = locus.outline_jet(place, 0, rng.uniform(-0.04, 0.03), z, slope, bend)
+        square = np.sin(yaw)**2
+        widened = (search.ROLL_STRETCH * abs(np.sin(turn))
+                   + square * (search.BEND_STRETCH * 0.46 * abs(bend) + search.STEEP_STRETCH))
+        if widened < search.WIDEST:
+            checked += 1
+            assert abs(stretch - 1.0) <= widened + 1e-12, (turn, yaw, slope, bend)
+            share = search.ROLL_BEND * abs(np.sin(turn)) + search.YAW_BEND * square
+            assert abs(rate - bend) <= (share + 1e-12) * abs(bend), (turn, yaw, slope, bend)
+    assert checked > 8000
+
+
+def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
+    """``clear_level`` may not clear a stretch in which the sampled gap falls further than allowed, nor call one rising that
+    is not; and it has to clear most of those far above."""
+    checked = cleared = 0
+    for tables, work, y, gaps, _, below in sampled_placements(16, 22, 0.013):
+        for node in np.flatnonzero(below[::PER_CELL]):
+            gap_there, mismatch, abscissa = search.node_gap(tables, work, roll.RIGHT_PLACE, node)
+            for direction in (1, -1):
+                for level in range(search.LEVELS):
+                    end = PER_CELL * (node + direction * 2**level)
+                    if not 0 <= end < len(y):
+                        continue
+                    inside = np.arange(PER_CELL * node, end + direction, direction)
+                    inside = inside[np.cumprod(below[inside]) == 1]      # up to the end of the rail
+                    fall = gap_there - gaps[inside].min()
+                    arguments = (tables, work, roll.RIGHT_PLACE, int(node), direction, abscissa)
+                    where = (work[layout.WORK_INPUTS:][:2], node, direction, level)
+                    checked += 1
+                    if fall > 1e-12:
+                        allowed = fall * (1 - 1e-9) - 1e-13
+                        assert search.clear_level(*arguments, allowed, direction * mismatch, level, 0) < level, where
+                    if len(inside) > 1 and np.diff(gaps[inside]).min() < -1e-13:
+                        assert search.clear_level(*arguments, -1.0, direction * mismatch, level, 1) < level, where
+                    if search.clear_level(*arguments, 2e-3, direction * mismatch, level, 0) == level:
+                        cleared += 1
+    assert checked > 10000 and cleared > checked / 2
+
+
+def test_smallest_gap_of_rough_profiles(tmp_path):
+    """S1002 on UIC60 from points with 1 um of noise every 0.2 mm, not smoothed: the gap has several minima in a cell of the search,
+    of which it took the first that it met. 14 of these 320 wheels had a smaller gap elsewhere, by up to 1.7 um; at -5.35, -6.25
+    and 7.55 mm a node of the search was left as the smallest and taken for the end of a profile."""
+    profiles = []
+    for seed, kind in ((1, "wheel"), (2, "rail")):
+        path = tmp_path / f"{kind}.txt"
+        np.savetxt(path, np.column_stack(noisy_points(kind, 0.2, 1e-3, seed)), fmt="%.9f")
+        profiles.append(wrcontact.Profile.from_file(path, kind, smoothing=0.0))
+    system = wrcontact.ContactSystem(*profiles)
+    wheel, rail, rail_y = system.profile_tables()
+    y = np.arange(wheel[0], wheel[1], 5e-6)
+    arm, radius = 0.75 + y, 0.46 + evaluate_table(wheel, y)[0]
+    for shift in np.concatenate([np.linspace(-8e-3, 8e-3, 161), [-5.35e-3, -6.25e-3, 7.55e-3]]):
+        state = system.evaluate(lateral_shift=shift, outputs="geometry")
+        assert state.status == 0, shift
+        for sign in (-1, 1):
+            across = sign * shift + arm * np.cos(state.roll) - sign * radius * np.sin(state.roll) - rail_y
+            below = sign * arm * np.sin(state.roll) + radius * np.cos(state.roll) - 0.46
+            above = (across >= rail[0]) & (across <= rail[1])
+            gap_there = evaluate_table(rail, across[above])[0] - below[above]
+            assert state.vertical_shift - gap_there.min() < 2e-9, (shift, sign)     # [m] what a cell of 32 um may hide
+
+
+def system_tables():
+    wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435,
+                                                        gauge_depth=0.014)
+    return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
+                        methods={"normal_model": layout.MODEL_ANALYN,
+                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=resolve("analyn"))
+
+
+def on_rail(tables, work, places):
+    """Whether the outline is above the rail at all wheel abscissae ``places``."""
+    for place in places:
+        z, slope = profile_table.height_slope(tables, int(tables[layout.SET_WHEEL]), place)
+        y_track = locus.outline_point(work, roll.RIGHT_PLACE, place, z, slope)[0]
+        if not gap.above_rail(tables, y_track - tables[layout.SET_RAIL_Y]):
+            return False
+    return True
+
+
+def test_roll_guess_changes_nothing(system):
+    rng = np.random.default_rng(3)
+    shift, yaw, guess = rng.uniform(-0.01, 0.01, 300), rng.uniform(-0.05, 0.05, 300), rng.uniform(-0.1, 0.1, 300)
+    plain, guessed = system.evaluate_many(shift, yaw), system.evaluate_many(shift, yaw, roll_guess=guess)
+    worst = np.argmax(np.abs(plain.roll - guessed.roll))
+    assert np.abs(plain.roll - guessed.roll)[worst] < 1e-12, (shift[worst], yaw[worst], guess[worst])
+    np.testing.assert_allclose(guessed.right.contact.y_wheel, plain.right.contact.y_wheel, atol=1e-9)
+
+
+def test_history_changes_nothing(system):
+    rng = np.random.default_rng(4)
+    shift, yaw = rng.uniform(-0.0066, 0.0066, 400), rng.uniform(-0.03, 0.03, 400)
+    order = rng.permutation(400)
+    first, second = system.evaluate_many(shift, yaw), system.evaluate_many(shift[order], yaw[order])
+    for name in ("roll", "vertical_shift"):
+        np.testing.assert_allclose(getattr(second, name), getattr(first, name)[order], rtol=1e-9, atol=1e-14)
+    for side in ("left", "right"):
+        one, two = getattr(first, side), getattr(second, side)
+        for name in ("contact_angle", "rolling_radius", "penetration", "normal_force", "area", "max_pressure",
+                     "patch_length", "patch_width", "patch_count"):
+            np.testing.assert_allclose(getattr(two, name), getattr(one, name)[order], rtol=1e-9, err_msg=name)
+        for name in ("station", "half_length", "pressure"):    # ends fall like a root: against the largest value
+            mine, theirs = getattr(two.outline, name), getattr(one.outline, name)[order]
+            assert np.max(np.abs(mine - theirs).max(axis=1) / np.abs(theirs).max(axis=1)) < 1e-8, name
+
+
+def test_left_is_the_mirror_image_of_right(system):
+    rng = np.random.default_rng(5)
+    shift, yaw = rng.uniform(-0.01, 0.01, 200), rng.uniform(-0.05, 0.05, 200)
+    one, other = system.evaluate_many(shift, yaw), system.evaluate_many(-shift, -yaw)
+    np.testing.assert_allclose(one.roll, -other.roll, atol=1e-12)
+    for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "z_track"):
+        np.testing.assert_allclose(getattr(one.left.contact, name), getattr(other.right.contact, name), atol=1e-9)
+    np.testing.assert_allclose(one.left.contact.y_track, -other.right.contact.y_track, atol=1e-9)
+    np.testing.assert_allclose(one.left.area, other.right.area, rtol=1e-7)
+
+
+def test_contact_point_is_one_point_in_all_frames(system):
+    """Wheel frame to track frame by the attitude matrix, rail frame to track frame by the rail's place."""
+    shift, yaw = 5.5e-3, 0.02
+    state = system.evaluate(lateral_shift=shift, yaw=yaw)
+    rail = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+    turn = np.array([[np.cos(yaw), -np.sin(yaw), 0], [np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
+    lean = np.array([[1, 0, 0], [0, np.cos(state.roll), -np.sin(state.roll)], [0, np.sin(state.roll), np.cos(state.roll)]])
+    for sign, side in ((-1, state.left), (1, state.right)):
+        point = side.contact
+        wheel = np.array([point.x_wheel, sign * (0.75 + point.y_wheel), 0.46 + point.z_wheel])
+        track = turn @ lean @ wheel + [0, shift, state.vertical_shift - 0.46]
+        np.testing.assert_allclose(track, [point.x_track, point.y_track, point.z_track], atol=1e-12)
+        assert sign * point.y_track == pytest.approx(rail.y_track + point.y_rail, abs=1e-12)
+        assert point.z_rail == pytest.approx(rail.profile.height(point.y_rail), abs=1e-11)
+        assert np.tan(side.contact_angle) == pytest.approx(-rail.profile.slope(point.y_rail), abs=1e-7)
+        assert np.hypot(point.x_wheel, 0.46 + point.z_wheel) == pytest.approx(side.rolling_radius, abs=1e-12)
+
+
+def test_contact_jumps_where_a_railway_engineer_expects(system):
+    """Tread to flange root at 4.848 mm, to the flange at 6.25 mm; the second one earlier with yaw."""
+    shift = np.arange(4.5e-3, 6.6e-3, 2e-6)
+    for yaw, jumps in ((0.0, (4.8479e-3, 6.2518e-3)), (np.radians(1), (4.9268e-3, 6.1575e-3))):
+        y = system.evaluate_many(shift, yaw).right.contact.y_wheel
+        found = shift[np.flatnonzero(np.abs(np.diff(y)) > 2e-3)]
+        np.testing.assert_allclose(found, jumps, atol=4e-6)
+
+
+@pytest.mark.parametrize("arguments", [dict(lateral_shift=0.05), dict(lateral_shift=-1.0), dict(lateral_shift=1e30),
+                                       dict(yaw=0.2), dict(yaw=-3.0)])
+def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, arguments):
+    before = system.evaluate(lateral_shift=1e-3)
+    state = system.evaluate(**arguments)
+    assert state.status == wrcontact.Status.OFF_PROFILE
+    np.testing.assert_array_equal(state.values, before.values)
+    assert system.evaluate(lateral_shift=1e-3).values == pytest.approx(before.values, rel=1e-9, abs=1e-12)
+
+
+def test_a_contact_on_the_end_of_a_profile_is_off_it():
+    """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail touches it as much
+    further out, up to that end."""
+    gauge, end = 1.54, 60e-3                                    # [m]
+    room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
+    inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-6)).evaluate()
+    assert inside.status == 0
+    for side in (inside.left, inside.right):
+        assert side.contact.y_wheel == pytest.approx(end - 1e-6, abs=1e-9)
+    beyond = wrcontact.ContactSystem(gauge=gauge + 2 * (room + 1e-6)).evaluate()
+    assert beyond.status == wrcontact.Status.OFF_PROFILE
+
+
+def test_every_pair_over_the_whole_range():
+    for rail in ("UIC60", "60E1", "54E1"):
+        for inclination in (0.0, 1 / 40, 1 / 20):
+            rng = np.random.default_rng(6)
+            shift, yaw = rng.uniform(-0.01, 0.01, 1500), rng.uniform(-0.0873, 0.0873, 1500)
+            table = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination).evaluate_many(shift, yaw)
+            bad = np.flatnonzero(table.status)
+            assert len(bad) == 0, [(rail, inclination, shift[k], yaw[k], table.status[k]) for k in bad[:5]]
+
+
+@pytest.mark.parametrize("rail, inclination, shift, yaw, force", [
+    ("UIC60", 1 / 40, -6.251934541417579e-3, 0.0, 8e3),                     # nearly conformal R13 on R13, y_wheel -36 mm
+    ("60E1", 1 / 40, 6.2597306526431685e-3, 0.0, 6.9e3),                    # likewise, beside S1002's step at -35 mm
+    ("UIC60", 1 / 40, 5.452984024507772e-3, 0.051588600550075296, 2.5),     # between the last scan node and the rail's end
+    ("UIC60", 1 / 40, -6.159960302142493e-3, 0.015818061840829713, 9.5e4),  # kinks in the load over penetration
+    ("UIC60", 1 / 40, 4.529254062720551e-3, 0.0, 7.1e4),                    # regions that were closed too early
+    ("UIC60", 1 / 40, 6.165668323384629e-3, -0.015987082958319174, 6.4e4),  # two regions that press each other away
+    ("UIC60", 1 / 40, 4.905236053824249e-3, -0.08038425688630561, 1.7e5),   # outline folded back beside the contact
+    ("60E1", 1 / 20, 4.844598087213372e-3, 0.08497943295679282, 7e5),       # contact beside a fold
+    ("54E1", 1 / 40, 5.116213193802009e-3, -0.03593182758325816, 6.4e4),    # a region that is none
+])
+def test_poses_that_once_failed(rail, inclination, shift, yaw, force):
+    state = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination).evaluate(shift, yaw, force)
+    assert state.status == 0
+    for side in (state.left, state.right):
+        assert side.normal_force == pytest.approx(force, rel=1e-6)
+        assert 0 < side.max_pressure < 8 * side.normal_force / side.area
+
+
+def test_far_moves_from_flange_to_tread_converge():
+    """Newton crept along one side of the bracket when a pose followed one on the flange."""
+    system = wrcontact.ContactSystem(rail="60E1", rail_inclination=1 / 20)
+    system.evaluate(0.0063870354021925545, -0.034081234770175765, 112.0)
+    state = system.evaluate(0.004809773635151726, 0.023961499467004543, 0.94)
+    assert state.status == 0 and state.roll == pytest.approx(-6.393952188661e-05, abs=1e-12)
+
+
+def test_the_same_inputs_give_the_same_roll_at_large_yaw(system):
+    rng = np.random.default_rng(7)
+    shift, yaw = rng.uniform(-2e-3, 2e-3, 3000), rng.uniform(0.093, 0.12, 3000)
+    plain, guessed = (system.evaluate_many(shift, yaw, roll_guess=guess, outputs="geometry") for guess in (0.0, 1e-3))
+    assert np.abs(plain.roll - guessed.roll).max() < 1e-12
+
+
+#: Arguments of the system, lateral shift [m] and yaw [rad], and why the answer once hung on where the search started.
+SEVERAL_ANSWERS = {
+    "flank above the rail again": (dict(rail="54E1", rail_inclination=1 / 30, gauge=1.4347667900382095),
+                                   -0.00282366979555442, -0.09984709995757851),
+    "three rolls with a large wheel": (dict(nominal_radius=0.7), 6e-3, 0.0),
+    "three rolls with both flanges": (dict(nominal_radius=0.7, gauge=1.425), 1e-3, 0.09),
+    "two contacts in a cell": (dict(rail="54E1", rail_inclination=0.0, gauge=1.4334222645965715,
+                                    gauge_depth=0.010622885987956932, nominal_radius=0.5089481155805106),
+                               -0.00427645824847085, 0.044798104788786125),
+    "a zero that just vanishes": (dict(rail="54E1", gauge=1.4414783620838294, gauge_depth=0.010256278977611655,
+                                       nominal_radius=0.6160197692263196), -0.008319861039315497, 0.0),
+    "a jump beside it": (dict(rail="60E1", gauge=1.442560391487472, nominal_radius=0.5873005509731646), -0.0099124892437712, 0.0),
+}
+
+
+@pytest.mark.parametrize("name", SEVERAL_ANSWERS)
+def test_there_is_one_answer(name):
+    """From any start, and of several rolls the first one from level: a scan of the way there finds no other."""
+    arguments, shift, yaw = SEVERAL_ANSWERS[name]
+    guesses = np.concatenate([[0.0], np.linspace(-0.1, 0.1, 41), np.linspace(-0.01, 0.01, 40)])
+    table = wrcontact.ContactSystem(**arguments).evaluate_many(shift, yaw, roll_guess=guesses, outputs="geometry")
+    assert not table.status.any()
+    assert np.ptp(table.roll) < 1e-12 and np.ptp(table.vertical_shift) < 1e-12
+    surfaces = Surfaces(**arguments)
+    way = table.roll[0] * np.linspace(0.0, 1.0, 60)[:-1]
+    right, left = (surfaces.lowest(np.full(59, sign * shift), np.full(59, sign * yaw), sign * way) for sign in (1.0, -1.0))
+    assert np.all((right - left) * table.roll[0] > 0.0)         # D keeps its sign from level to the roll
+
+
+@pytest.mark.parametrize("shift", [8.133158769028561e-05, 8.132284882685428e-05])
+def test_a_start_that_finds_no_roll_does_not_decide(shift):
+    """Beyond its end a wheel's smallest gap jumps: from 4 mrad on the search ended there, with status 2."""
+    system = wrcontact.ContactSystem(cut("S1002", stop=1.149722310560055), gauge=1.4262290727589113,
+                                     gauge_depth=0.011519422829102665, nominal_radius=0.6543992887310359)
+    table = system.evaluate_many(shift, 0.04903556557466748, roll_guess=np.linspace(-0.1, 0.1, 81), outputs="geometry")
+    assert not table.status.any()
+    assert np.ptp(table.roll) < 1e-12
+
+
+def test_a_printed_joint_is_no_end():
+    """S1002's joint at y = -49.66 mm steps by 6e-11 m in its last digits; the contact stays on it for 0.3 um."""
+    system = wrcontact.ContactSystem(rail="54E1", gauge=1.4298494513942086, gauge_depth=0.01103666657956913,
+                                     nominal_radius=0.6963042611736863)
+    state = system.evaluate(-0.009625104234436804, -0.059105590772747164, roll_guess=-0.06792508450680196)
+    assert state.status == 0 and state.left.contact.y_wheel == pytest.approx(-49.66243e-3, abs=1e-7)
+
+
+def test_a_wheel_that_ends_on_the_tread_is_off_the_profile():
+    """Not "not converged": the smallest gap lies at its end, from wherever the search starts."""
+    system = wrcontact.ContactSystem(wheel=cut("S1002", stop=6.7))
+    guesses = np.linspace(-0.1, 0.1, 21)
+    for shift in (0.0, 1e-3, 4e-3, 8e-3):
+        statuses = set(system.evaluate_many(shift, 0.01, roll_guess=guesses, outputs="geometry").status)
+        whole = wrcontact.ContactSystem().evaluate(shift, 0.01)
+        beyond = max(whole.left.contact.y_wheel, whole.right.contact.y_wheel) > 6.7e-3
+        assert statuses == {wrcontact.Status.OFF_PROFILE if beyond else wrcontact.Status.VALID}, shift
+
+
+def test_a_wheel_is_searched_to_its_last_millimetre():
+    """Contact 0.2 mm from the end, which lay beyond the last node of the search."""
+    whole = wrcontact.ContactSystem().evaluate(2e-3, 0.01)
+    stop = whole.left.contact.y_wheel * 1e3 + 0.2
+    state = wrcontact.ContactSystem(wheel=cut("S1002", stop=stop)).evaluate(2e-3, 0.01)
+    assert state.status == 0 and state.roll == pytest.approx(whole.roll, abs=1e-12)
+
+
+@pytest.mark.parametrize("start, stop", [(-70.0, 28.481727808186925), (-35.19681944545982, 60.0), (-44.1, 0.7)])
+def test_a_profile_has_a_height_at_both_its_ends(start, stop):
+    profile = cut("S1002", start, stop)
+    for name in ("UIC60", "60E1", "54E1"):
+        ends = standard_profile(name)
+        assert np.isfinite(ends.height([ends.start, ends.stop])).all()
+    assert np.isfinite(profile.height([profile.start, profile.stop])).all()
+    assert np.isnan(profile.height([profile.start - 1e-9, profile.stop + 1e-9])).all()

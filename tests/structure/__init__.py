@@ -1,0 +1,1 @@
+"""Tests of the structure of the code, and tests of the tests."""

@@ -1,0 +1,48 @@
+"""The planted errors of plant_errors.py: each is still to be planted, and is seen by the quick tests."""
+
+import ast
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from tests.helpers.plant_errors import ERRORS, copies, planted, random_errors, source_of, translate_all
+from tests.helpers.paths import ROOT, TESTS
+from tools.transpile_kernel import translate
+
+
+
+@pytest.mark.parametrize("error", ERRORS, ids=lambda error: error.name)
+def test_an_error_can_be_planted_in_today_s_kernel(error):
+    text = source_of(error.module).read_text(encoding="utf-8")
+    assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text))
+    assert list((TESTS / error.first).glob("test_*.py"))
+
+
+def test_names_are_unique():
+    assert len({error.name for error in ERRORS}) == len(ERRORS) >= 10
+
+
+def test_random_errors_can_be_planted():
+    for error in random_errors(20, seed=3):
+        text = source_of(error.module).read_text(encoding="utf-8")
+        assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text)), error
+
+
+@pytest.mark.slow
+@pytest.mark.complete
+def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
+    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
+    plain, (tree,) = copies([error for error in ERRORS if error.name == "hertz_cell"], tmp_path)
+    _, files = translate_all([plain, tree])
+    assert files == translate(tree / "wrcontact" / "kernel")
+
+
+@pytest.mark.slow
+@pytest.mark.complete
+@pytest.mark.skipif(not (shutil.which("gcc") or shutil.which("cc")), reason="no C compiler here")
+def test_every_planted_error_is_seen():
+    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
+    run = subprocess.run([sys.executable, "-m", "tests.helpers.plant_errors"], cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert run.returncode == 0, run.stdout

@@ -1,0 +1,460 @@
+"""The source's figures: what each claims, held against numbers from elsewhere; their files; the command."""
+
+import csv
+import math
+import re
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+from scipy.special import ellipe, ellipk
+
+from tests.helpers.numpy_curvatures import fitted_curvature, turned_curvature
+from wrcontact import ContactSystem
+from wrcontact.cli import main
+from wrcontact.cli.figures import index, summary
+from wrcontact.conventions import SIDES
+from wrcontact.plots import save
+from wrcontact.plots.source_figures import DRAWN, source_figure
+from wrcontact.profiles.compiled import compile_profile
+from wrcontact.study.analyn import corrected, solve_analyn
+from wrcontact.study.compare import lever_share
+from wrcontact.study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute, known, rows_of
+from wrcontact.study.sections import Section, circle_curvature, rough_curvature
+
+from tests.reference import brute_force
+from tests.helpers.paths import REFERENCE_DATA, ROOT
+
+NUMBERS = ("4.4", "4.5", "4.6", "5.6", "5.7", "5.8", "5.9", *(f"7.{k}" for k in range(1, 18)))
+MODULUS = 210e9 / (2 * (1 - 0.28**2))   # [Pa]
+STUDY = Study()
+
+
+@lru_cache(maxsize=None)
+def figure(number):
+    return compute(number, STUDY)
+
+
+def read_reference(name):
+    with open(REFERENCE_DATA / name, newline="", encoding="utf-8") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def reference_jumps(yaw):
+    """Lateral shifts at which the right contact jumps by tests/reference/find_jumps.py [mm]: root, flange."""
+    page = (REFERENCE_DATA / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ([\d.]+) \| ([\d.]+) \| -", page, re.MULTILINE)
+    shifts = [float(shift) for at_yaw, shift in rows if float(at_yaw) == yaw]
+    return shifts[0], shifts[-1]
+
+
+def at(number, curve, shift):
+    """A curve of a figure at a lateral shift [mm]."""
+    rows = rows_of(figure(number).columns, curve=curve)
+    value = list(figure(number).columns)[2]
+    return float(rows[value].astype(float)[np.argmin(np.abs(rows["lateral shift [mm]"].astype(float) - shift))])
+
+
+# --- ANALYN of the source, and what it is fed with -------------------------------------------------
+
+
+@pytest.mark.parametrize("A, B", [(1.0, 1.0), (1.0, 8.0), (6.0, 1.0)])
+def test_analyn_of_the_study_is_hertz_for_constant_curvatures(A, B):
+    """Semi-axes, approach and pressure from the elliptic integrals (Johnson 1985, section 4.2)."""
+    force, s = 20e3, np.linspace(-20e-3, 20e-3, 8001)
+    patch = solve_analyn(s, B * s**2, np.full_like(s, A), np.full_like(s, B), force=force, modulus=MODULUS)
+    a, b = patch.length / 2, patch.width / 2
+    short, long, q = min(a, b), max(a, b), min(a, b) / max(a, b)
+    K, E = ellipk(1 - q * q), ellipe(1 - q * q)
+    assert min(A, B) / max(A, B) == pytest.approx((K - E) / (E / q**2 - K), rel=5e-3)
+    assert patch.penetration == pytest.approx(3 * force * K / (2 * math.pi * MODULUS * long), rel=2e-3)
+    assert patch.pressure.max() == pytest.approx(3 * force / (2 * math.pi * long * short), rel=3e-3)
+    assert patch.normal_force == pytest.approx(force, rel=1e-9)
+
+
+def test_nodes_with_no_curvature_drop_out_unless_corrected():
+    s = np.linspace(-5e-3, 5e-3, 401)
+    B = np.where(np.abs(s - 1e-3) < 0.5e-3, -0.5, 2.0)
+    columns = s, 2.0 * s**2, np.ones_like(s), B
+    bare, mended = (solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree) for degree in (None, 2))
+    assert not bare.loaded[np.abs(s - 1e-3) < 0.4e-3].any() and bare.regions == 2
+    assert mended.regions == 1 and mended.penetration < bare.penetration
+    assert np.isnan(corrected(B, np.abs(s) < 3e-3, None)[np.abs(s - 1e-3) < 0.4e-3]).all()
+
+
+@pytest.mark.parametrize("shift", [1.0, 6.0, 6.5])
+def test_separations_near_the_contact_are_what_the_curvature_says(shift):
+    """B s^2 along the normal and between equal arcs, and 1 / cos(contact angle) more vertically at the same place."""
+    section = STUDY.section(shift)
+    near = 5e-6   # [m]
+    B = float(section.exact_lateral(section.normal(near, 1))[1])
+    for nodes in (section.normal(near, 8), section.equidistant(near, 8), section.equidistant(near, 8, chords=True)):
+        assert nodes.gap == pytest.approx(B * nodes.station**2, rel=0.02, abs=1e-13)
+    vertical, cosine = section.vertical(near, 8), math.cos(section.angle)
+    assert vertical.gap == pytest.approx(B * (vertical.station / cosine)**2 / cosine, rel=0.04, abs=1e-13)
+
+
+def test_chords_are_arcs_in_the_limit():
+    section, errors = STUDY.section(6.0), []
+    for ds in (0.8e-3, 0.4e-3, 0.2e-3):
+        count = round(8e-3 / ds)
+        chords, arcs = section.equidistant(ds, count, chords=True), section.equidistant(ds, count)
+        errors.append(abs(chords.rail[0] - arcs.rail[0]))
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.3) and errors[1] / errors[2] == pytest.approx(4, rel=0.3)
+
+
+def test_arc_lengths_on_a_circle():
+    """The rail's gauge corner is an arc of 13 mm: an arc length s turns the tangent by s / R."""
+    rail = STUDY.section(6.5).rail
+    t = rail.at_arc(np.array([-0.5e-3, 0.5e-3]))
+    assert np.diff(rail.direction(t)) == pytest.approx(1e-3 / 13e-3, rel=1e-6)
+
+
+@pytest.mark.parametrize("shift", [1.0, 6.0])
+def test_curvatures_are_those_of_the_kernels_tables(shift):
+    """Circle fit and three nodes written twice, by two people."""
+    section = STUDY.section(shift)
+    nodes = section.equidistant(0.2e-3, 60)
+    for curve, t in ((section.rail, nodes.rail), (section.wheel, nodes.wheel)):
+        table, own = compile_profile(curve.profile), rough_curvature(curve.point(t))
+        # 31 points along the chord, 61 along the tangent
+        assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02, abs=0.05)
+        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0   # [1/m], not beside a step of the heights
+        assert np.median(np.abs(own - turned_curvature(table, t, 0.2e-3))[even]) < 0.01
+
+
+@pytest.mark.parametrize("shift", [6.0, 6.5])
+@pytest.mark.parametrize("separation", ["normal", "equidistant", "equidistant_chord"])
+def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
+    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the kernel with the same options."""
+    from wrcontact.study.figures_patch import study_patch
+
+    section = STUDY.section(shift)
+    nodes = {"normal": section.normal, "equidistant": section.equidistant,
+             "equidistant_chord": lambda ds, count: section.equidistant(ds, count, chords=True)}[separation](0.02e-3, 400)
+    patch = study_patch(nodes, section, section.smooth_lateral(nodes, 3e-3))
+    side = ContactSystem(separation=separation, lateral_curvature="smooth").evaluate(lateral_shift=shift / 1e3).right
+    assert patch.penetration == pytest.approx(side.penetration, rel=0.005)
+    assert patch.pressure.max() == pytest.approx(side.max_pressure, rel=0.005)
+    assert patch.length == pytest.approx(side.patch_length, rel=0.003)
+    assert patch.width == pytest.approx(side.patch_width, rel=0.02)
+
+
+# --- chapters 4 and 5 ------------------------------------------------------------------------------
+
+
+def test_roll_and_place_are_those_of_the_brute_force():
+    """tests/reference/rigid_positions.csv is an independent search over both parameters of the wheel's surface."""
+    rows = [row for row in read_reference("rigid_positions.csv") if row["yaw_deg"] == 0]
+    assert len(rows) > 5
+    for row in rows:
+        shift = row["lateral_shift_mm"]
+        assert at("4.4", "rigid, exact", shift) == pytest.approx(math.degrees(row["roll_rad"]), abs=1e-7)   # [deg]
+        assert at("4.5", "rigid, exact", shift) == pytest.approx(row["R_y_wheel_mm"], abs=1e-4)             # [mm]
+
+
+def test_4_4_the_roll_bends_and_does_not_jump():
+    numbers = figure("4.4").numbers
+    root, flange = reference_jumps(0)
+    assert numbers["bend to the flange root at [mm]"] == pytest.approx(root, abs=1e-4)
+    assert numbers["bend to the flange at [mm]"] == pytest.approx(flange, abs=1e-4)
+    assert numbers["change of roll at the jump to the flange [deg]"] < 5e-6
+    assert numbers["slope, flange root / tread"] == pytest.approx(2.44, abs=0.05)
+    assert numbers["slope, flange / flange root"] == pytest.approx(30, abs=2)
+    assert numbers["2-D search less exact, largest [deg]"] < 2e-3
+
+
+def test_4_5_three_jumps():
+    numbers = figure("4.5").numbers
+    assert [numbers[f"jump {k} at [mm]"] for k in (1, 2, 3)] == pytest.approx([0.2089, 4.8479, 6.2518], abs=2e-4)
+    assert [numbers[f"jump {k} by [mm]"] for k in (1, 2, 3)] == pytest.approx([-10.2, -10.5, -4.2], abs=0.2)
+    assert figure("4.5").verdict == HOLDS
+
+
+def test_4_6_the_source_own_search_is_on_the_rigid_contact():
+    numbers = figure("4.6").numbers
+    assert numbers["2-D search dy 0.1 mm less exact, flange, largest [mm]"] < 0.06   # half a node
+    assert numbers["2-D search dy 1 mm less exact, flange, largest [mm]"] > 1.0
+    assert figure("4.6").verdict == FAILS
+
+
+def test_elastic_contact_is_smoother_and_tends_to_the_rigid_one():
+    numbers = figure("4.5").numbers
+    assert numbers["largest step before the flange, elastic [mm]"] < 0.05 * numbers["largest step, rigid [mm]"]
+    assert figure("5.6").numbers["yaw 0 deg: elastic slope, 0.4 mm behind / before"] < 1.5
+    assert figure("5.6").numbers["yaw 0 deg: share of shifts with less elastic roll"] > 0.8
+    numbers = figure("4.4").numbers
+    assert numbers["elastic roll of 0.1 deg comes later by [mm]"] == pytest.approx(0.071, abs=0.01)
+    assert numbers["roughness of the elastic roll between flange root and flange [deg]"] < 3e-3
+    assert figure("4.6").numbers["elastic at 1e-4 N less rigid, flange, largest [mm]"] < 1e-3
+    assert figure("4.6").numbers["elastic at 1e-4 N less rigid, elsewhere, largest [mm]"] < 1e-3
+
+
+@pytest.mark.parametrize("shift", [2.0, 3.0, 6.0])
+def test_elastic_roll_is_what_the_complete_theory_makes_of_the_levers(shift):
+    """Each wheel sinks by its penetration over the cosine of its contact angle; the lever is that of the study."""
+    sides = [getattr(STUDY.system(normal_model="halfspace").evaluate(lateral_shift=shift / 1e3), side) for side in SIDES]
+    left, right = (side.penetration / math.cos(side.contact_angle) for side in sides)
+    arms = sum(abs(side.contact.y_track - shift / 1e3) for side in sides)
+    turn = (right - left) / (lever_share(STUDY.system(), shift / 1e3) * arms)
+    found = math.radians(at("4.4", "elastic, 78.5 kN", shift) - at("4.4", "rigid, exact", shift))
+    assert found == pytest.approx(turn, rel=0.15)
+
+
+def test_5_6_bends_come_later_with_yaw():
+    numbers = figure("5.6").numbers
+    for yaw in (0, 1):
+        assert numbers[f"yaw {yaw} deg: bend at [mm]"] == pytest.approx(reference_jumps(yaw)[0], abs=1e-4)
+        assert numbers[f"yaw {yaw} deg: slope behind / before"] == pytest.approx(2.45, abs=0.05)
+        assert numbers[f"yaw {yaw} deg: step of the roll [deg]"] < 1e-6
+        for shift in (3.0, 5.0, 6.5):   # the source's own search beside the exact one
+            assert at("5.6", f"source's 3-D search, dx 0.1 mm, yaw {yaw} deg", shift) == pytest.approx(
+                at("5.6", f"rigid, exact, yaw {yaw} deg", shift), abs=1e-3)   # [deg]
+
+
+def test_5_7_the_contact_at_5_mm():
+    numbers = figure("5.7").numbers
+    assert numbers["y_wheel [mm]"] == pytest.approx(-28.614, abs=1e-3)
+    assert numbers["patches under load"] == 2 and 20 < numbers["gap at the other place [um]"] < 40
+
+
+def test_5_8_jumps_by_yaw():
+    numbers = figure("5.8").numbers
+    for yaw in (0, 1, 2):
+        root, flange = reference_jumps(yaw)
+        assert numbers[f"yaw {yaw} deg: jump to the flange root [mm]"] == pytest.approx(root, abs=1e-4)
+        assert numbers[f"yaw {yaw} deg: jump to the flange [mm]"] == pytest.approx(flange, abs=1e-4)
+    assert math.isnan(numbers["yaw 3 deg: jump to the flange root [mm]"])
+    assert numbers["yaw 3 deg: jump to the flange [mm]"] == pytest.approx(5.417, abs=1e-3)
+
+
+def test_5_8_roll_on_the_tread_is_smaller_with_yaw_because_the_wheelset_is_narrower():
+    for shift in (1.0, 3.0, 4.5):
+        rolls = [abs(at("5.8", f"exact, yaw {yaw} deg", shift)) for yaw in (0, 1, 2, 3)]
+        assert rolls == sorted(rolls, reverse=True)
+    numbers = figure("5.8").numbers
+    assert numbers["3 mm, 1 deg: rise of the contact towards the axle [um]"] < 1
+    share = next(value for name, value in numbers.items() if "narrower" in name)
+    assert share == pytest.approx(109, abs=3)   # [%]
+
+
+def test_5_9_longitudinal_shift():
+    numbers = figure("5.9").numbers
+    assert numbers["yaw 1 deg: largest [mm]"] == pytest.approx(22.8, abs=0.2)
+    for row in read_reference("rigid_positions.csv"):
+        if row["yaw_deg"] in (1, 2, 3) and row["lateral_shift_mm"] >= 0:
+            assert at("5.9", f"exact, yaw {row['yaw_deg']:.0f} deg", row["lateral_shift_mm"]) == pytest.approx(
+                row["R_x_wheel_mm"], abs=2e-3)   # [mm]
+    assert numbers["yaw 1 deg at 6.5 mm [mm]"] == pytest.approx(18.34, abs=0.01)
+    assert numbers["yaw 3 deg at 1 mm [mm]"] < numbers["yaw 2 deg at 1 mm [mm]"]
+
+
+@pytest.mark.parametrize("shift, yaw", [(1.0, 3), pytest.param(6.5, 1, marks=pytest.mark.slow),
+                                        pytest.param(8.0, 2, marks=pytest.mark.slow)])
+def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
+    """The search over both parameters of the wheel's surface, which shares no code with the package."""
+    found = brute_force.rigid_contact(brute_force.track(), shift / 1e3, math.radians(yaw))
+    assert at("5.8", f"exact, yaw {yaw} deg", shift) == pytest.approx(math.degrees(found.roll), abs=1e-6)      # [deg]
+    assert at("5.9", f"exact, yaw {yaw} deg", shift) == pytest.approx(found.right.x_wheel * 1e3, abs=2e-3)    # [mm]
+
+
+# --- chapter 7 -------------------------------------------------------------------------------------
+
+
+def test_7_2_and_7_4_separations():
+    tread, root = figure("7.2").numbers, figure("7.4").numbers
+    assert tread["separations differ inside the patch by [mm]"] < 5e-4
+    assert abs(tread["vertical: penetration [%]"]) < 0.5
+    assert 1e-4 < root["separations differ within 0.5 mm by [mm]"] < root["separations differ within 1 mm by [mm]"] < 2e-3
+    assert root["1 / cos(contact angle) [%]"] == pytest.approx(100 / math.cos(math.radians(24.2695)) - 100, abs=0.01)
+    assert root["vertical: length [%]"] == pytest.approx(5.5, abs=0.3)           # equidistant is narrower in x
+    assert root["vertical: width in y [%]"] == pytest.approx(-7, abs=1.5)        # and wider in y
+    assert root["vertical: penetration [%]"] == pytest.approx(11.4, abs=0.5)
+    assert abs(root["vertical, turned: penetration [%]"]) < 2
+    for numbers in (tread, root):   # the equidistant patch is the right one
+        assert numbers["wrcontact, equidistant: penetration [um]"] == pytest.approx(
+            numbers["equidistant: penetration [um]"], rel=0.03)
+
+
+@pytest.mark.parametrize("number, factor", [("7.5", 1.0025), ("7.7", 1.0976), ("7.9", 2.58)])
+def test_effective_radius(number, factor):
+    numbers = figure(number).numbers
+    assert numbers["effective / basic radius"] == pytest.approx(factor, rel=2e-3)
+    assert numbers["effective radius [m]"] == pytest.approx(numbers["wrcontact's radius [m]"], rel=1e-6)
+
+
+@pytest.mark.parametrize("number, length, width", [("7.6", 0.1, 0.0), ("7.8", 4.1, -2.7), ("7.10", 45.2, -16.8)])
+def test_effective_radius_stretches_the_patch(number, length, width):
+    numbers = figure(number).numbers
+    assert numbers["effective: length [%]"] == pytest.approx(length, abs=0.3)
+    assert numbers["effective: width [%]"] == pytest.approx(width, abs=0.3)
+    assert abs(numbers["effective: error of the largest pressure [%]"]) < 2     # against the complete theory
+    assert abs(numbers["effective: length [mm]"] / numbers["complete theory: length [mm]"] - 1) < 0.035
+
+
+def test_7_10_the_basic_radius_is_wrong_by_a_fifth():
+    assert figure("7.10").numbers["basic: error of the largest pressure [%]"] == pytest.approx(20.5, abs=1)
+
+
+def test_7_11_roughness_is_rounding():
+    numbers = figure("7.11").numbers
+    scatter = {(ds, step): numbers[f"scatter of B, ds {ds} mm, coordinates to {step} mm [1/m]"]
+               for ds in ("0.2", "1", "2") for step in ("0", "0.0001", "0.001")}
+    assert scatter["0.2", "0"] < 1e-3 and 5 < scatter["0.2", "0.001"] < 20
+    # two second differences of coordinates rounded to q, each with a variance of 6 q^2 / 12 over ds^4
+    assert scatter["1", "0.0001"] == pytest.approx(0.674 * 0.5 * math.sqrt(2 * 6 / 12) * 1e-7 / 1e-6, rel=0.4)
+    assert scatter["0.2", "0.0001"] / scatter["1", "0.0001"] == pytest.approx(25, rel=0.4)
+    assert scatter["2", "0.001"] < 0.3
+
+
+@pytest.mark.parametrize("number, rough, smooth", [("7.12", 74, 81), ("7.13", 33, 37), ("7.14", 61, 66)])
+def test_rough_curvature_always_leaves_fewer_nodes(number, rough, smooth):
+    numbers = figure(number).numbers
+    assert (numbers["rough: loaded nodes"], numbers["smooth: loaded nodes"]) == pytest.approx((rough, smooth), abs=1)
+    assert numbers["rough: B <= 0 over [mm]"] > numbers["smooth: B <= 0 over [mm]"] > 4
+    true = numbers["complete theory: penetration [um]"]
+    assert numbers["rough: penetration [um]"] > 1.15 * true and numbers["smooth: penetration [um]"] > 1.1 * true
+    assert numbers["wrcontact: penetration [um]"] == pytest.approx(true, rel=0.01)
+    for kind in ("rough", "smooth"):   # B <= 0 floored instead of dropped, and other curvatures for extent and length
+        assert numbers[f"wrcontact, {kind}: penetration [um]"] == pytest.approx(true, rel=0.1)
+
+
+def test_7_14_exact_profiles_do_not_break_the_patch_and_rounded_ones_do():
+    numbers = figure("7.14").numbers
+    assert numbers["rough: first contact point in the patch"] == 1
+    assert numbers["first point out, coordinates to 0 mm"] == 0 == numbers["first point out, coordinates to 0.0001 mm"]
+    assert 0.2 < numbers["first point out, coordinates to 0.001 mm"] < 0.6
+    assert numbers["first point out, coordinates to 0.001 mm, corrected"] == 0
+    assert numbers["first point out, coordinates to 0.01 mm, corrected"] == pytest.approx(1 / 7, abs=0.1)
+    assert numbers["rough, coordinates to 1 um: pieces"] > 10 and numbers["rough: pieces"] == 2
+
+
+def test_yaw_has_patterns_where_the_contact_does_not_jump():
+    tread, root, flange = (figure(number).numbers for number in ("7.15", "7.16", "7.17"))
+    area = [tread[f"yaw {yaw} deg: area [mm2]"] for yaw in (0, 1, 2)]
+    assert area == sorted(area)
+    assert tread["no yaw, wheelset narrower by cos(2 deg): area [mm2]"] == pytest.approx(area[2], rel=0.01)
+    assert root["yaw 2 deg: x_wheel [mm]"] == pytest.approx(42.762, abs=1e-2)   # on the flange
+    assert root["yaw 2 deg: largest pressure [MPa]"] > 1.9 * root["yaw 0 deg: largest pressure [MPa]"]
+    length, width = ([flange[f"yaw {yaw} deg: {what} [mm]"] for yaw in (0, 1, 2)] for what in ("length", "width"))
+    assert length == sorted(length, reverse=True) and width == sorted(width)
+    assert length == pytest.approx([28.4, 25.5, 21.7], abs=0.2)
+    for numbers in (tread, root, flange):
+        for yaw in (0, 1, 2):
+            assert numbers[f"yaw {yaw} deg: area [mm2]"] == pytest.approx(
+                numbers[f"yaw {yaw} deg: complete theory, area [mm2]"], rel=0.05)
+
+
+# --- files and command -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_table_and_picture(number, tmp_path):
+    found = figure(number)
+    assert found.number == number and found.verdict in (HOLDS, PARTLY, FAILS)
+    found.write(tmp_path / "table.csv")
+    with open(tmp_path / "table.csv", newline="", encoding="utf-8") as file:
+        names, *rows = csv.reader(file)
+    assert names == list(found.columns) and len(rows) > 50
+    for name, column in zip(names, zip(*rows)):
+        if name != "curve":
+            assert re.search(r"\[(mm|deg|MPa|1/m)\]$", name)
+            assert any(map(str.strip, column)) and [float(cell or "nan") for cell in column]
+    assert (tmp_path / "table.csv").stat().st_size < 120_000
+    picture = imread(save(source_figure(found), tmp_path / "picture.png"))[..., :3]
+    assert min(picture.shape[:2]) > 400 and np.std(picture) > 0.05
+
+
+def test_every_panel_of_every_picture_says_what_it_shows():
+    for number in NUMBERS:
+        picture = source_figure(figure(number))
+        assert picture.get_suptitle().startswith(f"{number} ")
+        panels = [panel for part in (picture, *picture.subfigs) for panel in part.get_axes()]
+        assert panels and all("[" in panel.get_xlabel() for panel in panels), number
+        assert any("[" in panel.get_ylabel() for panel in panels), number
+
+
+def test_words():
+    for number in NUMBERS:
+        found = figure(number)
+        assert found.claim.endswith(".") and found.finding.endswith(".") and len(found.key) <= 40, number
+        assert re.search(r"\d", found.key) and re.search(r"\d", found.finding), number
+        assert "nan" not in found.finding
+
+
+def test_index_and_summary_have_a_line_for_each():
+    figures = [figure(number) for number in NUMBERS]
+    page = index(figures)
+    assert all(f"(fig_{number.replace('.', '_')}.png)" in page for number in NUMBERS)
+    assert summary(figures).row_count == len(NUMBERS)
+
+
+@pytest.fixture
+def run(capsys):
+    """Run the command line in this process: (exit code, standard output, error output)."""
+
+    def run(*words):
+        with pytest.raises(SystemExit) as ended:
+            main([str(word) for word in words], prog_name="wrcontact")
+        seen = capsys.readouterr()
+        return ended.value.code or 0, seen.out, seen.err
+
+    return run
+
+
+def test_command_writes_only_what_is_asked_for(run, tmp_path):
+    code, out, err = run("figures", "--output", tmp_path / "here", "--only", "7.3", "7.10")
+    assert code == 0 and err == ""
+    assert sorted(path.name for path in (tmp_path / "here").iterdir()) == [
+        "fig_7_10.csv", "fig_7_10.png", "fig_7_3.csv", "fig_7_3.png", "figures.md"]
+    lines = [line.split() for line in out.splitlines() if line[:1].isdigit()]
+    assert [words[0] for words in lines[:2]] == ["7.3", "7.10"] and "2 figures" in out
+
+
+def test_command_refuses_unknown_figures_in_one_sentence(run, tmp_path):
+    code, out, err = run("figures", "--output", tmp_path / "none", "--only", "7.99")
+    assert code == 2 and out == "" and err.count("\n") == 1
+    assert "figure '7.99' is not known; known are 4.4, 4.5, 4.6, 5.6" in err and err.rstrip().endswith("7.17")
+    assert not (tmp_path / "none").exists()
+
+
+@pytest.mark.parametrize("words, numbers", [
+    ((), NUMBERS), (("7.4,7.2",), ("7.2", "7.4")), (("fig_7_2", "4.4"), ("4.4", "7.2")), (("7.2", "7.2"), ("7.2",))])
+def test_chosen(words, numbers):
+    assert chosen(words) == numbers and known() == NUMBERS and tuple(DRAWN) == NUMBERS
+
+
+def test_section_is_prepared_for_the_pose():
+    state = ContactSystem().evaluate(lateral_shift=2e-3)
+    section = Section(ContactSystem(), 2e-3)
+    assert section.angle == state.right.contact_angle and section.wheel.origin == state.right.contact.y_wheel
+    slopes = [curve.direction(curve.origin) for curve in (section.wheel, section.rail)]
+    assert slopes[0] == pytest.approx(slopes[1], abs=1e-9) and slopes[0] == pytest.approx(-section.angle, abs=1e-9)
+
+
+# --- documentation ---------------------------------------------------------------------------------
+
+
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+
+
+def same_words(told, found):
+    """Whether two sentences are the same but for the last digit of their numbers; powers of ten but for a factor of three."""
+    if NUMBER.sub("#", told) != NUMBER.sub("#", found):
+        return False
+    for one, other in zip(NUMBER.findall(told), NUMBER.findall(found)):
+        unit = 10.0**-len(one.partition(".")[2]) if "e" not in one else 3 * float(one)
+        if abs(float(one) - float(other)) > 1.01 * unit:
+            return False
+    return True
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_documentation_has_today_s_numbers(number):
+    """The table is what ``python -m wrcontact.study.figures`` prints."""
+    page = (ROOT / "docs" / "source_study.md").read_text(encoding="utf-8")
+    row = re.search(rf"^\| {re.escape(number)} \| (.*) \| (.*) \| (.*) \| (.*) \|$", page, re.MULTILINE)
+    found = figure(number)
+    assert row and row[1] == found.claim and row[2] == found.verdict
+    assert same_words(row[3], found.finding) and same_words(row[4], found.key)

@@ -1,0 +1,1 @@
+"""Tests of the equilibrium of the wheelset and what a step computes."""
