@@ -211,7 +211,7 @@ class Module:
 def flat_name(path):
     """The name of a module among all others, which Pyccel and C see in one folder."""
     room = path.parent.name
-    if "layout" in (room, path.name):
+    if "layout" in (room, path.name):           # whichever of its files: they are one module
         return "layout"
     return f"prepare_{path.stem}" if room == "prepare" else path.stem
 
@@ -284,7 +284,7 @@ def constant_values(kernel, modules):
     """Value of every constant, as Python computes it: {module: {constant: value}}."""
     values = {}
     for module in modules:
-        source = import_kernel(kernel, f"{module.path.parent.name}.{module.path.stem}")
+        source = import_kernel(kernel, f"{module.path.parent.name}.{module.path.stem}".removesuffix(".__init__"))
         values[module.name] = {name: getattr(source, name) for name in module.constants if hasattr(source, name)}
         values[module.name] |= module.offsets
     return values

@@ -13,8 +13,8 @@ HANDLE_VERSION = 4      # raise when the functions or the handle in native/*.h c
 
 
 def kernel_modules(folder=HERE):
-    """Paths of the kernel's Python modules in the rooms of ``folder``, sorted by room and name."""
-    return [path for path in kernel_sources(folder) if path.name not in ("__init__.py", "record.py", "offsets.py")]
+    """Paths of the modules that are translated, sorted by room and name; the records of the room layout are one of them."""
+    return [path for path in kernel_sources(folder) if (path.parent.name == "layout") == (path.name == "__init__.py")]
 
 
 def kernel_sources(folder=HERE):

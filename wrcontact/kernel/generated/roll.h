@@ -30,10 +30,6 @@ static const double roll__LONGEST_TURN = 0.005;
 static const double roll__LONGEST_MOVE = 0.005;
 static const int64_t roll__FOLLOW_STEPS = INT64_C(8);
 static const double roll__FOLLOW_REACH = 0.002;
-static const int64_t roll__LEFT = INT64_C(1523);
-static const int64_t roll__RIGHT = INT64_C(1923);
-static const int64_t roll__LEFT_PLACE = INT64_C(1491);
-static const int64_t roll__RIGHT_PLACE = INT64_C(1507);
 
 static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);

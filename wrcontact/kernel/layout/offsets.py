@@ -1,8 +1,11 @@
 """Places of the records' fields as numbers, for what still reads the arrays by index; computed from the records."""
 
-from .records import (Inputs, Outputs, Patch, SideOutputs, SideSearch, State, Tables,
-                      Work)
+from .interface import Inputs, Outputs, Patch, SideOutputs
 from .record import size
+from .search import SideSearch
+from .tables import Tables
+from .wheelset import State
+from .work import Work
 
 
 def _offsets(prefix, kind):

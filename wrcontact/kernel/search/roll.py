@@ -15,11 +15,7 @@ from typing import Final
 from ..layout import (
     NOT_CONVERGED,
     OFF_PROFILE,
-    PLACE_BLOCK,
-    SIDE_BLOCK,
     VALID,
-    WORK_PLACE,
-    WORK_SIDE,
     SideSearch,
     State,
     Tables,
@@ -45,12 +41,6 @@ LONGEST_MOVE: Final[float] = 5e-3
 #: A smallest gap is followed to another roll in so many steps, and no farther than this [m].
 FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3
-
-# the two sides' blocks and placed wheels in the workspace
-LEFT: Final[int] = WORK_SIDE
-RIGHT: Final[int] = WORK_SIDE + SIDE_BLOCK
-LEFT_PLACE: Final[int] = WORK_PLACE
-RIGHT_PLACE: Final[int] = WORK_PLACE + PLACE_BLOCK
 
 
 def place_both(tables: Tables, work: Work, roll: float):

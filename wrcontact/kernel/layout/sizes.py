@@ -1,0 +1,15 @@
+"""How many numbers each array has."""
+
+from typing import Final
+
+from .interface import Inputs, Outputs
+from .record import size
+from .tables import Tables
+from .wheelset import State
+from .work import Work
+
+INPUT_COUNT: Final[int] = size(Inputs)
+OUTPUT_COUNT: Final[int] = size(Outputs)
+WORK_SIZE: Final[int] = size(Work)
+STATE_SIZE: Final[int] = size(State)
+SETTING_COUNT: Final[int] = size(Tables)

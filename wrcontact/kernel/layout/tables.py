@@ -1,0 +1,39 @@
+"""The array ``tables``: what is fixed during a simulation. Settings are at its head, then come the tables that they point to."""
+
+from .record import Float, record
+
+
+@record
+class Tables:
+    array = "tables"
+    radius: float                   # nominal radius [m]
+    arm: float                      # half the distance of the running circles [m]
+    rail_y: float                   # track coordinate of the right rail's highest point [m]
+    contact_modulus: float          # E* [Pa]
+    lateral_limit: float            # largest |lateral shift| [m]
+    yaw_limit: float                # largest |yaw| [rad]
+    wheel: float                    # offsets of the tables
+    rail: float
+    scan: float
+    hertz: float
+    normal_model: float             # one of MODEL_...
+    longitudinal: float             # one of LONGITUDINAL_...
+    penetration: Float * 2          # prescribed, left and right [m]; not a number: the force is prescribed
+    nodes: float                    # nodes per half-width of the interpenetration, a multiple of five
+    stride: float                   # every so many of them are traced on the profiles
+    strips: float                   # strips of the strip correction
+    sweeps: float                   # and how often it is made
+    influence: float                # offset of its table
+    starts: float                   # offset of the table of starts
+    sides: float                    # which sides are wanted, one of SIDES_...
+    depth: float                    # what is wanted of them, one of DEPTH_...
+    absent: float                   # what stands in outputs that are not wanted: not a number
+    stations: float                 # stations of an outline; where it then lies is told in outline.py
+    separation: float               # one of SEPARATION_...
+    lateral: float                  # one of LATERAL_...
+    wheel_curvature: float          # offsets of the tables of the profiles' lateral curvatures
+    rail_curvature: float
+    spare_28: Float * 2
+    mode: float                     # one of MODE_...
+    load: float                     # one of LOAD_...
+    spare_32: Float * 16

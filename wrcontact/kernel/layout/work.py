@@ -1,0 +1,36 @@
+"""The array ``work``: the workspace of one step."""
+
+from .choices import STATION_LIMIT
+from .contact import CONTACT_BLOCK, OVERLAP_BLOCK, REGION_LIMIT, Frame, Origin, Region
+from .interface import Inputs, Outputs
+from .normal import STRIP_FIELDS, STRIP_LIMIT, Nodes
+from .patch import ISLAND_BLOCK
+from .record import Float, record
+from .search import ROLLS_BLOCK, SideSearch
+from .surface import Place
+from .wheelset import Support
+
+
+@record
+class Work:
+    array = "work"
+    inputs: Inputs
+    known: float
+    status: float
+    outputs: Outputs
+    outlines: Float * (6 * STATION_LIMIT)
+    places: Place * 2
+    sides: SideSearch * 2
+    frame: Frame
+    regions: Region * REGION_LIMIT
+    nodes: Nodes * REGION_LIMIT
+    islands: Float * ISLAND_BLOCK
+    strips: Float * (STRIP_FIELDS * STRIP_LIMIT)
+    distance: Float * (STRIP_LIMIT * STRIP_LIMIT)
+    influence: Float * (STRIP_LIMIT * STRIP_LIMIT)
+    system: Float * (STRIP_LIMIT * (STRIP_LIMIT + 2))
+    origin: Origin
+    frames: Float * (CONTACT_BLOCK * (REGION_LIMIT + 1))
+    overlap: Float * OVERLAP_BLOCK
+    supports: Support * 2
+    rolls: Float * ROLLS_BLOCK
