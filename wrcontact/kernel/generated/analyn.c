@@ -193,71 +193,6 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
     return 0;
 }
 
-/* What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
- *
- * Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one
- * lies ahead of the other.
- */
-static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second)
-{
-    int64_t one;
-    int64_t other;
-    double distance;
-    double along;
-    double squares;
-    double apart;
-    double result;
-    result = 0.0;
-    if (first != second)
-    {
-        one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
-        other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
-        distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
-        along = analyn__region_lead(work, first, second);
-        squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
-        apart = sqrt(distance * distance + along * along + analyn__ELONGATED * squares);
-        result = 1.0 / (M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * apart);
-        result *= analyn__planes_cosine(work, first, second);
-    }
-    return result;
-}
-
-/* How far one region of a yawed wheel lies ahead of another that leans away from it [m].
- *
- * A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it
- * is left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
- */
-static inline double analyn__region_lead(array_double_1d work, int64_t first, int64_t second)
-{
-    double lead;
-    lead = 0.0;
-    if (analyn__planes_cosine(work, first, second) < analyn__LEANING)
-    {
-        lead = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * first + layout__REGION_ALONG)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * second + layout__REGION_ALONG));
-    }
-    return lead;
-}
-
-/* Cosine of the angle between the planes of two regions; 1 in one plane. */
-static inline double analyn__planes_cosine(array_double_1d work, int64_t first, int64_t second)
-{
-    int64_t one;
-    int64_t other;
-    double cosine;
-    one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
-    other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
-    cosine = 1.0;
-    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
-    {
-        cosine = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if (cosine < 0.0)
-        {
-            cosine = 0.0;
-        }
-    }
-    return cosine;
-}
-
 /* Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]. */
 static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count)
 {
@@ -403,7 +338,10 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            pushed += analyn__influence(tables, work, i, j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+            if (j != i)
+            {
+                pushed += interaction__region_influence(work, tables, block, layout__WORK_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+            }
         }
         turn = (*cspan_at(&work, block + layout__REGION_TURN));
         residual = turn * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed - (*cspan_at(&work, block + layout__REGION_LEVEL));
@@ -429,10 +367,13 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
             move = (*cspan_at(&work, block + layout__REGION_RESIDUAL));
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
-                other = layout__WORK_REGIONS + layout__REGION_SIZE * j;
-                coupling = analyn__influence(tables, work, i, j) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
-                (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
-                move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
+                if (j != i)
+                {
+                    other = layout__WORK_REGIONS + layout__REGION_SIZE * j;
+                    coupling = interaction__region_influence(work, tables, block, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
+                    (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
+                    move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
+                }
             }
             (*cspan_at(&work, block + layout__REGION_SLOPE)) = (*slope);
             (*cspan_at(&work, block + layout__REGION_MOVE)) = move;

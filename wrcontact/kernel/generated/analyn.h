@@ -19,6 +19,7 @@
 #define WRCONTACT_KERNEL_ANALYN_H
 
 #include "../native/spans.h"
+#include "interaction.h"
 #include "layout.h"
 #include "nodes.h"
 
@@ -29,8 +30,6 @@ static const double analyn__SLOPE_ERROR = 0.1;
 static const double analyn__NEARLY_SHARP = 1e-09;
 static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
-static const double analyn__ELONGATED = 0.3;
-static const double analyn__LEANING = 0.9659258262890683;
 static const double analyn__HIGHEST = 1000.0;
 
 static inline double analyn__bend_of(double before, double low, double high);
@@ -38,9 +37,6 @@ static inline int64_t analyn__cell_part(double* start, double* stop, double d_be
 static inline double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
 static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
-static inline double analyn__planes_cosine(array_double_1d work, int64_t first, int64_t second);
-static inline double analyn__region_lead(array_double_1d work, int64_t first, int64_t second);
-static inline double analyn__influence(array_double_1d tables, array_double_1d work, int64_t first, int64_t second);
 static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
 static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);

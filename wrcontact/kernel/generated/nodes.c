@@ -480,13 +480,3 @@ static inline int64_t nodes__turn_region(double* result_0, double* result_1, dou
     (*result_2) = turned_nr / nr;
     return 0;
 }
-
-/* The cubic through values at -1, 0, 1, 2, at x. */
-static inline double nodes__cubic_through(double before, double low, double high, double after, double x)
-{
-    double bend;
-    double third;
-    bend = 0.5 * (before - 2.0 * low + high);
-    third = (after - 3.0 * high + 3.0 * low - before) / 6.0;
-    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third));
-}

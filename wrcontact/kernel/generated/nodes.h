@@ -54,6 +54,5 @@ static inline double nodes__windowed_curvature(double averaged, double secant, d
 static inline int64_t nodes__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t k, int64_t window, double middle, double mean, double least);
 static inline int64_t nodes__turn_region(double* result_0, double* result_1, double* result_2, array_double_1d tables, array_double_1d work, int64_t region);
 static inline int64_t nodes__weigh_nodes(array_double_1d tables, array_double_1d work, int64_t region, int64_t window);
-static inline double nodes__cubic_through(double before, double low, double high, double after, double x);
 
 #endif

@@ -288,11 +288,21 @@ static inline int64_t strips__join_strips(array_double_1d work, int64_t strips)
     return INT64_C(0);
 }
 
+/* The cubic through values at -1, 0, 1, 2, at x. */
+static inline double strips__cubic_through(double before, double low, double high, double after, double x)
+{
+    double bend;
+    double third;
+    bend = 0.5 * (before - 2.0 * low + high);
+    third = (after - 3.0 * high + 3.0 * low - before) / 6.0;
+    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third));
+}
+
 /* The cubic through the four values around ``at`` + x, 0 <= x <= 1. */
 static inline double strips__cubic_value(array_double_1d work, int64_t at, double x)
 {
     double result;
-    result = nodes__cubic_through((*cspan_at(&work, at - INT64_C(1))), (*cspan_at(&work, at)), (*cspan_at(&work, at + INT64_C(1))), (*cspan_at(&work, at + INT64_C(2))), x);
+    result = strips__cubic_through((*cspan_at(&work, at - INT64_C(1))), (*cspan_at(&work, at)), (*cspan_at(&work, at + INT64_C(1))), (*cspan_at(&work, at + INT64_C(2))), x);
     return result;
 }
 
@@ -535,7 +545,7 @@ static inline int64_t strips__measure_distances(array_double_1d work, int64_t st
             apart = fabs((*cspan_at(&work, stations + i)) - (*cspan_at(&work, stations + j)));
             if ((*cspan_at(&work, regions + i)) != (*cspan_at(&work, regions + j)))
             {
-                along = analyn__region_lead(work, (int64_t)((*cspan_at(&work, regions + i))), (int64_t)((*cspan_at(&work, regions + j))));
+                along = interaction__region_lead(work, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + i))), layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + j))));
                 apart = sqrt(apart * apart + along * along);
             }
             distance = log(apart);
@@ -631,6 +641,7 @@ static inline int64_t strips__turn_influence(array_double_1d work, int64_t strip
     int64_t regions;
     int64_t i;
     int64_t j;
+    double cosine;
     regions = strips__strip_field(strips__STRIP_REGION);
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
@@ -638,7 +649,8 @@ static inline int64_t strips__turn_influence(array_double_1d work, int64_t strip
         {
             if ((*cspan_at(&work, regions + i)) != (*cspan_at(&work, regions + j)))
             {
-                (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) *= analyn__planes_cosine(work, (int64_t)((*cspan_at(&work, regions + i))), (int64_t)((*cspan_at(&work, regions + j))));
+                cosine = interaction__planes_cosine(work, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + i))), layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + j))));
+                (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) *= cosine;
             }
         }
     }

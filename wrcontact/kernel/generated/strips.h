@@ -17,8 +17,8 @@
 #define WRCONTACT_KERNEL_STRIPS_H
 
 #include "../native/spans.h"
-#include "analyn.h"
 #include "contact_plane.h"
+#include "interaction.h"
 #include "layout.h"
 #include "nodes.h"
 
@@ -64,6 +64,7 @@ static inline double strips__weigh_region(array_double_1d work, int64_t region, 
 static inline int64_t strips__divide_zone(array_double_1d work, int64_t region, double penetration, int64_t strips, int64_t own, double even, double graded, double share);
 static inline int64_t strips__place_strips(array_double_1d tables, array_double_1d work, int64_t count, double penetration);
 static inline int64_t strips__join_strips(array_double_1d work, int64_t strips);
+static inline double strips__cubic_through(double before, double low, double high, double after, double x);
 static inline double strips__cubic_value(array_double_1d work, int64_t at, double x);
 static inline double strips__node_value(array_double_1d work, int64_t region, int64_t field, int64_t k, double x);
 static inline int64_t strips__locate_strip(int64_t* region, int64_t* k, double* x, array_double_1d work, int64_t i);

@@ -322,92 +322,6 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
     return 0;
 }
 
-/* Tangent of ``influence``. */
-static inline int64_t tangent_analyn__influence_t(double* result, double* result_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
-{
-    int64_t one;
-    int64_t other;
-    double distance_t;
-    double distance;
-    double v1;
-    double v1_t;
-    double along_t;
-    double along;
-    double squares_t;
-    double squares;
-    double v2;
-    double v3;
-    double apart_t;
-    double apart;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v7_t;
-    (*result_t) = 0.0;
-    (*result) = 0.0;
-    if (first != second)
-    {
-        one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
-        other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
-        distance_t = (*cspan_at(&work_t, one + layout__REGION_OFFSET)) + (*cspan_at(&work_t, one + layout__REGION_MIDDLE)) - (*cspan_at(&work_t, other + layout__REGION_OFFSET)) - (*cspan_at(&work_t, other + layout__REGION_MIDDLE));
-        distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
-        tangent_analyn__region_lead_t(&v1, &v1_t, work, work_t, first, second);
-        along_t = v1_t;
-        along = v1;
-        squares_t = (*cspan_at(&work_t, one + layout__REGION_SQUARE)) + (*cspan_at(&work_t, other + layout__REGION_SQUARE));
-        squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
-        v2 = distance * distance + along * along + analyn__ELONGATED * squares;
-        v3 = sqrt(v2);
-        apart_t = tangent_rates__root_rate(v3, distance_t * distance + distance * distance_t + (along_t * along + along * along_t) + analyn__ELONGATED * squares_t);
-        apart = v3;
-        v4 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-        v5 = v4 * apart;
-        v6 = 1.0 / v5;
-        (*result_t) = (-v6) * (v4 * apart_t) / v5;
-        (*result) = v6;
-        tangent_analyn__planes_cosine_t(&v7, &v7_t, work, work_t, first, second);
-        (*result_t) = (*result_t) * v7 + (*result) * v7_t;
-        (*result) = (*result) * v7;
-    }
-    return 0;
-}
-
-/* Tangent of ``region_lead``. */
-static inline int64_t tangent_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
-{
-    (*lead_t) = 0.0;
-    (*lead) = 0.0;
-    if (analyn__planes_cosine(work, first, second) < analyn__LEANING)
-    {
-        (*lead_t) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * first + layout__REGION_ALONG)) - (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * second + layout__REGION_ALONG));
-        (*lead) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * first + layout__REGION_ALONG)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * second + layout__REGION_ALONG));
-    }
-    return 0;
-}
-
-/* Tangent of ``planes_cosine``. */
-static inline int64_t tangent_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second)
-{
-    int64_t one;
-    int64_t other;
-    one = layout__WORK_REGIONS + layout__REGION_SIZE * first;
-    other = layout__WORK_REGIONS + layout__REGION_SIZE * second;
-    (*cosine_t) = 0.0;
-    (*cosine) = 1.0;
-    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
-    {
-        (*cosine_t) = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
-        (*cosine) = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        if ((*cosine) < 0.0)
-        {
-            (*cosine_t) = 0.0;
-            (*cosine) = 0.0;
-        }
-    }
-    return 0;
-}
-
 /* Tangent of ``load_regions``. */
 static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count)
 {
@@ -452,10 +366,10 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     double pushed_t;
     double pushed;
     int64_t j;
-    double v2;
-    double v2_t;
     double share_t;
     double share;
+    double v2;
+    double v2_t;
     double rest_t;
     double rest;
     double load;
@@ -494,9 +408,14 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            tangent_analyn__influence_t(&v2, &v2_t, tables, work, work_t, i, j);
-            share_t = v2_t;
-            share = v2;
+            share_t = 0.0;
+            share = 0.0;
+            if (j != i)
+            {
+                tangent_interaction__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_REGIONS + layout__REGION_SIZE * j);
+                share_t = v2_t;
+                share = v2;
+            }
             pushed_t = pushed_t + (share_t * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
             pushed = pushed + share * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             (*cspan_at(&work_t, row + j)) = 0.0;

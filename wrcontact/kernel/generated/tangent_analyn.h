@@ -11,6 +11,7 @@
 #include "layout.h"
 #include "nodes.h"
 #include "strips.h"
+#include "tangent_interaction.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_analyn__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t);
@@ -18,9 +19,6 @@ static inline int64_t tangent_analyn__cell_part_t(double* start, double* start_t
 static inline int64_t tangent_analyn__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t);
 static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t block, int64_t k, int64_t outward, double stop, double stop_t);
 static inline int64_t tangent_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, double level, double level_t);
-static inline int64_t tangent_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second);
-static inline int64_t tangent_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second);
-static inline int64_t tangent_analyn__influence_t(double* result, double* result_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t first, int64_t second);
 static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count);
 static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed, double sharp, double sharp_t);
 

@@ -27,6 +27,5 @@ static inline int64_t tangent_nodes__windowed_curvature_t(double* v4, double* re
 static inline int64_t tangent_nodes__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t);
 static inline int64_t tangent_nodes__turn_region_t(double* v5, double* result_1, double* v6, double* result_3, double* v7, double* result_5, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region);
 static inline int64_t tangent_nodes__weigh_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region, int64_t window);
-static inline int64_t tangent_nodes__cubic_through_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double after, double after_t, double x, double x_t);
 
 #endif

@@ -444,10 +444,38 @@ static inline int64_t tangent_strips__join_strips_t(array_double_1d work, array_
     return INT64_C(0);
 }
 
+/* Tangent of ``cubic_through``. */
+static inline int64_t tangent_strips__cubic_through_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double after, double after_t, double x, double x_t)
+{
+    double v1;
+    double bend_t;
+    double bend;
+    double v2;
+    double third_t;
+    double third;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    v1 = before - 2.0 * low + high;
+    bend_t = 0.5 * (before_t - 2.0 * low_t + high_t);
+    bend = 0.5 * v1;
+    v2 = after - 3.0 * high + 3.0 * low - before;
+    third_t = (after_t - 3.0 * high_t + 3.0 * low_t - before_t) / 6.0;
+    third = v2 / 6.0;
+    v3 = x - 1.0;
+    v4 = x + 1.0;
+    v5 = bend + v4 * third;
+    v6 = high - low + v3 * v5;
+    (*result_0) = low + x * v6;
+    (*result_1) = low_t + (x_t * v6 + x * (high_t - low_t + (x_t * v5 + v3 * (bend_t + (x_t * third + v4 * third_t)))));
+    return 0;
+}
+
 /* Tangent of ``cubic_value``. */
 static inline int64_t tangent_strips__cubic_value_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t at, double x, double x_t)
 {
-    tangent_nodes__cubic_through_t(v1, v1_t, (*cspan_at(&work, at - INT64_C(1))), (*cspan_at(&work_t, at - INT64_C(1))), (*cspan_at(&work, at)), (*cspan_at(&work_t, at)), (*cspan_at(&work, at + INT64_C(1))), (*cspan_at(&work_t, at + INT64_C(1))), (*cspan_at(&work, at + INT64_C(2))), (*cspan_at(&work_t, at + INT64_C(2))), x, x_t);
+    tangent_strips__cubic_through_t(v1, v1_t, (*cspan_at(&work, at - INT64_C(1))), (*cspan_at(&work_t, at - INT64_C(1))), (*cspan_at(&work, at)), (*cspan_at(&work_t, at)), (*cspan_at(&work, at + INT64_C(1))), (*cspan_at(&work_t, at + INT64_C(1))), (*cspan_at(&work, at + INT64_C(2))), (*cspan_at(&work_t, at + INT64_C(2))), x, x_t);
     return 0;
 }
 
@@ -845,7 +873,7 @@ static inline int64_t tangent_strips__measure_distances_t(array_double_1d work, 
             apart = fabs(v1);
             if ((*cspan_at(&work, regions + i)) != (*cspan_at(&work, regions + j)))
             {
-                tangent_analyn__region_lead_t(&v2, &v2_t, work, work_t, (int64_t)((*cspan_at(&work, regions + i))), (int64_t)((*cspan_at(&work, regions + j))));
+                tangent_interaction__region_lead_t(&v2, &v2_t, work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + i))), layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + j))));
                 along_t = v2_t;
                 along = v2;
                 v3 = apart * apart + along * along;
@@ -998,6 +1026,8 @@ static inline int64_t tangent_strips__turn_influence_t(array_double_1d work, arr
     int64_t j;
     double v1;
     double v1_t;
+    double cosine_t;
+    double cosine;
     regions = strips__strip_field(strips__STRIP_REGION);
     for (i = INT64_C(0); i < strips; i += INT64_C(1))
     {
@@ -1005,9 +1035,11 @@ static inline int64_t tangent_strips__turn_influence_t(array_double_1d work, arr
         {
             if ((*cspan_at(&work, regions + i)) != (*cspan_at(&work, regions + j)))
             {
-                tangent_analyn__planes_cosine_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, regions + i))), (int64_t)((*cspan_at(&work, regions + j))));
-                (*cspan_at(&work_t, layout__WORK_INFLUENCE + strips * i + j)) = (*cspan_at(&work_t, layout__WORK_INFLUENCE + strips * i + j)) * v1 + (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) * v1_t;
-                (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) = (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) * v1;
+                tangent_interaction__planes_cosine_t(&v1, &v1_t, work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + i))), layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, regions + j))));
+                cosine_t = v1_t;
+                cosine = v1;
+                (*cspan_at(&work_t, layout__WORK_INFLUENCE + strips * i + j)) = (*cspan_at(&work_t, layout__WORK_INFLUENCE + strips * i + j)) * cosine + (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) * cosine_t;
+                (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) = (*cspan_at(&work, layout__WORK_INFLUENCE + strips * i + j)) * cosine;
             }
         }
     }

@@ -11,8 +11,7 @@
 #include "layout.h"
 #include "nodes.h"
 #include "strips.h"
-#include "tangent_analyn.h"
-#include "tangent_nodes.h"
+#include "tangent_interaction.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_strips__zone_excess_t(double* below, double* below_t, array_double_1d work, array_double_1d work_t, int64_t block, int64_t gaps, int64_t rises, int64_t k, double penetration, double penetration_t);
@@ -23,6 +22,7 @@ static inline int64_t tangent_strips__weigh_region_t(double* total, double* tota
 static inline int64_t tangent_strips__divide_zone_t(array_double_1d work, array_double_1d work_t, int64_t region, double penetration, double penetration_t, int64_t strips, int64_t own, double even, double even_t, double graded, double graded_t, double share, double share_t);
 static inline int64_t tangent_strips__place_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 static inline int64_t tangent_strips__join_strips_t(array_double_1d work, array_double_1d work_t, int64_t strips);
+static inline int64_t tangent_strips__cubic_through_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double after, double after_t, double x, double x_t);
 static inline int64_t tangent_strips__cubic_value_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t at, double x, double x_t);
 static inline int64_t tangent_strips__node_value_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t field, int64_t k, double x, double x_t);
 static inline int64_t tangent_strips__locate_strip_t(int64_t* region, int64_t* k, double* x, double* x_t, array_double_1d work, array_double_1d work_t, int64_t i);

@@ -13,10 +13,11 @@ have planes of their own (:mod:`planes`), the penetration counts by its share al
 the angle between the two.
 """
 
-from math import fabs, pi, sqrt
+from math import fabs, sqrt
 from typing import Final
 
 from ..layout import Region, State, Tables, Work
+from .interaction import region_influence
 from .nodes import NODE_LINE, NODE_RISE, node_field
 
 FORCE_ITERATIONS: Final[int] = 60
@@ -31,10 +32,6 @@ NEARLY_SHARP: Final[float] = 1e-9
 NEARLY: Final[float] = 1e-3
 #: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
 CLOSED: Final[float] = 1e-10
-#: Share of the squares of two regions' half-lengths that counts as distance between them.
-ELONGATED: Final[float] = 0.3
-#: Cosine of the angle between two planes from which on it counts how far one region lies ahead of the other: 15 deg.
-LEANING: Final[float] = 0.9659258262890683
 #: The penetration is sought up to this multiple of the first value.
 HIGHEST: Final[float] = 1e3
 
@@ -140,49 +137,6 @@ def region_load(work: Work, region: int, level: float):
     return load * spacing, stiffness * spacing
 
 
-def influence(tables: Tables, work: Work, first: int, second: int):
-    """What one newton on region ``second`` pushes region ``first`` down [m/N]; 0 for a region on itself.
-
-    Boussinesq's 1 / (pi E* distance), with the distance enlarged by the patches' lengths along the track and by how far one
-    lies ahead of the other.
-    """
-    result = 0.0
-    if first != second:
-        one = work.regions[first]
-        other = work.regions[second]
-        distance = one.offset + one.middle - other.offset - other.middle
-        along = region_lead(work, first, second)
-        squares = one.square + other.square
-        apart = sqrt(distance * distance + along * along + ELONGATED * squares)
-        result = 1.0 / (pi * tables.contact_modulus * apart)
-        result *= planes_cosine(work, first, second)
-    return result
-
-
-def region_lead(work: Work, first: int, second: int):
-    """How far one region of a yawed wheel lies ahead of another that leans away from it [m].
-
-    A flange is 17 ... 31 mm ahead of the flange root, and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, it
-    is left out: there the upright patches (docs/method.md, section 9) do without, and the half-space agrees better.
-    """
-    lead = 0.0
-    if planes_cosine(work, first, second) < LEANING:
-        lead = work.regions[first].along - work.regions[second].along
-    return lead
-
-
-def planes_cosine(work: Work, first: int, second: int):
-    """Cosine of the angle between the planes of two regions; 1 in one plane."""
-    one = work.regions[first]
-    other = work.regions[second]
-    cosine = 1.0
-    if one.own or other.own:
-        cosine = one.cos * other.cos + one.sin * other.sin
-        if cosine < 0.0:
-            cosine = 0.0
-    return cosine
-
-
 def load_regions(tables: 'float[:]', work: Work, count: int):
     """Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]."""
     total = 0.0
@@ -259,7 +213,8 @@ def level_residuals(tables: Tables, work: Work, count: int, penetration: float):
         block = work.regions[i]
         pushed = 0.0
         for j in range(count):
-            pushed += influence(tables, work, i, j) * work.regions[j].load
+            if j != i:
+                pushed += region_influence(tables, block, work.regions[j]) * work.regions[j].load
         turn = block.turn
         residual = turn * penetration - block.gap - pushed - block.level
         block.residual = residual
@@ -276,10 +231,11 @@ def level_residuals(tables: Tables, work: Work, count: int, penetration: float):
             slope = block.turn
             move = block.residual
             for j in range(count):
-                other = work.regions[j]
-                coupling = influence(tables, work, i, j) * other.stiffness
-                slope -= coupling * other.slope
-                move -= coupling * other.move
+                if j != i:
+                    other = work.regions[j]
+                    coupling = region_influence(tables, block, other) * other.stiffness
+                    slope -= coupling * other.slope
+                    move -= coupling * other.move
             block.slope = slope
             block.move = move
     slope = 0.0

@@ -319,10 +319,3 @@ def turn_region(tables: Tables, work: Work, region: int):
         block.upright_b = upright_B / B
         block.upright_share = share
     return turned_alpha / alpha, turned_beta / beta, turned_nr / nr
-
-
-def cubic_through(before: float, low: float, high: float, after: float, x: float):
-    """The cubic through values at -1, 0, 1, 2, at x."""
-    bend = 0.5 * (before - 2.0 * low + high)
-    third = (after - 3.0 * high + 3.0 * low - before) / 6.0
-    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third))

@@ -27,8 +27,8 @@ from ..layout import (
     Tables,
     Work,
 )
-from .analyn import planes_cosine, region_lead
-from .nodes import NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, cubic_through, node_field
+from .interaction import planes_cosine, region_lead
+from .nodes import NODE_A, NODE_B, NODE_GAP, NODE_LENGTH, NODE_LINE, NODE_RISE, node_field
 
 # strip fields
 STRIP_STATION: Final[int] = 0        # middle [m]
@@ -235,6 +235,13 @@ def join_strips(work: 'float[:]', strips: int):
     return 0
 
 
+def cubic_through(before: float, low: float, high: float, after: float, x: float):
+    """The cubic through values at -1, 0, 1, 2, at x."""
+    bend = 0.5 * (before - 2.0 * low + high)
+    third = (after - 3.0 * high + 3.0 * low - before) / 6.0
+    return low + x * (high - low + (x - 1.0) * (bend + (x + 1.0) * third))
+
+
 def cubic_value(work: 'float[:]', at: int, x: float):
     """The cubic through the four values around ``at`` + x, 0 <= x <= 1."""
     return cubic_through(work[at - 1], work[at], work[at + 1], work[at + 2], x)
@@ -382,7 +389,7 @@ def measure_distances(work: Work, strips: int, i: int, others: int):
         if j != i:
             apart = fabs(work[stations + i] - work[stations + j])
             if work[regions + i] != work[regions + j]:
-                along = region_lead(work, int(work[regions + i]), int(work[regions + j]))
+                along = region_lead(work.regions[int(work[regions + i])], work.regions[int(work[regions + j])])
                 apart = sqrt(apart * apart + along * along)
             distance = log(apart)
             work[row + j] = distance
@@ -439,8 +446,8 @@ def turn_influence(work: Work, strips: int):
     for i in range(strips):
         for j in range(strips):
             if work[regions + i] != work[regions + j]:
-                work[WORK_INFLUENCE + strips * i + j] *= planes_cosine(work, int(work[regions + i]),
-                                                                       int(work[regions + j]))
+                cosine = planes_cosine(work.regions[int(work[regions + i])], work.regions[int(work[regions + j])])
+                work[WORK_INFLUENCE + strips * i + j] *= cosine
     return 0
 
 

@@ -56,7 +56,8 @@ from ..layout import (
     Tables,
     Work,
 )
-from ..normal.analyn import influence, load_regions, region_load, solve_levels
+from ..normal.analyn import load_regions, region_load, solve_levels
+from ..normal.interaction import region_influence
 from ..normal.hertz import table_value, upright_coefficients
 from ..normal.strips import eliminate
 from ..search.roll import place_both
@@ -300,7 +301,9 @@ def levels_rule(tables: Tables, work: Work, state: State, count: int, force: flo
         row = WORK_SYSTEM + width * i
         pushed = 0.0
         for j in range(count):
-            share = influence(tables, work, i, j)
+            share = 0.0
+            if j != i:
+                share = region_influence(tables, block, work.regions[j])
             pushed += share * work.regions[j].load
             work[row + j] = held(share)
         rest = block.turn * held(penetration) - block.gap - pushed
