@@ -6,6 +6,7 @@
     region = work.regions[i]      region = WORK_REGIONS + REGION_SIZE * i
     frame.cos                     work[WORK_FRAME + FRAME_COS]                 there is one Frame: nothing to hand on
     def f(frame: Frame, region: Region, x: float)     def f(work: 'float[:]', region: int, x: float)
+    def f(...) -> Region                              def f(...) -> int
     f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)
 
 The classes of layout.py say where each field is and in which array each record lives; those with ``array = "..."`` are that
@@ -98,10 +99,11 @@ def total(terms):
 
 
 class Lowered(ast.NodeTransformer):
-    """One module.  ``signatures`` of all modules: {function: [(parameter, record class or None)]}."""
+    """One module.  ``signatures`` of all modules: {(module, function): [(parameter, record class or None)]}, and ``results``: the
+    class of the record that a function returns."""
 
-    def __init__(self, name, text, layout, signatures):
-        self.name, self.layout, self.signatures = name, layout, signatures
+    def __init__(self, name, text, layout, signatures, results):
+        self.name, self.layout, self.signatures, self.results = name, layout, signatures, results
         self.lines = text.split(b"\n")
         self.tree = ast.parse(text)
         self.origins = {alias.name: node.module for node in self.tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
@@ -139,6 +141,8 @@ class Lowered(ast.NodeTransformer):
                     texts.append(f"{name}: int")
             first, last = node.args.args[0], node.args.args[-1].annotation
             self.edit(first, last, ", ".join(texts))
+        if node.returns:
+            self.edit(node.returns, node.returns, "int")
         self.block(node.body)
 
     def array_name(self, array):
@@ -153,6 +157,8 @@ class Lowered(ast.NodeTransformer):
                 self.replace(node.iter)
             elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and self.note(node):
                 continue
+            elif isinstance(node, ast.Return) and isinstance(node.value, ast.Name) and node.value.id in self.records:
+                self.edit(node.value, node.value, ast.unparse(total(self.records[node.value.id].terms)))
             elif isinstance(node, (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)):
                 self.replace(node)
             for body in (getattr(node, "body", []), getattr(node, "orelse", [])):
@@ -190,7 +196,7 @@ class Lowered(ast.NodeTransformer):
                 self.refuse(node, f"{ast.unparse(node.value)} is no record")
             place = Ref(self.field(node, outer.kind), outer.array, [*outer.terms, self.layout.offset(outer.kind, node.attr)])
             if node.attr in outer.kind.targets and isinstance(node.ctx, ast.Load):
-                return Ref(outer.kind.targets[node.attr], outer.array, [integer(self.element(place, ast.Load()))])
+                return Ref(outer.kind.targets[node.attr], outer.array, [*outer.terms, integer(self.element(place, ast.Load()))])
             return place
         if isinstance(node, ast.Subscript):
             outer = self.ref(node.value)
@@ -207,9 +213,17 @@ class Lowered(ast.NodeTransformer):
             terms = [] if ast.unparse(index) == "0" else [ast.BinOp(size, ast.Mult(), index)]
             return Ref(element, outer.array, [*outer.terms, *terms])
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "at":
-            kind, array = self.layout.classes.get(ast.unparse(node.func.value)), self.ref(node.args[0])
-            return Ref(kind, array.array if array else node.args[0].id, [self.visit(deepcopy(argument)) for argument in node.args[1:]])
+            kind, outer = self.layout.classes.get(ast.unparse(node.func.value)), self.ref(node.args[0])
+            array, terms = (outer.array, outer.terms) if outer else (node.args[0].id, [])
+            return Ref(kind, array, [*terms, *(self.visit(deepcopy(argument)) for argument in node.args[1:])])
+        if isinstance(node, ast.Call):
+            kind = self.results.get(self.function_key(ast.unparse(node.func)))
+            return Ref(kind, self.array_name(self.layout.home(kind)[0]), [self.visit(deepcopy(node))]) if kind else None
         return None
+
+    def function_key(self, name):
+        """(module, function) of a function as this module calls it."""
+        return self.origins.get(name, self.name), name
 
     def field(self, node, kind):
         """The type of a record's field."""
@@ -259,7 +273,7 @@ class Lowered(ast.NodeTransformer):
         name = ast.unparse(node.func)
         if name == "offset":
             return total(self.ref(node.args[0]).terms)
-        parameters = self.signatures.get((self.origins.get(name, self.name), name), [])
+        parameters = self.signatures.get(self.function_key(name), [])
         if not any(kind for _, kind in parameters):
             return self.generic_visit(node)
         if len(parameters) != len(node.args):
@@ -339,12 +353,13 @@ def added_arrays(parameters, layout):
 def lower(texts, module):
     """Modules without records, {name: text}, from modules with, and the imported layout.py."""
     layout = Layout(module)
-    signatures = {(name, node.name): record_parameters(node, layout) for name, text in texts.items()
-                  for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    functions = [(name, node) for name, text in texts.items() for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    signatures = {(name, node.name): record_parameters(node, layout) for name, node in functions}
+    results = {(name, node.name): layout.classes[node.returns.id] for name, node in functions if node.returns}
     lowered, refusals = {}, []
     for name in texts.keys() - {"layout"}:
         try:
-            lowered[name] = Lowered(name, texts[name], layout, signatures).text()
+            lowered[name] = Lowered(name, texts[name], layout, signatures, results).text()
         except Refused as refusal:
             refusals.append(str(refusal))
     if refusals:

@@ -1,15 +1,14 @@
 """Lateral curvature of a profile all along it by numpy, as a witness of kernel/prepare/curvatures.py.
 
-Layout in wrcontact/kernel/surface/lateral_curvature.py.  Curvatures here are d(angle)/d(arc length) with z down, positive where
+The table is the kernel's record CurvatureTable.  Curvatures here are d(angle)/d(arc length) with z down, positive where
 the profile is hollow upwards; the kernel's table has them positive where the profile bulges towards the other body, which is
 this sign on a rail and the other one on a wheel.
 """
 
 import numpy as np
 
-from wrcontact.kernel.surface import lateral_curvature as layout
-from wrcontact.kernel.surface import profile_table
-from wrcontact.profiles.compiled import evaluate_table
+from wrcontact.kernel.layout import Profile
+from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
 #: Distance of the values: this share of the arc length or reach they are averaged over, and between these [m].
 RASTER_SHARE, FINEST, COARSEST = 0.25, 0.01e-3, 0.05e-3
@@ -35,11 +34,9 @@ def empty_curvature_table():
 
 
 def _table(profile, sign, scale, curvature):
-    start, stop = profile[[profile_table.START, profile_table.STOP]]
+    start, stop = Profile.at(profile).start, Profile.at(profile).stop
     count = int(np.ceil((stop - start) / np.clip(RASTER_SHARE * scale, FINEST, COARSEST))) + 1
-    head = np.zeros(layout.CURVATURES)
-    head[layout.CURVATURE_COUNT], head[layout.CURVATURE_START] = count, start
-    head[layout.CURVATURE_PER_METRE] = (count - 1) / (stop - start)
+    head = [count, start, (count - 1) / (stop - start)]
     return np.concatenate([head, sign * curvature(profile, np.linspace(start, stop, count), scale)])
 
 
@@ -50,7 +47,7 @@ def fitted_curvature(profile, y, reach):
     across, c (u^2 + v^2) + b u + a = v, whose curvature 2 c / sqrt(1 + b^2 - 4 a c) is exact for a circle and zero for a
     straight line.  At an end of the profile only what is there is fitted.
     """
-    start, stop = profile[[profile_table.START, profile_table.STOP]]
+    start, stop = Profile.at(profile).start, Profile.at(profile).stop
     low, high = np.maximum(y - reach, start), np.minimum(y + reach, stop)
     at = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, SAMPLES)
     z0, slope, _ = evaluate_table(profile, y)
@@ -88,8 +85,8 @@ class ArcLength:
 
     def __init__(self, profile):
         self.profile = profile
-        self.start, self.stop = profile[[profile_table.START, profile_table.STOP]]
-        pieces = profile[int(profile[profile_table.PIECE_OFFSET]):].reshape(-1, profile_table.PIECE_SIZE)
+        self.start, self.stop = Profile.at(profile).start, Profile.at(profile).stop
+        pieces = table_pieces(profile)
         self._ends = np.append(pieces[:-1, 0], self.stop)
         self._lengths = np.append(0.0, np.cumsum(self._panel(self._ends[:-1], self._ends[1:])))
         self.total = self._lengths[-1]

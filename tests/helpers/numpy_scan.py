@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from wrcontact.kernel.surface import profile_table
+from wrcontact.kernel.layout import Profile
 from wrcontact.kernel.search import search as layout
 from wrcontact.kernel.layout import SCAN_LIMIT
-from wrcontact.profiles.compiled import evaluate_table
+from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
 COARSE_STEP = 1.0e-3  # [m]
 FINE_STEP = 0.5e-3    # [m]
@@ -50,8 +50,8 @@ class BendRange:
 
     def __init__(self, table):
         self.table = table
-        self.start, self.stop = table[[profile_table.START, profile_table.STOP]]
-        pieces = table[int(table[profile_table.PIECE_OFFSET]):].reshape(-1, profile_table.PIECE_SIZE)[:-1]
+        self.start, self.stop = Profile.at(table).start, Profile.at(table).stop
+        pieces = table_pieces(table)[:-1]
         widths = np.diff(np.append(pieces[:, 0], self.stop))[:, None]
         u = widths * np.linspace(0.0, 1.0, SAMPLES)
         c1, c2, c3, c4, c5 = (column[:, None] for column in pieces[:, 2:].T)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from wrcontact.kernel.layout import PIECE_SIZE, Profile, offset
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
 from wrcontact.profiles.compiled import REPAIR_WIDTH, compile_profile, evaluate_table
@@ -128,17 +129,18 @@ def test_kernel_table_follows_the_definition(profile):
 
 def test_the_kernel_reads_its_table_as_numpy_does():
     table = compile_profile(readable_wheel(standard_profile("S1002")))
+    profile = Profile.at(table)
     for y in np.random.default_rng(2).uniform(-0.069, 0.06, 500):
-        np.testing.assert_array_equal(profile_table.height_slope_bend(table, 0, y), evaluate_table(table, y))
-        assert profile_table.height_slope(table, 0, y) == profile_table.height_slope_bend(table, 0, y)[:2]
+        np.testing.assert_array_equal(profile_table.height_slope_bend(profile, y), evaluate_table(table, y))
+        assert profile_table.height_slope(profile, y) == profile_table.height_slope_bend(profile, y)[:2]
 
 
 @pytest.mark.parametrize("y", [np.nan, np.inf, -np.inf, 1e300, -1e300])
 def test_an_abscissa_out_of_this_world_stays_inside_the_table(y):
     table = compile_profile(readable_wheel(standard_profile("S1002")))
-    piece = profile_table.find_piece(table, 0, y)
-    first = int(table[profile_table.PIECE_OFFSET])
-    assert first <= piece < len(table) - profile_table.PIECE_SIZE
+    profile = Profile.at(table)
+    piece = offset(profile_table.find_piece(profile, y), table)
+    assert offset(profile.pieces, table) <= piece < len(table) - PIECE_SIZE
 
 
 def test_points_file_gives_the_profile_back(tmp_path):

@@ -144,7 +144,7 @@ def sampled_placements(count, seed, largest_roll):
         work[layout.WORK_INPUTS] = rng.uniform(-0.01, 0.01)
         work[layout.WORK_INPUTS + 1] = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
         roll.place_both(tables, work, rng.uniform(-largest_roll, largest_roll))
-        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, work, roll.RIGHT_PLACE, place) for place in y]).T
+        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, work.places[1], place) for place in y]).T
         below = np.array([on_rail(tables, work, [place]) for place in y])
         yield tables, work, y, gaps, mismatches, below
 
@@ -171,13 +171,13 @@ def test_no_cell_of_the_search_holds_more_than_its_bound_says():
 def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
     """What roll and yaw make of a profile point, against the shares of ``clear_level``."""
     rng = np.random.default_rng(23)
-    place, checked = np.zeros(layout.PLACE_BLOCK), 0
+    place, checked = layout.Place.at(np.zeros(layout.PLACE_SIZE)), 0
     for _ in range(20000):
         turn, yaw = rng.choice([0.02, 0.1]) * rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.12, 0.12)])
         slope, bend = rng.uniform(-search.STEEP, search.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
         z = rng.uniform(-0.02, 0.03)
-        locus.place_wheelset(place, 0, 0.0, yaw, turn, 0.46, 0.75)
-        _, _, _, stretch, rate = locus.outline_jet(place, 0, rng.uniform(-0.04, 0.03), z, slope, bend)
+        locus.place_wheelset(place, 0.0, yaw, turn, 0.46, 0.75)
+        _, _, _, stretch, rate = locus.outline_jet(place, rng.uniform(-0.04, 0.03), z, slope, bend)
         square = np.sin(yaw)**2
         widened = (search.ROLL_STRETCH * abs(np.sin(turn))
                    + square * (search.BEND_STRETCH * 0.46 * abs(bend) + search.STEEP_STRETCH))
@@ -252,9 +252,9 @@ def system_tables():
 def on_rail(tables, work, places):
     """Whether the outline is above the rail at all wheel abscissae ``places``."""
     for place in places:
-        z, slope = profile_table.height_slope(tables, int(tables[layout.SET_WHEEL]), place)
-        y_track = locus.outline_point(work, roll.RIGHT_PLACE, place, z, slope)[0]
-        if not gap.above_rail(tables, y_track - tables[layout.SET_RAIL_Y]):
+        z, slope = profile_table.height_slope(tables.wheel, place)
+        y_track = locus.outline_point(work.places[1], place, z, slope)[0]
+        if not gap.above_rail(tables, y_track - tables.rail_y):
             return False
     return True
 

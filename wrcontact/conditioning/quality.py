@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..kernel.surface import profile_table
+from ..kernel.layout import Profile
 from ..profiles.compiled import evaluate_table, places
 from ..profiles.reading import Reading
 
@@ -50,7 +50,7 @@ def profile_quality(profile, table, visited, inclination=0.0):
     turns = np.array([joint.slope_step for joint in joints]) / square       # to first order in the step
     steps = np.abs([joint.bend_step for joint in joints]) / square**1.5
     kinks = tuple((float(at), float(turn)) for at, turn in zip(y, turns) if abs(turn) > KINK)
-    return ProfileQuality(profile.name, profile.kind, float(table[profile_table.START]), float(table[profile_table.STOP]),
+    return ProfileQuality(profile.name, profile.kind, Profile.at(table).start, Profile.at(table).stop,
                           visited, len(profile.zones), kinks, float(np.max(steps, initial=0.0)), _roughness(table, *visited),
                           profile.reading)
 

@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
-from ..kernel.surface import profile_table as layout
+from ..kernel.layout import PIECE_SIZE, PROFILE_HEAD, Profile, offset
 
 #: Height error allowed for a piece between its ends [mm]; far below the 1e-9 rad that a roll angle is asked for.
 PIECE_ERROR = 1e-9
@@ -38,12 +38,18 @@ def compile_profile(profile):
     return _table(pieces, profile.zones[-1].stop)
 
 
+def table_pieces(table):
+    """Pieces (n + 1, 7) in a compiled profile's ``table``: start [m] and coefficients; the last row is after the end."""
+    profile = Profile.at(table)
+    return table[offset(profile.pieces, profile):].reshape(-1, PIECE_SIZE)
+
+
 def evaluate_table(table, y):
     """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at ``y`` [m], three arrays.
 
     Between start and stop; the kernel itself continues the end pieces.
     """
-    pieces = table[int(table[layout.PIECE_OFFSET]):].reshape(-1, layout.PIECE_SIZE)
+    pieces = table_pieces(table)
     y = np.asarray(y, dtype=float)
     index = np.clip(np.searchsorted(pieces[:-1, 0], y, side="right") - 1, 0, len(pieces) - 2)
     u = y - pieces[index, 0]
@@ -60,7 +66,7 @@ def evaluate_table(table, y):
 
 def places(table, step):
     """Abscissae (n,) over all of ``table``, ends included, at most ``step`` apart [m]."""
-    start, stop = table[layout.START], table[layout.STOP]
+    start, stop = Profile.at(table).start, Profile.at(table).stop
     return np.linspace(start, stop, int((stop - start) / step) + 2)
 
 
@@ -125,21 +131,21 @@ def _quintic(low, high, at_low, at_high):
 
 
 def _table(pieces, stop):
-    """Pack ``pieces`` [mm] into the layout of :mod:`wrcontact.kernel.profile_table` [m]."""
+    """Pack ``pieces`` [mm] into the kernel's record Profile [m]."""
     start = pieces[0][0]
     bin_count = math.ceil((stop - start) / BIN_WIDTH)
     starts = np.array([piece[0] for piece in pieces])
     left = start + BIN_WIDTH * np.arange(bin_count)
     first = np.maximum(np.searchsorted(starts, left, side="right") - 1, 0)
-    head = np.zeros(layout.BINS)
-    head[layout.START] = start * MM
-    head[layout.STOP] = stop * MM
-    head[layout.BINS_PER_METRE] = 1.0 / (BIN_WIDTH * MM)
-    head[layout.BIN_COUNT] = bin_count
-    head[layout.PIECE_OFFSET] = layout.BINS + bin_count
-    body = np.full((len(pieces) + 1, layout.PIECE_SIZE), np.nan)
+    body = np.full((len(pieces) + 1, PIECE_SIZE), np.nan)
     scale = MM ** (1.0 - np.arange(6))
     for row, (low, coefficients) in zip(body, pieces):
         row[0] = low * MM
         row[1:] = np.asarray(coefficients) * scale
-    return np.concatenate([head, head[layout.PIECE_OFFSET] + layout.PIECE_SIZE * first, body.ravel()])
+    head = PROFILE_HEAD
+    table = np.concatenate([np.zeros(head), head + bin_count + PIECE_SIZE * first, body.ravel()])
+    profile = Profile.at(table)
+    profile.start, profile.stop = start * MM, stop * MM
+    profile.bins_per_metre, profile.bin_count = 1.0 / (BIN_WIDTH * MM), bin_count
+    profile.pieces = head + bin_count
+    return table

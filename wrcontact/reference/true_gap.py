@@ -19,7 +19,7 @@ from scipy import ndimage
 from . import halfspace
 from ..conventions import MIRROR
 from ..kernel import layout
-from ..kernel.surface import profile_table
+from ..kernel.layout import Profile
 from ..kernel.binding.library import default_kernel
 from ..profiles.compiled import evaluate_table
 from ..state import outline_of
@@ -172,15 +172,15 @@ def _attitude(yaw, roll):
 
 def _table_points(table):
     """Abscissae over a whole profile table [m]."""
-    return np.linspace(table[profile_table.START], table[profile_table.STOP], GUESSES)
+    return np.linspace(Profile.at(table).start, Profile.at(table).stop, GUESSES)
 
 
 def _within(table, y):
-    return np.clip(y, table[profile_table.START], table[profile_table.STOP])
+    return np.clip(y, Profile.at(table).start, Profile.at(table).stop)
 
 
 def _inside(table, y):
-    return (y >= table[profile_table.START]) & (y <= table[profile_table.STOP])
+    return (y >= Profile.at(table).start) & (y <= Profile.at(table).stop)
 
 
 def _guess(s, stations, heights):

@@ -9,10 +9,10 @@ residual is removed by the curve's own slope and bend, which leaves an error of 
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import LONGITUDINAL_BASIC, offset, WORK_CONTACT, Place, State, Tables, Work
+from ..layout import LONGITUDINAL_BASIC, offset, WORK_CONTACT, Place, Profile, State, Tables, Work
 from ..surface.gap import FOLDED
 from ..surface.locus import around_wheel, outline_jet
-from ..surface.profile_table import START, STOP, height_slope, height_slope_bend
+from ..surface.profile_table import height_slope, height_slope_bend
 
 AT_PLANE: Final[int] = WORK_CONTACT + 3
 AT_WHEEL_PLANE: Final[int] = WORK_CONTACT + 8
@@ -38,11 +38,11 @@ def open_frame(tables: Tables, work: Work, at: Place, y: float, aside: float, sh
     Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
     much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
     """
-    z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
+    z, slope, bend = height_slope_bend(tables.wheel, y)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(at, y, z, slope, bend)
     y_track += aside
     abscissa = y_track - tables.rail_y
-    height, rail_slope, rail_bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
+    height, rail_slope, rail_bend = height_slope_bend(tables.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope)
     sine = rail_slope * cosine
     work.frame.abscissa = abscissa
@@ -96,7 +96,7 @@ def longitudinal_curvature(tables: Tables, place: Work, at: Place, z: float, slo
     if not at.yawed:
         curvature = 1.0 / (r * sqrt(1.0 + slope * slope))
     else:
-        sin_phi, cos_phi = around_wheel(place, at, slope)
+        sin_phi, cos_phi = around_wheel(at, slope)
         e1 = at.cos_yaw
         e2 = at.sin_yaw * at.cos_roll
         e3 = at.sin_yaw * at.sin_roll
@@ -116,7 +116,7 @@ def first_abscissa(work: 'float[:]', tracer: int, away: float):
     return u
 
 
-def trace_profile(tables: 'float[:]', work: Work, base: int, tracer: int, frame: int, station: float,
+def trace_profile(work: Work, profile: Profile, tracer: int, frame: int, station: float,
                   tolerance: float, origin: float, height_there: float):
     """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope there [-], its
     height [m], and 1 if it exists.
@@ -127,8 +127,8 @@ def trace_profile(tables: 'float[:]', work: Work, base: int, tracer: int, frame:
     """
     cosine = work[frame]
     sine = work[frame + 1]
-    start = tables[base + START]
-    stop = tables[base + STOP]
+    start = profile.start
+    stop = profile.stop
     u = first_abscissa(work.raw, tracer, station - work.frame.tracer_station)
     exists = 0
     offset = 0.0
@@ -141,7 +141,7 @@ def trace_profile(tables: 'float[:]', work: Work, base: int, tracer: int, frame:
             u = start
         if u > stop:
             u = stop
-        height, slope, bend = height_slope_bend(tables, base, u)
+        height, slope, bend = height_slope_bend(profile, u)
         forward = cosine + slope * sine
         offset = (u - origin) * cosine + (height - height_there) * sine - station
         if fabs(offset) < tolerance:
@@ -161,7 +161,7 @@ def trace_profile(tables: 'float[:]', work: Work, base: int, tracer: int, frame:
 
 def trace_rail(tables: Tables, work: Work, station: float, tolerance: float):
     """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists."""
-    ordinate, rate, bend, slope, height, exists = trace_profile(tables.raw, work, int(tables.rail), TRACER_RAIL, AT_PLANE,
+    ordinate, rate, bend, slope, height, exists = trace_profile(work, tables.rail, TRACER_RAIL, AT_PLANE,
                                                                 station, tolerance, work.frame.abscissa,
                                                                 work.frame.height)
     return ordinate, rate, bend, exists
@@ -176,7 +176,7 @@ def trace_wheel(tables: Tables, work: Work, station: float, tolerance: float):
     at = Place.at(work, int(work.frame.place))
     if not at.yawed:
         lift = work.frame.lift
-        ordinate, rate, bend, slope, z, exists = trace_profile(tables.raw, work, int(tables.wheel), TRACER_WHEEL,
+        ordinate, rate, bend, slope, z, exists = trace_profile(work, tables.wheel, TRACER_WHEEL,
                                                                AT_WHEEL_PLANE, station - lift * work.frame.sin, tolerance,
                                                                work.frame.y, work.frame.z)
         ordinate -= lift * work.frame.cos
@@ -188,11 +188,11 @@ def trace_wheel(tables: Tables, work: Work, station: float, tolerance: float):
 
 def trace_outline(tables: Tables, work: Work, at: Place, station: float, tolerance: float):
     """``trace_wheel`` with yaw."""
-    wheel = int(tables.wheel)
+    wheel = tables.wheel
     cosine = work.frame.cos
     sine = work.frame.sin
-    start = tables[wheel + START]
-    stop = tables[wheel + STOP]
+    start = wheel.start
+    stop = wheel.stop
     left = tables.rail_y + work.frame.abscissa - work.frame.aside
     above = work.frame.shift - work.frame.height
     y = first_abscissa(work.raw, TRACER_WHEEL, station - work.frame.tracer_station)
@@ -212,8 +212,8 @@ def trace_outline(tables: Tables, work: Work, at: Place, station: float, toleran
             y = start
         if y > stop:
             y = stop
-        z, slope, bend = height_slope_bend(tables.raw, wheel, y)
-        y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(work, at, y, z, slope, bend)
+        z, slope, bend = height_slope_bend(wheel, y)
+        y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(at, y, z, slope, bend)
         across = y_track - left
         up = z_track + above
         along = cosine + outline_slope * sine
@@ -261,8 +261,8 @@ def is_yawed(work: Work):
 def ridge_place(tables: Tables, work: Work, y: float):
     """Track coordinate x [m] of the wheel's outline at wheel abscissa ``y`` [m]."""
     at = Place.at(work, int(work.frame.place))
-    z, slope = height_slope(tables.raw, int(tables.wheel), y)
-    sin_phi, cos_phi = around_wheel(work, at, slope)
+    z, slope = height_slope(tables.wheel, y)
+    sin_phi, cos_phi = around_wheel(at, slope)
     r = at.radius + z
     lateral = (at.arm + y) * at.cos_roll - r * cos_phi * at.sin_roll
     return at.cos_yaw * r * sin_phi - at.sin_yaw * lateral

@@ -3,10 +3,9 @@
 from math import atan, fabs
 from typing import Final
 
-from ..layout import LATERAL_ADAPTIVE, State, Tables, Work
+from ..layout import LATERAL_ADAPTIVE, Profile, State, Tables, Work
 from ..surface.lateral_curvature import relative_curvature
 from ..surface.locus import around_wheel
-from ..surface.profile_table import START, STOP
 from .contact_plane import open_frame
 from .regions import open_contact_region
 
@@ -28,7 +27,7 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
     at = work.places[index]
     out = work.outputs.left[index]
     z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
-    sin_phi, cos_phi = around_wheel(work, at, slope)
+    sin_phi, cos_phi = around_wheel(at, slope)
     r = tables.radius + z
     lateral = (at.arm + y) * at.cos_roll - r * cos_phi * at.sin_roll
     out.x_wheel = r * sin_phi
@@ -50,16 +49,16 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
         out.curvature_y = 2.0 * relative_curvature(tables, y, work.frame.abscissa)
     touches = 1
     if fabs(mismatch) >= PARALLEL:
-        if fabs(mismatch) > CORNER or is_end(tables.raw, int(tables.wheel), y) == 1:
+        if fabs(mismatch) > CORNER or is_end(tables.wheel, y) == 1:
             touches = 0
-        if is_end(tables.raw, int(tables.rail), work.frame.abscissa) == 1:
+        if is_end(tables.rail, work.frame.abscissa) == 1:
             touches = 0
     return touches
 
 
-def is_end(tables: 'float[:]', base: int, y: float):
+def is_end(profile: Profile, y: float):
     """1 if ``y`` [m] is at an end of the profile, else 0."""
     end = 0
-    if y < tables[base + START] + AT_END or y > tables[base + STOP] - AT_END:
+    if y < profile.start + AT_END or y > profile.stop - AT_END:
         end = 1
     return end

@@ -22,7 +22,7 @@ from ..search.search import (
 )
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
-from ..surface.profile_table import START, STOP, height_slope, height_slope_bend
+from ..surface.profile_table import height_slope, height_slope_bend
 from .contact_plane import open_frame, start_tracer
 from .planes import keep_frame, line_up, use_frame
 from .pressed import normal_line, pressed_gap, rail_length, rail_speed
@@ -65,9 +65,9 @@ def sample_overlap(tables: Tables, work: Work, at: Place, node: int, height: flo
     """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]."""
     row = int(tables.scan) + SCAN_NODES + SCAN_ROW * node
     y = tables[row + ROW_Y]
-    y_track, z_track, outline_slope = outline_point(work, at, y, tables[row + ROW_HEIGHT], tables[row + ROW_SLOPE])
+    y_track, z_track, outline_slope = outline_point(at, y, tables[row + ROW_HEIGHT], tables[row + ROW_SLOPE])
     abscissa = y_track - tables.rail_y
-    z_rail, m, bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
+    z_rail, m, bend = height_slope_bend(tables.rail, abscissa)
     gap = z_rail - z_track
     square = 1.0 / (1.0 + m * m)
     work[SAMPLE_RAIL + entry] = abscissa
@@ -85,11 +85,11 @@ def sample_end(tables: Tables, work: 'float[:]', direction: int, entry: int):
 
     It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
     """
-    rail = int(tables.rail)
-    work[SAMPLE_RAIL + entry] = tables[rail + START]
+    rail = tables.rail
+    work[SAMPLE_RAIL + entry] = rail.start
     work[SAMPLE_RISE + entry] = 1.0
     if direction > 0:
-        work[SAMPLE_RAIL + entry] = tables[rail + STOP]
+        work[SAMPLE_RAIL + entry] = rail.stop
         work[SAMPLE_RISE + entry] = -1.0
     return 0
 
@@ -170,12 +170,12 @@ def turning_point(tables: Tables, work: Work, at: Place, low: float, high: float
 def bracket_end(tables: Tables, work: Work, at: Place, x: float, step: float, y: float, height: float):
     """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other side; the samples
     are straight down and may have turned a little before it."""
-    rail = int(tables.rail)
+    rail = tables.rail
     for i in range(WIDENINGS):
-        if x <= tables[rail + START]:
-            return tables[rail + START]
-        if x >= tables[rail + STOP]:
-            return tables[rail + STOP]
+        if x <= rail.start:
+            return rail.start
+        if x >= rail.stop:
+            return rail.stop
         y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, y, height)
         if found == 0 or rise * step < 0.0:
             break
@@ -327,8 +327,8 @@ def list_between(tables: Tables, work: Work, at: Place, low: float, high: float,
 def list_smallest(tables: Tables, work: Work, side: SideSearch, at: Place, height: float):
     """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
     scan nodes on nearly conformal profiles it can turn three times."""
-    z, slope = height_slope(tables.raw, int(tables.wheel), side.best_y)
-    y_track, z_track, outline_slope = outline_point(work, at, side.best_y, z, slope)
+    z, slope = height_slope(tables.wheel, side.best_y)
+    y_track, z_track, outline_slope = outline_point(at, side.best_y, z, slope)
     x = y_track - tables.rail_y
     y, overlap, rise, bend, curvature, found = normal_line(tables, work, at, x, side.best_y, height)
     deepest = 0.0
@@ -382,9 +382,9 @@ def touching_shift(tables: Tables, work: Work, at: Place, entry: int, height: fl
     block = DEEP_FIRST + DEEP_SIZE * entry
     x = work[block + DEEP_RAIL]
     y = work[block + DEEP_WHEEL]
-    z, slope = height_slope(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-    z_rail, m = height_slope(tables.raw, int(tables.rail), x)
+    z, slope = height_slope(tables.wheel, y)
+    y_track, z_track, outline_slope = outline_point(at, y, z, slope)
+    z_rail, m = height_slope(tables.rail, x)
     return x + tables.rail_y - y_track, z_rail - z_track
 
 
@@ -407,7 +407,7 @@ def gather_overlaps(tables: Tables, work: Work, state: State):
     height = work.frame.pose
     depth = work.frame.depth
     at = Place.at(work, int(work.frame.place))
-    rail = int(tables.rail)
+    rail = tables.rail
     keep_frame(work.raw, REGION_LIMIT)
     for region in range(count):
         block = work.regions[region]
@@ -416,7 +416,7 @@ def gather_overlaps(tables: Tables, work: Work, state: State):
         block.gap = 0.0
         block.rail = work[deep + DEEP_RAIL]
         block.wheel = work[deep + DEEP_WHEEL]
-        z_rail, m = height_slope(tables.raw, rail, work[deep + DEEP_RAIL])
+        z_rail, m = height_slope(rail, work[deep + DEEP_RAIL])
         lean_region(tables, work, block, m)
         if region != contact:
             aside, shift = touching_shift(tables, work, at, region, height)
@@ -430,8 +430,8 @@ def gather_overlaps(tables: Tables, work: Work, state: State):
         gap, rate, bend, curvature = pressed_gap(tables, work, state, 0.0)
         block.bend = bend
         block.curvature = curvature
-        low = tables[rail + START]
-        high = tables[rail + STOP]
+        low = rail.start
+        high = rail.stop
         if region > 0:
             low = work[deep - DEEP_SIZE + DEEP_HUMP]
         if region < count - 1:

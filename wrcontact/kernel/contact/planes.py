@@ -62,7 +62,7 @@ def bound_station(tables: Tables, work: Work, abscissa: float):
     """Station [m] in the open frame of the rail's point at ``abscissa``; FAR stays FAR."""
     station = abscissa
     if fabs(abscissa) < FAR:
-        height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+        height, slope = height_slope(tables.rail, abscissa)
         station = ((abscissa - work.frame.abscissa) * work.frame.cos + (height - work.frame.height) * work.frame.sin)
     return station
 
@@ -92,7 +92,7 @@ def own_plane(tables: Tables, work: Work, state: State, region: int):
         block.station = 0.0
         block.rail = abscissa
         block.wheel = y
-        height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+        height, slope = height_slope(tables.rail, abscissa)
         lean_region(tables, work, block, slope)
         block.own = True
         block.offset = rail_length(tables, work.frame.abscissa, abscissa)

@@ -19,7 +19,7 @@ from typing import Final
 
 from ..layout import Place, State, Tables, Work
 from ..surface.locus import outline_jet
-from ..surface.profile_table import START, STOP, height_slope, height_slope_bend
+from ..surface.profile_table import height_slope, height_slope_bend
 from .contact_plane import NO_GAP, longitudinal_curvature
 
 #: The wheel's abscissa is met to this [m],
@@ -42,14 +42,14 @@ def normal_line(tables: Tables, work: Work, at: Place, abscissa: float, y: float
     """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``at`` and moved down by
     ``height``, looked for from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
     and 1 if there is such a point, else 0."""
-    rail = int(tables.rail)
-    wheel = int(tables.wheel)
-    z_rail, m, rail_bend = height_slope_bend(tables.raw, rail, abscissa)
+    rail = tables.rail
+    wheel = tables.wheel
+    z_rail, m, rail_bend = height_slope_bend(rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
     kappa = rail_bend * cosine * cosine * cosine
     for i in range(LINE_ITERATIONS):
-        z, slope, bend = height_slope_bend(tables.raw, wheel, y)
-        y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
+        z, slope, bend = height_slope_bend(wheel, y)
+        y_track, z_track, outline_slope, stretch, rate = outline_jet(at, y, z, slope, bend)
         across = y_track - tables.rail_y - abscissa
         down = z_track + height - z_rail
         rest = across + down * m
@@ -78,7 +78,7 @@ def normal_line(tables: Tables, work: Work, at: Place, abscissa: float, y: float
         if move < -LINE_STEP:
             move = -LINE_STEP
         y += move
-        if not (y >= tables[wheel + START] and y <= tables[wheel + STOP]):
+        if not (y >= wheel.start and y <= wheel.stop):
             return y, 0.0, 0.0, 0.0, 0.0, 0
     return y, 0.0, 0.0, 0.0, 0.0, 0
 
@@ -90,22 +90,22 @@ def mean_bend(tables: Tables, work: Work, y: float, bend: float):
     """
     blur = work.frame.blur
     if blur > 0.0:
-        wheel = int(tables.wheel)
+        wheel = tables.wheel
         low = y - blur
         high = y + blur
-        if low < tables[wheel + START]:
-            low = tables[wheel + START]
-        if high > tables[wheel + STOP]:
-            high = tables[wheel + STOP]
-        z, low_slope = height_slope(tables.raw, wheel, low)
-        z, high_slope = height_slope(tables.raw, wheel, high)
+        if low < wheel.start:
+            low = wheel.start
+        if high > wheel.stop:
+            high = wheel.stop
+        z, low_slope = height_slope(wheel, low)
+        z, high_slope = height_slope(wheel, high)
         bend = (high_slope - low_slope) / (high - low)
     return bend
 
 
 def rail_speed(tables: Tables, abscissa: float):
     """Arc length per abscissa of the rail [-]."""
-    height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+    height, slope = height_slope(tables.rail, abscissa)
     return sqrt(1.0 + slope * slope)
 
 
@@ -131,7 +131,7 @@ def rail_abscissa(tables: Tables, start: float, length: float):
     way = length / float(steps)
     x = start
     for step in range(steps):
-        height, slope, bend = height_slope_bend(tables.raw, int(tables.rail), x)
+        height, slope, bend = height_slope_bend(tables.rail, x)
         before = sqrt(1.0 + slope * slope)
         cosine = 1.0 / before
         following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine)
@@ -150,14 +150,14 @@ def pressed_gap(tables: Tables, work: Work, state: State, station: float):
     """What the overlap lacks of the region's depth at ``station`` [m], raised by the region's own gap, with its derivatives
     [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel."""
     state.node_count += 1.0
-    rail = int(tables.rail)
+    rail = tables.rail
     way = station - work.frame.tracer_station
     abscissa = rail_abscissa(tables, work.frame.tracer_rail, way)
     gap = NO_GAP
     rate = 0.0
     bend = 0.0
     curvature = 1.0
-    if abscissa >= tables[rail + START] and abscissa <= tables[rail + STOP]:
+    if abscissa >= rail.start and abscissa <= rail.stop:
         y, overlap, rise, turn, found_curvature, found = normal_line(tables, work, Place.at(work, int(work.frame.place)), abscissa,
                                                                      work.frame.tracer_wheel + way * work.frame.tracer_wheel_rate,
                                                                      work.frame.pose)

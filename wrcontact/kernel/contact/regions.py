@@ -77,7 +77,7 @@ def open_region(tables: Tables, work: Work, state: State, index: int, station: f
     block.wheel = work.frame.tracer_wheel
     block.bend = bend
     block.curvature = curvature
-    height, slope = height_slope(tables.raw, int(tables.rail), work.frame.tracer_rail)
+    height, slope = height_slope(tables.rail, work.frame.tracer_rail)
     lean_region(tables, work, block, slope)
     return found
 
@@ -125,7 +125,7 @@ def find_regions(tables: Tables, work: Work, state: State, side: SideSearch, lev
         if count < REGION_LIMIT:
             y = side.place[i]
             abscissa = side.abscissa[i]
-            height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+            height, slope = height_slope(tables.rail, abscissa)
             station = ((abscissa - work.frame.abscissa) * work.frame.cos
                        + (height - work.frame.height) * work.frame.sin)
             start_tracer(work, station, abscissa, y)

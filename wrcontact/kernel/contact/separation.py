@@ -14,17 +14,20 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..layout import (
+    PIECE_SIZE,
     SEPARATION_CHORD,
     SEPARATION_NORMAL,
     SEPARATION_VERTICAL,
     WORK_SEPARATION,
+    Piece,
     Place,
+    Profile,
     State,
     Tables,
     Work,
 )
 from ..surface.locus import outline_jet
-from ..surface.profile_table import PIECE_SIZE, START, STOP, find_piece, height_slope, height_slope_bend
+from ..surface.profile_table import find_piece, height_slope, height_slope_bend
 from .contact_plane import NO_GAP, TRACER_RAIL, TRACER_WHEEL, longitudinal_curvature, normal_gap
 from .pressed import mean_bend, pressed_gap
 
@@ -44,23 +47,23 @@ WEIGHT_2: Final[float] = 0.3607615730481386
 WEIGHT_3: Final[float] = 0.1713244923791704
 
 
-def curve_table(tables: Tables, tracer: int):
-    """Offset of the profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on."""
-    base = int(tables.wheel)
+def curve_profile(tables: Tables, tracer: int) -> Profile:
+    """The profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on."""
+    profile = tables.wheel
     if tracer == TRACER_RAIL:
-        base = int(tables.rail)
-    return base
+        profile = tables.rail
+    return profile
 
 
 def curve_jet(tables: Tables, work: Work, tracer: int, u: float):
     """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
     derivatives of the lateral coordinate [-] and of the slope [1/m].  ``tracer``: TRACER_RAIL or TRACER_WHEEL."""
-    z, slope, bend = height_slope_bend(tables.raw, curve_table(tables, tracer), u)
+    z, slope, bend = height_slope_bend(curve_profile(tables, tracer), u)
     across = u - work.origin.rail[0]
     down = z - work.origin.rail[1]
     stretch = 1.0
     if tracer == TRACER_WHEEL:
-        y_track, z_track, slope, stretch, bend = outline_jet(work, Place.at(work, int(work.frame.place)), u, z, slope, bend)
+        y_track, z_track, slope, stretch, bend = outline_jet(Place.at(work, int(work.frame.place)), u, z, slope, bend)
         across = y_track - work.origin.wheel[0]
         down = z_track - work.origin.wheel[1]
     return across, down, slope, stretch, bend
@@ -71,7 +74,7 @@ def curve_speed(tables: Tables, work: Work, tracer: int, u: float):
     speed = 1.0
     at = Place.at(work, int(work.frame.place))
     if tracer == TRACER_RAIL or not at.yawed:
-        z, slope = height_slope(tables.raw, curve_table(tables, tracer), u)
+        z, slope = height_slope(curve_profile(tables, tracer), u)
         speed = sqrt(1.0 + slope * slope)
     else:
         across, down, slope, stretch, bend = curve_jet(tables, work, tracer, u)
@@ -110,14 +113,14 @@ def arc_length(tables: Tables, work: Work, tracer: int, start: float, stop: floa
         low = stop
         high = start
     total = 0.0
-    at = find_piece(tables.raw, curve_table(tables, tracer), low)
+    piece = find_piece(curve_profile(tables, tracer), low)
     while low < high:
         end = high
-        if tables[at + PIECE_SIZE] < high:
-            end = tables[at + PIECE_SIZE]
+        piece = Piece.at(piece, PIECE_SIZE)
+        if piece.start < high:
+            end = piece.start
         total += panel_length(tables, work, tracer, low, end)
         low = end
-        at += PIECE_SIZE
     if stop < start:
         total = -total
     return total
@@ -125,11 +128,11 @@ def arc_length(tables: Tables, work: Work, tracer: int, start: float, stop: floa
 
 def within(tables: Tables, tracer: int, u: float):
     """``u``, or the end of the profile that it lies beyond."""
-    base = curve_table(tables, tracer)
-    if u < tables[base + START]:
-        u = tables[base + START]
-    if u > tables[base + STOP]:
-        u = tables[base + STOP]
+    profile = curve_profile(tables, tracer)
+    if u < profile.start:
+        u = profile.start
+    if u > profile.stop:
+        u = profile.stop
     return u
 
 
@@ -288,7 +291,7 @@ def equidistant_rise(tables: Tables, work: Work, station: float):
 def lean_away(tables: Tables, work: Work):
     """What a pressed wheel's depth lacks at the tracer's point, depth (1 - cos(angle between the normals)) [m], since it is
     pressed along the region's normal; and its rate [-]."""
-    height, slope, bend = height_slope_bend(tables.raw, int(tables.rail), work.frame.tracer_rail)
+    height, slope, bend = height_slope_bend(tables.rail, work.frame.tracer_rail)
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     along = cosine * (work.frame.cos + slope * work.frame.sin)
     across = cosine * (slope * work.frame.cos - work.frame.sin)
@@ -310,7 +313,7 @@ def moved_separation(tables: Tables, work: Work, state: State, station: float, k
         rate += more
     if exists == 0:
         gap = NO_GAP
-    z, slope, wheel_bend = height_slope_bend(tables.raw, int(tables.wheel), work.frame.tracer_wheel)
+    z, slope, wheel_bend = height_slope_bend(tables.wheel, work.frame.tracer_wheel)
     wheel_bend = mean_bend(tables, work, work.frame.tracer_wheel, wheel_bend)
     curvature = longitudinal_curvature(tables, work, Place.at(work, int(work.frame.place)), z, slope, wheel_bend)
     return gap, rate, bend, curvature

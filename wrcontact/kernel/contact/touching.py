@@ -13,7 +13,7 @@ from typing import Final
 
 from ..layout import Place, Tables, Work
 from ..surface.locus import outline_jet
-from ..surface.profile_table import START, STOP, height_slope_bend
+from ..surface.profile_table import height_slope_bend
 
 #: The pair is found when it moves by less [m]; its depth is then exact to rounding, being second order.
 PAIR_SHARP: Final[float] = 1e-12
@@ -38,14 +38,14 @@ def touching_pair(tables: Tables, work: Work, at: Place, y: float, abscissa: flo
     """Wheel and rail abscissa [m] of the pair near ``y`` and ``abscissa`` for the wheel placed at ``at`` and moved down by
     ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical shift [m] that let it touch; and 1
     if there is such a pair, else 0."""
-    rail = int(tables.rail)
-    wheel = int(tables.wheel)
+    rail = tables.rail
+    wheel = tables.wheel
     start_y = y
     start_x = abscissa
     for i in range(PAIR_ITERATIONS):
-        z, slope, bend = height_slope_bend(tables.raw, wheel, y)
-        y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
-        height, m, rail_bend = height_slope_bend(tables.raw, rail, abscissa)
+        z, slope, bend = height_slope_bend(wheel, y)
+        y_track, z_track, outline_slope, stretch, rate = outline_jet(at, y, z, slope, bend)
+        height, m, rail_bend = height_slope_bend(rail, abscissa)
         across = y_track - tables.rail_y - abscissa
         down = z_track + shift - height
         turned = outline_slope - m
@@ -64,8 +64,8 @@ def touching_pair(tables: Tables, work: Work, at: Place, y: float, abscissa: flo
         abscissa += limited(move_x, PAIR_STEP)
         if fabs(y - start_y) > PAIR_REACH or fabs(abscissa - start_x) > PAIR_REACH:
             return y, abscissa, 0.0, 0.0, 0.0, 0
-        if not (y > tables[wheel + START] and y < tables[wheel + STOP]):
+        if not (y > wheel.start and y < wheel.stop):
             return y, abscissa, 0.0, 0.0, 0.0, 0
-        if not (abscissa > tables[rail + START] and abscissa < tables[rail + STOP]):
+        if not (abscissa > rail.start and abscissa < rail.stop):
             return y, abscissa, 0.0, 0.0, 0.0, 0
     return y, abscissa, 0.0, 0.0, 0.0, 0

@@ -31,7 +31,9 @@ class Record(ctypes.Structure):
 
     @classmethod
     def at(cls, array, offset=0):
-        """The record that begins at ``array[offset]``; ``array`` is writable memory of float64."""
+        """The record that begins at ``array[offset]``; ``array`` is memory of float64, or a record in it."""
+        if isinstance(array, Record) and not array.array:
+            return cls.from_address(ctypes.addressof(array) + WIDTH * offset)
         array = getattr(array, "raw", array)
         if cls.open_ended or memoryview(array).readonly:
             found = cls.from_address(numpy.asarray(array).ctypes.data + WIDTH * offset)
@@ -69,7 +71,7 @@ def record(cls):
 
 
 class To:
-    """The type of a field that says where in the same array a record of ``kind`` begins."""
+    """The type of a field that says how far from the beginning of its own record another, of ``kind``, begins."""
 
     def __init__(self, kind):
         self.kind = kind
@@ -77,7 +79,7 @@ class To:
 
 def pointed(name, kind):
     """A field that reads as the record at the offset that it holds, and is written as an offset."""
-    return property(lambda self: kind.at(self.raw, int(getattr(self, name))),
+    return property(lambda self: kind.from_address(ctypes.addressof(self) + WIDTH * int(getattr(self, name))),
                     lambda self, value: setattr(self, name, float(value)))
 
 
@@ -105,5 +107,6 @@ def size(kind):
 
 
 def offset(part, whole):
-    """Where a record begins in the array whose head is ``whole``."""
-    return (ctypes.addressof(part) - ctypes.addressof(whole)) // WIDTH
+    """Where a record begins in the array ``whole``, or in the one whose head is the record ``whole``."""
+    first = ctypes.addressof(whole) if isinstance(whole, Record) else numpy.asarray(whole).ctypes.data
+    return (ctypes.addressof(part) - first) // WIDTH

@@ -1,19 +1,71 @@
-"""Records of the room surface: where a wheelset is placed."""
+"""Records of surfaces: the table of a profile, the table of its lateral curvature, and where a wheel is placed."""
 
-from .record import Float, record
+from typing import Final
+
+from .record import OPEN, WIDTH, Float, To, record, size
+
+
+@record
+class Piece:
+    """One quintic of a profile: height c0 + c1 u + ... + c5 u^5 at u = y - start."""
+
+    start: float                    # where it begins [m]; not a number in the piece after the last
+    c0: float
+    c1: float
+    c2: float
+    c3: float
+    c4: float
+    c5: float
+
+
+PIECE_SIZE: Final[int] = size(Piece)
+
+
+@record
+class Profile:
+    """A profile as the kernel reads it: quintic pieces found through uniform bins."""
+
+    start: float                    # first and last abscissa [m]
+    stop: float
+    bins_per_metre: float
+    bin_count: float
+    pieces: To(Piece)               # the first of them
+    bins: Float * OPEN              # of each bin: how far from here the first piece begins that reaches into it; then the pieces
+
+
+#: Numbers of a profile's table before its bins.
+PROFILE_HEAD: Final[int] = Profile.bins.offset // WIDTH
+
+
+@record
+class CurvatureTable:
+    """Lateral curvature along a profile at even distances, positive where the profile bulges towards the other body."""
+
+    count: float
+    start: float                    # abscissa of the first value [m]
+    per_metre: float
+    curvatures: Float * OPEN        # [1/m]
+
+
+#: Numbers of the table before the curvatures.
+CURVATURE_HEAD: Final[int] = CurvatureTable.curvatures.offset // WIDTH
 
 
 @record
 class Place:
-    shift: float
+    """Where a right wheel is placed on the track, as :mod:`locus` reads it."""
+
+    shift: float                    # lateral shift of the wheelset [m]
     sin_yaw: float
     cos_yaw: float
     sin_roll: float
     cos_roll: float
-    t: float
-    w_per_slope: float
-    cos_t: float
-    radius: float
-    arm: float
+    t: float                        # tan(yaw) sin(roll) [-]
+    w_per_slope: float              # w over the profile's slope [-]
+    cos_t: float                    # 1 / sqrt(1 + t^2)
+    radius: float                   # nominal radius of the wheel [m]
+    arm: float                      # half the distance of the running circles [m]
     yawed: bool
-    spare_11: Float * 5
+
+
+PLACE_SIZE: Final[int] = size(Place)

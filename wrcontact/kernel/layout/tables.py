@@ -1,6 +1,7 @@
 """The array ``tables``: what is fixed during a simulation. Settings are at its head, then come the tables that they point to."""
 
-from .record import Float, record
+from .record import Float, To, record
+from .surface import CurvatureTable, Profile
 
 
 @record
@@ -12,9 +13,9 @@ class Tables:
     contact_modulus: float          # E* [Pa]
     lateral_limit: float            # largest |lateral shift| [m]
     yaw_limit: float                # largest |yaw| [rad]
-    wheel: float                    # offsets of the tables
-    rail: float
-    scan: float
+    wheel: To(Profile)
+    rail: To(Profile)
+    scan: float                     # offsets of the tables
     hertz: float
     normal_model: float             # one of MODEL_...
     longitudinal: float             # one of LONGITUDINAL_...
@@ -31,8 +32,8 @@ class Tables:
     stations: float                 # stations of an outline; where it then lies is told in outline.py
     separation: float               # one of SEPARATION_...
     lateral: float                  # one of LATERAL_...
-    wheel_curvature: float          # offsets of the tables of the profiles' lateral curvatures
-    rail_curvature: float
+    wheel_curvature: To(CurvatureTable)
+    rail_curvature: To(CurvatureTable)
     spare_28: Float * 2
     mode: float                     # one of MODE_...
     load: float                     # one of LOAD_...

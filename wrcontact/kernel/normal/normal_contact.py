@@ -186,7 +186,7 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
 
 def rail_per_station(tables: Tables, work: Work, abscissa: float):
     """Change of the rail's abscissa per station of the open frame [-]."""
-    height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+    height, slope = height_slope(tables.rail, abscissa)
     along = sqrt(1.0 + slope * slope)
     if not work.frame.pressed:
         along = work.frame.cos + slope * work.frame.sin
@@ -211,7 +211,7 @@ def mean_normal(tables: Tables, work: Work, region: int, level: float):
         if direction < 0:
             last = -block.first
         for k in range(last + 1):
-            height, slope = height_slope(tables.raw, int(tables.rail), x)
+            height, slope = height_slope(tables.rail, x)
             cosine = 1.0 / sqrt(1.0 + slope * slope)
             weight = work[lines + direction * k] * (level - work[rises + direction * k])
             if weight <= 0.0:

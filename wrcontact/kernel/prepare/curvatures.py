@@ -1,16 +1,15 @@
 """Lateral curvature of a profile all along it, as the source takes it.
 
 Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
-positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.  Layout in
-lateral_curvature.py.
+positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.
+The table is the record CurvatureTable.
 """
 
 from math import atan2, ceil, fabs, sqrt
 from typing import Final
 
-from ..layout import LATERAL_ROUGH, LATERAL_SMOOTH
-from ..surface.lateral_curvature import CURVATURE_COUNT, CURVATURE_PER_METRE, CURVATURE_START, CURVATURES
-from ..surface.profile_table import PIECE_SIZE, START, STOP, height_slope
+from ..layout import LATERAL_ROUGH, LATERAL_SMOOTH, PIECE_SIZE, CurvatureTable, Profile, offset
+from ..surface.profile_table import height_slope
 from .pieces import FULL
 from .scan import first_piece, piece_count, piece_width
 
@@ -39,16 +38,16 @@ def circle_curvature(n00: float, n01: float, n02: float, n11: float, n12: float,
 
 def fitted_curvature(tables: 'float[:]', profile: int, y: float, reach: float):
     """Curvature [1/m] of the circle fitted to the profile over y - reach ... y + reach, at ``y`` [m]."""
-    low = max(y - reach, tables[profile + START])
-    high = min(y + reach, tables[profile + STOP])
-    z_0, slope = height_slope(tables, profile, y)
+    low = max(y - reach, Profile.at(tables, profile).start)
+    high = min(y + reach, Profile.at(tables, profile).stop)
+    z_0, slope = height_slope(Profile.at(tables, profile), y)
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     sine = slope * cosine
     n00, n01, n02, n11, n12, n22 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     r0, r1, r2 = 0.0, 0.0, 0.0
     for k in range(SAMPLES):
         at = low + (high - low) * (float(k) / float(SAMPLES - 1))
-        z, slope = height_slope(tables, profile, at)
+        z, slope = height_slope(Profile.at(tables, profile), at)
         across = at - y
         down = z - z_0
         u = (across * cosine + down * sine) / reach
@@ -96,7 +95,7 @@ def arc_panel(tables: 'float[:]', profile: int, low: float, high: float, work: '
     half = 0.5 * (high - low)
     total = 0.0
     for k in range(GAUSS_POINTS):
-        z, slope = height_slope(tables, profile, 0.5 * (low + high) + half * work[scratch + k])
+        z, slope = height_slope(Profile.at(tables, profile), 0.5 * (low + high) + half * work[scratch + k])
         total += sqrt(1.0 + slope * slope) * work[scratch + GAUSS_POINTS + k]
     return half * total
 
@@ -150,7 +149,7 @@ def place_at_length(tables: 'float[:]', profile: int, length: float, work: 'floa
     while i < ARC_ITERATIONS:
         before = y
         missing = length - work[lengths + piece] - arc_panel(tables, profile, low, y, work, scratch)
-        z, slope = height_slope(tables, profile, y)
+        z, slope = height_slope(Profile.at(tables, profile), y)
         y = min(max(y + missing / sqrt(1.0 + slope * slope), low), high)
         i += 1
         if fabs(y - before) <= ARC_SHARP:
@@ -166,9 +165,9 @@ def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, to
     y_0 = place_at_length(tables, profile, middle - step, work, scratch)
     y_1 = place_at_length(tables, profile, middle, work, scratch)
     y_2 = place_at_length(tables, profile, middle + step, work, scratch)
-    z_0, slope = height_slope(tables, profile, y_0)
-    z_1, slope = height_slope(tables, profile, y_1)
-    z_2, slope = height_slope(tables, profile, y_2)
+    z_0, slope = height_slope(Profile.at(tables, profile), y_0)
+    z_1, slope = height_slope(Profile.at(tables, profile), y_1)
+    z_2, slope = height_slope(Profile.at(tables, profile), y_2)
     return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step
 
 
@@ -180,14 +179,16 @@ def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, k
     scale = step
     if kind == LATERAL_SMOOTH:
         scale = reach
-    start = tables[profile + START]
-    stop = tables[profile + STOP]
+    start = Profile.at(tables, profile).start
+    stop = Profile.at(tables, profile).stop
     count = int(ceil((stop - start) / min(max(RASTER_SHARE * scale, FINEST), COARSEST))) + 1
-    if base + CURVATURES + count > tables.shape[0]:
+    table = CurvatureTable.at(tables, base)
+    first = base + offset(table.curvatures, table)
+    if first + count > tables.shape[0]:
         return FULL
-    tables[base + CURVATURE_COUNT] = float(count)
-    tables[base + CURVATURE_START] = start
-    tables[base + CURVATURE_PER_METRE] = float(count - 1) / (stop - start)
+    table.count = float(count)
+    table.start = start
+    table.per_metre = float(count - 1) / (stop - start)
     total = 0.0
     if kind == LATERAL_ROUGH:
         total = write_lengths(tables, profile, work, scratch)
@@ -201,5 +202,5 @@ def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, k
             curvature = fitted_curvature(tables, profile, y, reach)
         else:
             curvature = turned_curvature(tables, profile, y, step, total, work, scratch)
-        tables[base + CURVATURES + i] = sign * curvature
-    return base + CURVATURES + count
+        table.curvatures[i] = sign * curvature
+    return first + count

@@ -1,12 +1,12 @@
 """From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
 
-Layout of the table in profile_table.py.
+The table is the record Profile.
 """
 
 from math import ceil, fabs
 from typing import Final
 
-from ..surface.profile_table import BIN_COUNT, BINS, BINS_PER_METRE, PIECE_OFFSET, PIECE_SIZE, START, STOP
+from ..layout import PIECE_SIZE, Profile, offset
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
 
 PIECE_ERROR: Final[float] = 1e-9          # height error allowed between a piece's ends [mm]
@@ -161,7 +161,8 @@ def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: 
     start = zones[definition + DEFINITION_ZONES + ZONE_START]
     stop = zones[definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW]) + ZONE_STOP]
     bins = int(ceil((stop - start) / BIN_WIDTH))
-    first = base + BINS + bins
+    profile = Profile.at(tables, base)
+    first = offset(profile.bins, tables) + bins
     at = first
     if first + PIECE_SIZE > tables.shape[0]:
         return FULL
@@ -170,17 +171,17 @@ def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: 
             at = write_zone(tables, at, zones, definition, index, work, scratch)
     if at == FULL:
         return FULL
-    tables[base + START] = start * MM
-    tables[base + STOP] = stop * MM
-    tables[base + BINS_PER_METRE] = BINS_EACH_METRE
-    tables[base + BIN_COUNT] = float(bins)
-    tables[base + PIECE_OFFSET] = float(BINS + bins)
+    profile.start = start * MM
+    profile.stop = stop * MM
+    profile.bins_per_metre = BINS_EACH_METRE
+    profile.bin_count = float(bins)
+    profile.pieces = first - base
     piece = first
     for i in range(bins):
         left = start + BIN_WIDTH * float(i)
         while piece + PIECE_SIZE < at and tables[piece + PIECE_SIZE] <= left:
             piece += PIECE_SIZE
-        tables[base + BINS + i] = float(piece - base)
+        profile.bins[i] = float(piece - base)
     to_metres(tables, first, at)
     for k in range(PIECE_SIZE):
         tables[at + k] = nowhere

@@ -7,7 +7,7 @@ largest absolute slope of its samples.
 from math import ceil, fabs
 from typing import Final
 
-from ..layout import SCAN_LIMIT, Tables
+from ..layout import PIECE_SIZE, SCAN_LIMIT, Profile, Tables, offset
 from ..search.search import (
     LEVELS,
     RAIL_LEAST_BEND,
@@ -35,15 +35,7 @@ from ..search.search import (
     STEEP,
     WIDEST,
 )
-from ..surface.profile_table import (
-    PIECE_OFFSET,
-    PIECE_SIZE,
-    START,
-    STOP,
-    find_piece,
-    height_slope,
-    height_slope_bend,
-)
+from ..surface.profile_table import find_piece, height_slope, height_slope_bend
 from .pieces import FULL
 
 COARSE_STEP: Final[float] = 1.0e-3        # [m]
@@ -57,19 +49,19 @@ FAR: Final[float] = 1e300
 
 def first_piece(tables: 'float[:]', base: int):
     """Offset of a profile's first piece."""
-    return base + int(tables[base + PIECE_OFFSET])
+    return offset(Profile.at(tables, base).pieces, tables)
 
 
 def piece_count(tables: 'float[:]', base: int):
     """How many pieces a profile has."""
-    return (find_piece(tables, base, tables[base + STOP]) - first_piece(tables, base)) // PIECE_SIZE + 1
+    return (offset(find_piece(Profile.at(tables, base), Profile.at(tables, base).stop), tables) - first_piece(tables, base)) // PIECE_SIZE + 1
 
 
 def piece_width(tables: 'float[:]', base: int, at: int):
     """Width of the piece at ``at`` [m]."""
     stop = tables[at + PIECE_SIZE]
-    if not stop < tables[base + STOP]:
-        stop = tables[base + STOP]
+    if not stop < Profile.at(tables, base).stop:
+        stop = Profile.at(tables, base).stop
     return stop - tables[at]
 
 
@@ -116,20 +108,20 @@ def sample_pieces(tables: 'float[:]', base: int, work: 'float[:]', scratch: int)
 def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, low: float, high: float):
     """Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and ``high`` [m], clipped to
     the profile; every piece counts with both its ends, so that a jump of curvature counts with both its sides."""
-    start = tables[base + START]
-    stop = tables[base + STOP]
+    start = Profile.at(tables, base).start
+    stop = Profile.at(tables, base).stop
     low = min(max(low, start), stop)
     high = min(max(high, start), stop)
-    z, slope, least = height_slope_bend(tables, base, low)
-    z, other, most = height_slope_bend(tables, base, high)
+    z, slope, least = height_slope_bend(Profile.at(tables, base), low)
+    z, other, most = height_slope_bend(Profile.at(tables, base), high)
     steepest = max(fabs(slope), fabs(other))
     if most < least:
         bend = least
         least = most
         most = bend
     first = first_piece(tables, base)
-    last = find_piece(tables, base, high)
-    begin = find_piece(tables, base, low)
+    last = offset(find_piece(Profile.at(tables, base), high), tables)
+    begin = offset(find_piece(Profile.at(tables, base), low), tables)
     at = max(begin - PIECE_SIZE, first)          # whose last sample may lie at ``low``
     while at <= last:
         piece_least = FAR
@@ -166,8 +158,8 @@ def write_raster(tables: 'float[:]', base: int, wheel: int, work: 'float[:]', sc
     """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where it
     is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
     or TOO_WIDE or FULL."""
-    start = tables[wheel + START]
-    stop = tables[wheel + STOP]
+    start = Profile.at(tables, wheel).start
+    stop = Profile.at(tables, wheel).stop
     count = coarse_count(start, stop)
     step = (stop - start) / float(count)
     if base + SCAN_NODES + SCAN_ROW * (2 * count + 1) > tables.shape[0]:
@@ -197,7 +189,7 @@ def write_wheel_rows(tables: 'float[:]', base: int, wheel: int, count: int, work
     for node in range(count):
         row = base + SCAN_NODES + SCAN_ROW * node
         y = tables[row + ROW_Y]
-        z, slope = height_slope(tables, wheel, y)
+        z, slope = height_slope(Profile.at(tables, wheel), y)
         tables[row + ROW_HEIGHT] = z
         tables[row + ROW_SLOPE] = slope
         cells = 1
@@ -227,7 +219,7 @@ def write_levers(tables: Tables, base: int, wheel: int, count: int):
             width = tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y]
         for k in range(LAST_SAMPLE):
             y = tables[row + ROW_Y] + width * (float(k) / float(LAST_SAMPLE))
-            z, slope = height_slope(tables.raw, wheel, y)
+            z, slope = height_slope(Profile.at(tables, wheel), y)
             largest = max(largest, -slope * (tables.radius + z) - (tables.arm + y))
         tables[row + ROW_LEVER] = largest
     return 0
@@ -240,7 +232,7 @@ def write_rail_rows(tables: 'float[:]', at: int, rail: int, count: int, work: 'f
     """
     for cell in range(count):
         row = at + RAIL_ROW * cell
-        edge = tables[rail + START] + FINE_STEP * float(cell)
+        edge = Profile.at(tables, rail).start + FINE_STEP * float(cell)
         least, most, steepest = bend_range(tables, rail, work, scratch, edge - FINE_STEP, edge + FINE_STEP + 1.5 * COARSE_STEP)
         tables[row + RAIL_LEAST_BEND] = least
         tables[row + RAIL_MOST_BEND] = most
@@ -261,26 +253,26 @@ def write_scan(tables: Tables, base: int, wheel: int, rail: int, work: 'float[:]
     count = write_raster(tables.raw, base, wheel, work, scratch, firsts)
     if count < 0:
         return count
-    bins = coarse_count(tables[wheel + START], tables[wheel + STOP])
-    cells = int(ceil((tables[rail + STOP] - tables[rail + START]) / FINE_STEP))
+    bins = coarse_count(Profile.at(tables, wheel).start, Profile.at(tables, wheel).stop)
+    cells = int(ceil((Profile.at(tables, rail).stop - Profile.at(tables, rail).start) / FINE_STEP))
     rail_offset = SCAN_NODES + SCAN_ROW * count
     bin_offset = rail_offset + RAIL_ROW * cells
     if base + bin_offset + bins > tables.raw.shape[0]:
         return FULL
     write_wheel_rows(tables.raw, base, wheel, count, work, scratch)
     write_levers(tables, base, wheel, count)
-    least, most, steepest = bend_range(tables.raw, wheel, work, scratch, tables[wheel + START], tables[wheel + STOP])
+    least, most, steepest = bend_range(tables.raw, wheel, work, scratch, Profile.at(tables, wheel).start, Profile.at(tables, wheel).stop)
     tables[base + SCAN_STEEPEST] = steepest
     sample_pieces(tables.raw, rail, work, scratch)
     write_rail_rows(tables.raw, base + rail_offset, rail, cells, work, scratch)
     tables[base + SCAN_COUNT] = float(count)
     tables[base + SCAN_RAIL_COUNT] = float(cells)
-    tables[base + SCAN_RAIL_START] = tables[rail + START]
+    tables[base + SCAN_RAIL_START] = Profile.at(tables, rail).start
     tables[base + SCAN_RAIL_PER_METRE] = 1.0 / FINE_STEP
     tables[base + SCAN_RAIL_OFFSET] = float(rail_offset)
     tables[base + SCAN_BIN_OFFSET] = float(bin_offset)
     tables[base + SCAN_BIN_COUNT] = float(bins)
-    tables[base + SCAN_BINS_PER_METRE] = float(bins) / (tables[wheel + STOP] - tables[wheel + START])
+    tables[base + SCAN_BINS_PER_METRE] = float(bins) / (Profile.at(tables, wheel).stop - Profile.at(tables, wheel).start)
     for i in range(bins):
         tables[base + bin_offset + i] = work[firsts + i]
     return base + bin_offset + bins

@@ -20,6 +20,7 @@ from ..layout import (
     SIDES_BOTH,
     STATION_COUNT,
     UNLOADED,
+    Profile,
     Tables,
 )
 from ..search.starts import (
@@ -33,7 +34,6 @@ from ..search.starts import (
     START_ROW,
     START_ROWS,
 )
-from ..surface.profile_table import START, STOP
 from .curvatures import write_curvatures
 from .pieces import FULL, MM, write_profile
 from .placement import highest_point, inner_face, keep_around_top, turn_zones
@@ -182,18 +182,18 @@ def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'f
         return outcome
     write_settings(setup, tables)
     wheel = SETTING_COUNT
-    tables.wheel = float(wheel)
+    tables.wheel = wheel
     rail = write_profile(tables.raw, wheel, work, 0, setup[SETUP_NAN], work, scratch)
     if rail == FULL:
         return TABLES_FULL
-    tables.rail = float(rail)
+    tables.rail = rail
     at = write_profile(tables.raw, rail, work, rail_zones, setup[SETUP_NAN], work, scratch)
     if at == FULL:
         return TABLES_FULL
     tables.scan = float(at)
     at = write_scan(tables, at, wheel, rail, work, scratch)
     if at == TOO_WIDE:
-        report[REPORT_WIDTH] = tables[wheel + STOP] - tables[wheel + START]
+        report[REPORT_WIDTH] = Profile.at(tables, wheel).stop - Profile.at(tables, wheel).start
         return WHEEL_TOO_WIDE
     if at != FULL:
         at = append(tables.raw, at, SET_HERTZ, hertz)
@@ -202,11 +202,11 @@ def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'f
     if at != FULL:
         at = append_starts(tables, at)
     if at != FULL:
-        tables.wheel_curvature = float(at)
+        tables.wheel_curvature = at
         at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
                               work, scratch)
     if at != FULL:
-        tables.rail_curvature = float(at)
+        tables.rail_curvature = at
         at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
                               work, scratch)
     if at == FULL:

@@ -16,7 +16,7 @@ from typing import Final
 
 from ..layout import NOT_CONVERGED, OFF_PROFILE, VALID, WORK_ROLLS, Place, State, Tables, Work
 from ..surface.locus import around_wheel, outline_point
-from ..surface.profile_table import START, height_slope
+from ..surface.profile_table import height_slope
 from .roll import ROLL_LIMIT, close_in, follow_side, newton_move, search_both, some_roll, turn_both
 from .search import (
     REACH_SHARE,
@@ -84,7 +84,7 @@ def beside_rail(tables: Tables, work: Work, at: Place, known: float, roll: float
     if low >= 0:
         reach = REACH_SHARE * sine * sine * tables.radius * tables[scan + SCAN_STEEPEST]
         furthest = at.shift + tables.arm + tables[nodes + SCAN_ROW * high + ROW_Y] + reach
-        if furthest > tables.rail_y + tables[int(tables.rail) + START]:
+        if furthest > tables.rail_y + tables.rail.start:
             beside = 0
     return beside
 
@@ -136,9 +136,9 @@ def falls_at_level(tables: Tables, work: Work, roll: float):
 
 def lever_at(tables: Tables, work: Work, at: Place, y: float):
     """How the gap at ``y`` [m] would change with the roll if the rail there were parallel to the wheel [m]."""
-    z, slope = height_slope(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
-    sin_phi, cos_phi = around_wheel(work, at, slope)
+    z, slope = height_slope(tables.wheel, y)
+    y_track, z_track, outline_slope = outline_point(at, y, z, slope)
+    sin_phi, cos_phi = around_wheel(at, slope)
     arm = at.arm + y
     height = (at.radius + z) * cos_phi
     sin_roll = at.sin_roll

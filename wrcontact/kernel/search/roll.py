@@ -23,7 +23,7 @@ from ..layout import (
 )
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, outline_point, place_wheelset, turn_wheelset
-from ..surface.profile_table import START, STOP, height_slope
+from ..surface.profile_table import height_slope
 from .search import SHARP, search_side
 
 #: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
@@ -45,16 +45,16 @@ FOLLOW_REACH: Final[float] = 2e-3
 
 def place_both(tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    place_wheelset(work, work.places[1], work.inputs.lateral_shift, work.inputs.yaw, roll,
+    place_wheelset(work.places[1], work.inputs.lateral_shift, work.inputs.yaw, roll,
                    tables.radius, tables.arm)
-    mirror_place(work, work.places[1], work.places[0])
+    mirror_place(work.places[1], work.places[0])
     return 0
 
 
 def turn_both(work: Work, roll: float):
     """Both placed wheels at another ``roll``."""
-    turn_wheelset(work, work.places[1], roll)
-    mirror_roll(work, work.places[1], work.places[0])
+    turn_wheelset(work.places[1], roll)
+    mirror_roll(work.places[1], work.places[0])
     return 0
 
 
@@ -69,17 +69,17 @@ def follow_side(tables: Tables, work: Work, state: State, index: int):
     """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
     side = work.sides[index]
     at = work.places[index]
-    wheel = int(tables.wheel)
+    wheel = tables.wheel
     y = side.best_y
     for i in range(FOLLOW_STEPS):
-        gap, mismatch, rate = vertical_gap(tables, work, at, y)
+        gap, mismatch, rate = vertical_gap(tables, at, y)
         state.gap_count += 1.0
         if not rate > 0.0:
             return 0
         move = -mismatch / rate
         if fabs(move) < SHARP:
-            z, slope = height_slope(tables.raw, wheel, y)
-            y_track, z_track, outline_slope = outline_point(work, at, y, z, slope)
+            z, slope = height_slope(wheel, y)
+            y_track, z_track, outline_slope = outline_point(at, y, z, slope)
             if above_rail(tables, y_track - tables.rail_y) == 0:
                 return 0
             side.best = gap
@@ -87,7 +87,7 @@ def follow_side(tables: Tables, work: Work, state: State, index: int):
             side.best_rail = y_track - tables.rail_y
             return 1
         y += move
-        if fabs(y - side.best_y) > FOLLOW_REACH or not (y > tables[wheel + START] and y < tables[wheel + STOP]):
+        if fabs(y - side.best_y) > FOLLOW_REACH or not (y > wheel.start and y < wheel.stop):
             return 0
     return 0
 
@@ -95,8 +95,8 @@ def follow_side(tables: Tables, work: Work, state: State, index: int):
 def newton_move(tables: Tables, work: Work):
     """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
     difference = work.sides[1].best - work.sides[0].best
-    rate = (gap_per_roll(tables, work, work.places[1], work.sides[1].best_y)
-            + gap_per_roll(tables, work, work.places[0], work.sides[0].best_y))
+    rate = (gap_per_roll(tables, work.places[1], work.sides[1].best_y)
+            + gap_per_roll(tables, work.places[0], work.sides[0].best_y))
     move = 1.0
     if rate < 0.0:
         move = -difference / rate
@@ -116,8 +116,8 @@ def balance(tables: Tables, work: Work, state: State, roll: float, low: float, h
         state.roll_count += 1.0
         state.gap_count += 2.0
         turn_both(work, roll)
-        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work, work.places[0], left)
-        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work, work.places[1],
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work.places[0], left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work.places[1],
                                                                                              right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
@@ -149,9 +149,9 @@ def balance(tables: Tables, work: Work, state: State, roll: float, low: float, h
 
 def on_profiles(tables: Tables, y: float, abscissa: float):
     """1 if there is a wheel at ``y`` and a rail at ``abscissa`` [m], else 0."""
-    wheel = int(tables.wheel)
+    wheel = tables.wheel
     on = above_rail(tables, abscissa)
-    if y < tables[wheel + START] or y > tables[wheel + STOP]:
+    if y < wheel.start or y > wheel.stop:
         on = 0
     return on
 

@@ -14,7 +14,7 @@ from typing import Final
 from ..layout import SIDE_STACK, Place, SideSearch, State, Tables, Work, offset
 from ..surface.gap import FOLDED, above_rail, vertical_gap
 from ..surface.locus import outline_point
-from ..surface.profile_table import START, STOP, height_slope
+from ..surface.profile_table import height_slope
 
 # the scan table: sizes, then the nodes, then the raster of the rail's bounds, then the first node of each bin
 SCAN_COUNT: Final[int] = 0           # nodes
@@ -97,10 +97,10 @@ def node_below(tables: Tables, y: float):
 def node_gap(tables: Tables, place: Work, at: Place, node: int):
     """Gap [m], slope difference rail - outline [-] and rail abscissa [m] at scan node ``node``."""
     row = int(tables.scan) + SCAN_NODES + SCAN_ROW * node
-    y_track, z_track, outline_slope = outline_point(place, at, tables[row + ROW_Y], tables[row + ROW_HEIGHT],
+    y_track, z_track, outline_slope = outline_point(at, tables[row + ROW_Y], tables[row + ROW_HEIGHT],
                                                     tables[row + ROW_SLOPE])
     abscissa = y_track - tables.rail_y
-    height, rail_slope = height_slope(tables.raw, int(tables.rail), abscissa)
+    height, rail_slope = height_slope(tables.rail, abscissa)
     return height - z_track, rail_slope - outline_slope, abscissa
 
 
@@ -336,10 +336,10 @@ def is_gone(tables: Tables, place: Work, at: Place, node: int, direction: int, a
     rail that ends below the flange root.
     """
     scan = int(tables.scan)
-    rail = int(tables.rail)
-    apart = abscissa - tables[rail + STOP]
+    rail = tables.rail
+    apart = abscissa - rail.stop
     if direction < 0:
-        apart = tables[rail + START] - abscissa
+        apart = rail.start - abscissa
     reach = 0.0
     if at.yawed:
         sine = at.sin_yaw
@@ -380,7 +380,7 @@ def search_end(tables: Tables, work: Work, side: SideSearch, place: Work, at: Pl
     if outward < 0:
         cell = node - 1
     if beyond < abscissa:
-        abscissa = tables[int(tables.rail) + START]
+        abscissa = tables.rail.start
     least, most = bend_bounds(tables, place, at, cell, abscissa)
     if inside < inner:
         search_cell(tables, work, side, place, at, state, -1.0, most, inside, inner)
@@ -397,8 +397,8 @@ def rail_end(tables: Tables, place: Work, at: Place, node: int, outward: int):
     outside = tables[row + SCAN_ROW * outward + ROW_Y]
     while fabs(outside - inside) > END_SHARP:
         middle = 0.5 * (inside + outside)
-        z, slope = height_slope(tables.raw, int(tables.wheel), middle)
-        y_track, z_track, outline_slope = outline_point(place, at, middle, z, slope)
+        z, slope = height_slope(tables.wheel, middle)
+        y_track, z_track, outline_slope = outline_point(at, middle, z, slope)
         if above_rail(tables, y_track - tables.rail_y) == 1:
             inside = middle
         else:
@@ -490,8 +490,8 @@ def list_end(tables: Tables, work: Work, side: SideSearch, place: Work, at: Plac
     if outward < 0:
         cell = node - 1
     if low < high:
-        gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
-        gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
+        gap_low, mismatch_low, rate = vertical_gap(tables, at, low)
+        gap_high, mismatch_high, rate = vertical_gap(tables, at, high)
         state.gap_count += 2.0
         list_cell(tables, work, side, place, at, state, reach, cell, direction, rail_place(tables, place, at, low), low,
                   high, gap_low, gap_high, mismatch_low, mismatch_high)
@@ -500,8 +500,8 @@ def list_end(tables: Tables, work: Work, side: SideSearch, place: Work, at: Plac
 
 def rail_place(tables: Tables, place: Work, at: Place, y: float):
     """Abscissa on the rail [m] below wheel abscissa ``y`` [m]."""
-    z, slope = height_slope(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
+    z, slope = height_slope(tables.wheel, y)
+    y_track, z_track, outline_slope = outline_point(at, y, z, slope)
     return y_track - tables.rail_y
 
 
@@ -518,8 +518,8 @@ def list_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: Pla
     if not stretch < WIDEST:
         # the outline may be folded there
         least = nothing
-        gap_low, mismatch_low, rate = vertical_gap(tables, place, at, low)
-        gap_high, mismatch_high, rate = vertical_gap(tables, place, at, high)
+        gap_low, mismatch_low, rate = vertical_gap(tables, at, low)
+        gap_high, mismatch_high, rate = vertical_gap(tables, at, high)
         state.gap_count += 2.0
     stack = offset(side, work) + SIDE_STACK
     push_cell(work.raw, stack, low, high, gap_low, gap_high, mismatch_low, mismatch_high)
@@ -543,7 +543,7 @@ def list_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: Pla
                     list_minimum(work, side, y, rail_place(tables, place, at, y), direction)
             elif width > LISTED and (folded or is_steady(least, most, width, mismatch_low, mismatch_high) == 0):
                 middle = 0.5 * (low + high)
-                gap, mismatch, rate = vertical_gap(tables, place, at, middle)
+                gap, mismatch, rate = vertical_gap(tables, at, middle)
                 state.gap_count += 1.0
                 # the one that comes first in ``direction`` on top
                 if direction > 0:
@@ -599,8 +599,8 @@ def search_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: P
     """Local minima between ``first`` and ``last`` [m]: halve while a better value is possible, refine where the slope
     turns.  ``least`` and ``most`` bound the second derivative."""
     stack = offset(side, work) + SIDE_STACK
-    gap_low, mismatch_low, rate = vertical_gap(tables, place, at, first)
-    gap_high, mismatch_high, rate = vertical_gap(tables, place, at, last)
+    gap_low, mismatch_low, rate = vertical_gap(tables, at, first)
+    gap_high, mismatch_high, rate = vertical_gap(tables, at, last)
     state.gap_count += 2.0
     push_cell(work.raw, stack, first, last, gap_low, gap_high, mismatch_low, mismatch_high)
     depth = 1
@@ -628,7 +628,7 @@ def search_cell(tables: Tables, work: Work, side: SideSearch, place: Work, at: P
                 keep_refined(work, side, y, gap, width)
             elif width > NARROW and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
-                gap, mismatch, rate = vertical_gap(tables, place, at, middle)
+                gap, mismatch, rate = vertical_gap(tables, at, middle)
                 state.gap_count += 1.0
                 push_cell(work.raw, top, low, middle, gap_low, gap, mismatch_low, mismatch)
                 push_cell(work.raw, top + 6, middle, high, gap, gap_high, mismatch, mismatch_high)
@@ -675,7 +675,7 @@ def refine_minimum(tables: Tables, place: Work, at: Place, state: State, low: fl
     y = low - mismatch_low * (high - low) / (mismatch_high - mismatch_low)
     gap = 0.0
     for i in range(60):
-        gap, mismatch, rate = vertical_gap(tables, place, at, y)
+        gap, mismatch, rate = vertical_gap(tables, at, y)
         state.gap_count += 1.0
         if mismatch < 0.0:
             low = y

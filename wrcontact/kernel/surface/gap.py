@@ -6,9 +6,9 @@ wheelset stands at vertical shift zero, so contact lies at the smallest gap and 
 
 from typing import Final
 
-from ..layout import Place, Tables, Work
+from ..layout import Place, Tables
 from .locus import around_wheel, outline_jet, outline_point
-from .profile_table import START, STOP, height_slope, height_slope_bend
+from .profile_table import height_slope, height_slope_bend
 
 #: Slope difference of a point that cannot be in contact.
 FOLDED: Final[float] = 1e6
@@ -16,39 +16,39 @@ FOLDED: Final[float] = 1e6
 
 def above_rail(tables: Tables, abscissa: float):
     """1 if the rail profile has a height at ``abscissa`` [m], else 0."""
-    rail = int(tables.rail)
+    rail = tables.rail
     inside = 0
-    if abscissa >= tables[rail + START] and abscissa <= tables[rail + STOP]:
+    if abscissa >= rail.start and abscissa <= rail.stop:
         inside = 1
     return inside
 
 
-def vertical_gap(tables: Tables, place: Work, at: Place, y: float):
+def vertical_gap(tables: Tables, at: Place, y: float):
     """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
 
     Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
     difference reads FOLDED.
     """
-    z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, at, y, z, slope, bend)
-    z_rail, rail_slope, rail_bend = height_slope_bend(tables.raw, int(tables.rail), y_track - tables.rail_y)
+    z, slope, bend = height_slope_bend(tables.wheel, y)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(at, y, z, slope, bend)
+    z_rail, rail_slope, rail_bend = height_slope_bend(tables.rail, y_track - tables.rail_y)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
         mismatch = FOLDED
     return z_rail - z_track, mismatch, rail_bend * stretch - outline_rate
 
 
-def gap_per_roll(tables: Tables, place: Work, at: Place, y: float):
+def gap_per_roll(tables: Tables, at: Place, y: float):
     """Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
 
     At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel point,
     z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
     dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
     """
-    z, slope = height_slope(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope = outline_point(place, at, y, z, slope)
-    z_rail, rail_slope = height_slope(tables.raw, int(tables.rail), y_track - tables.rail_y)
-    sin_phi, cos_phi = around_wheel(place, at, slope)
+    z, slope = height_slope(tables.wheel, y)
+    y_track, z_track, outline_slope = outline_point(at, y, z, slope)
+    z_rail, rail_slope = height_slope(tables.rail, y_track - tables.rail_y)
+    sin_phi, cos_phi = around_wheel(at, slope)
     arm = at.arm + y
     height = (at.radius + z) * cos_phi
     sin_roll = at.sin_roll
@@ -58,23 +58,23 @@ def gap_per_roll(tables: Tables, place: Work, at: Place, y: float):
     return rail_slope * lateral - vertical
 
 
-def gap_jet(tables: Tables, place: Work, at: Place, y: float):
+def gap_jet(tables: Tables, at: Place, y: float):
     """``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed wheel point, and
     the rail abscissa [m].
 
     The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
     """
-    z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
-    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, at, y, z, slope, bend)
+    z, slope, bend = height_slope_bend(tables.wheel, y)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(at, y, z, slope, bend)
     abscissa = y_track - tables.rail_y
-    z_rail, rail_slope, rail_bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
+    z_rail, rail_slope, rail_bend = height_slope_bend(tables.rail, abscissa)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
         mismatch = FOLDED
     lateral = -at.cos_yaw * (z_track + at.radius)
     vertical = y_track - at.shift
     if at.yawed:
-        sin_phi, cos_phi = around_wheel(place, at, slope)
+        sin_phi, cos_phi = around_wheel(at, slope)
         vertical = ((at.arm + y) * at.cos_roll
                     - (at.radius + z) * cos_phi * at.sin_roll)
     return (z_rail - z_track, mismatch, rail_bend * stretch - outline_rate, rail_slope * lateral - vertical,

@@ -10,16 +10,12 @@ Everything here is for a right wheel; the left one comes in mirrored (convention
 """
 
 from math import cos, sin, sqrt
-from typing import Final
 
-from ..layout import Place, Work
-
-# where the placed wheelset stands in the array ``place``
-PLACE_SIZE: Final[int] = 11
+from ..layout import Place
 
 
-def place_wheelset(place: Work, at: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
-    """Write the pose of a right wheel to ``place[at:]``; ``arm`` is half the distance of the running circles [m]."""
+def place_wheelset(at: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
+    """Write the pose of a right wheel to ``at``; ``arm`` is half the distance of the running circles [m]."""
     at.shift = lateral_shift
     at.sin_yaw = 0.0
     at.cos_yaw = 1.0
@@ -30,11 +26,11 @@ def place_wheelset(place: Work, at: Place, lateral_shift: float, yaw: float, rol
         at.yawed = True
     at.radius = radius
     at.arm = arm
-    turn_wheelset(place, at, roll)
+    turn_wheelset(at, roll)
     return 0
 
 
-def turn_wheelset(place: Work, at: Place, roll: float):
+def turn_wheelset(at: Place, roll: float):
     """Give the wheelset at ``at`` another roll [rad]."""
     sin_roll = sin(roll)
     cos_roll = cos(roll)
@@ -54,7 +50,7 @@ def turn_wheelset(place: Work, at: Place, roll: float):
     return 0
 
 
-def mirror_place(place: Work, at: Place, to: Place):
+def mirror_place(at: Place, to: Place):
     """The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign."""
     to.shift = -at.shift
     to.sin_yaw = -at.sin_yaw
@@ -62,11 +58,11 @@ def mirror_place(place: Work, at: Place, to: Place):
     to.radius = at.radius
     to.arm = at.arm
     to.yawed = at.yawed
-    mirror_roll(place, at, to)
+    mirror_roll(at, to)
     return 0
 
 
-def mirror_roll(place: Work, at: Place, to: Place):
+def mirror_roll(at: Place, to: Place):
     """What ``turn_wheelset`` has changed, mirrored."""
     to.sin_roll = -at.sin_roll
     to.cos_roll = at.cos_roll
@@ -76,7 +72,7 @@ def mirror_roll(place: Work, at: Place, to: Place):
     return 0
 
 
-def around_wheel(place: Work, at: Place, slope: float):
+def around_wheel(at: Place, slope: float):
     """sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x component.
 
     Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
@@ -92,7 +88,7 @@ def around_wheel(place: Work, at: Place, slope: float):
     return -(t * root + w) * cos_t, (root - t * w) * cos_t
 
 
-def outline_point(place: Work, at: Place, y: float, z: float, slope: float):
+def outline_point(at: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y, z).
 
     The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
@@ -108,7 +104,7 @@ def outline_point(place: Work, at: Place, y: float, z: float, slope: float):
     else:
         sin_yaw = at.sin_yaw
         cos_yaw = at.cos_yaw
-        sin_phi, cos_phi = around_wheel(place, at, slope)
+        sin_phi, cos_phi = around_wheel(at, slope)
         y_track = (at.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
         z_track = arm * sin_roll + r * cos_phi * cos_roll - at.radius
@@ -118,7 +114,7 @@ def outline_point(place: Work, at: Place, y: float, z: float, slope: float):
     return y_track, z_track, outline_slope
 
 
-def outline_jet(place: Work, at: Place, y: float, z: float, slope: float, bend: float):
+def outline_jet(at: Place, y: float, z: float, slope: float, bend: float):
     """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]."""
     sin_roll = at.sin_roll
     cos_roll = at.cos_roll
@@ -133,7 +129,7 @@ def outline_jet(place: Work, at: Place, y: float, z: float, slope: float, bend: 
     else:
         sin_yaw = at.sin_yaw
         cos_yaw = at.cos_yaw
-        sin_phi, cos_phi = around_wheel(place, at, slope)
+        sin_phi, cos_phi = around_wheel(at, slope)
         w = at.w_per_slope * slope
         phi_rate = 0.0
         if w * w < 1.0:

@@ -63,7 +63,7 @@ from ..normal.strips import eliminate
 from ..search.roll import place_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, outline_jet, turn_wheelset
-from ..surface.profile_table import START, STOP, height_slope_bend
+from ..surface.profile_table import height_slope_bend
 from ..wheelset.elastic import ELASTIC_SHARP, bear_side, carry_side
 from ..wheelset.resultant import write_resultant
 from ..wheelset.step import side_force, stand_rigid, withhold
@@ -102,8 +102,8 @@ def place_moving(tables: Tables, work: Work, roll: float):
         work.places[1].sin_yaw = sin(yaw)
         work.places[1].cos_yaw = cos(yaw)
         work.places[1].yawed = True
-        turn_wheelset(work, work.places[1], roll)
-        mirror_place(work, work.places[1], work.places[0])
+        turn_wheelset(work.places[1], roll)
+        mirror_place(work.places[1], work.places[0])
     return 0
 
 
@@ -113,9 +113,9 @@ def follow_minimum(tables: Tables, work: Work, index: int):
     side = work.sides[index]
     at = work.places[index]
     y = held(side.best_y)
-    gap, mismatch, rate = vertical_gap(tables, work, at, y)
+    gap, mismatch, rate = vertical_gap(tables, at, y)
     y = moving(y, -mismatch / held(rate))
-    gap, mismatch, rate = vertical_gap(tables, work, at, y)
+    gap, mismatch, rate = vertical_gap(tables, at, y)
     side.best_y = y
     side.best = moving(side.best, gap)
     return 0
@@ -127,9 +127,9 @@ def follow_roll(tables: Tables, work: Work):
     place_moving(tables, work, roll)
     left = held(work.sides[0].best_y)
     right = held(work.sides[1].best_y)
-    gap_left, mismatch_left, rate_left = vertical_gap(tables, work, work.places[0], left)
-    gap_right, mismatch_right, rate_right = vertical_gap(tables, work, work.places[1], right)
-    lever = (gap_per_roll(tables, work, work.places[1], right) + gap_per_roll(tables, work, work.places[0], left))
+    gap_left, mismatch_left, rate_left = vertical_gap(tables, work.places[0], left)
+    gap_right, mismatch_right, rate_right = vertical_gap(tables, work.places[1], right)
+    lever = (gap_per_roll(tables, work.places[1], right) + gap_per_roll(tables, work.places[0], left))
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
@@ -254,15 +254,15 @@ def width_rule(tables: Tables, work: Work, state: State, block: Region, directio
         if rate * direction > 0.0:
             moved = lack / held(rate * direction)
         gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, 1.0), tolerance)
-        rail = int(tables.rail)
-        wheel = int(tables.wheel)
+        rail = tables.rail
+        wheel = tables.wheel
         x = work.frame.tracer_rail
         y = work.frame.tracer_wheel
         out = rate_of(x) - rail_rate
-        if out != 0.0 and (x < tables[rail + START] + WIDTH_TRACE or x > tables[rail + STOP] - WIDTH_TRACE):
+        if out != 0.0 and (x < rail.start + WIDTH_TRACE or x > rail.stop - WIDTH_TRACE):
             moved = -rail_rate / out
         out = rate_of(y) - wheel_rate
-        if out != 0.0 and (y < tables[wheel + START] + WIDTH_TRACE or y > tables[wheel + STOP] - WIDTH_TRACE):
+        if out != 0.0 and (y < wheel.start + WIDTH_TRACE or y > wheel.stop - WIDTH_TRACE):
             moved = -wheel_rate / out
         gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
@@ -340,9 +340,9 @@ def pair_rule(tables: Tables, work: Work, at: Place, y: float, abscissa: float, 
     y, abscissa, depth, aside, back_shift, found = touching_pair(tables, work, at, y, abscissa, shift)
     if found == 1:
         for i in range(2):
-            z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
-            y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
-            height, m, rail_bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
+            z, slope, bend = height_slope_bend(tables.wheel, y)
+            y_track, z_track, outline_slope, stretch, rate = outline_jet(at, y, z, slope, bend)
+            height, m, rail_bend = height_slope_bend(tables.rail, abscissa)
             across = y_track - tables.rail_y - abscissa
             down = z_track + shift - height
             if i == 0:
@@ -419,9 +419,9 @@ def line_rule(tables: Tables, work: Work, at: Place, abscissa: float, y: float, 
     """``normal_line``: the wheel's point lies on the rail's normal."""
     y, overlap, tangent, turn, curvature, found = normal_line(tables, work, at, abscissa, y, height)
     if found == 1:
-        z_rail, m, rail_bend = height_slope_bend(tables.raw, int(tables.rail), abscissa)
-        z, slope, bend = height_slope_bend(tables.raw, int(tables.wheel), y)
-        y_track, z_track, outline_slope, stretch, rate = outline_jet(work, at, y, z, slope, bend)
+        z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
+        z, slope, bend = height_slope_bend(tables.wheel, y)
+        y_track, z_track, outline_slope, stretch, rate = outline_jet(at, y, z, slope, bend)
         rest = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
         y = moving(y, -rest / held(stretch * (1.0 + m * outline_slope)))
         y, overlap, tangent, turn, curvature, found = differentiated(normal_line(tables, work, at, abscissa, y, height))

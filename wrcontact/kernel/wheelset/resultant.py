@@ -35,7 +35,7 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
         # from the region's smallest gap to its centre of load, along its plane
         away = block.moment / load - block.offset - block.station
         abscissa = block.rail + away * cosine
-        height, slope = height_slope(tables.raw, int(tables.rail), abscissa)
+        height, slope = height_slope(tables.rail, abscissa)
         normal_cos = 1.0 / sqrt(1.0 + slope * slope)
         normal_sin = slope * normal_cos
         if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:

@@ -128,8 +128,8 @@ def side_lever(tables: Tables, work: Work, index: int, count: int):
         block = work.regions[region]
         stiffness = block.stiffness * block.share * block.cos
         weight += stiffness
-        total += stiffness * gap_per_roll(tables, work, at, block.wheel)
-    lever = gap_per_roll(tables, work, at, work.sides[index].best_y)
+        total += stiffness * gap_per_roll(tables, at, block.wheel)
+    lever = gap_per_roll(tables, at, work.sides[index].best_y)
     if weight > 0.0:
         lever = total / weight
     return lever
