@@ -98,6 +98,12 @@ def total(terms):
     return result
 
 
+def distance(part, whole):
+    """How far behind the beginning of the record ``whole`` another begins; None is an array."""
+    terms = whole.terms if whole else []
+    return ast.BinOp(total(part.terms), ast.Sub(), total(terms)) if terms else total(part.terms)
+
+
 class Lowered(ast.NodeTransformer):
     """One module.  ``signatures`` of all modules: {(module, function): [(parameter, record class or None)]}, and ``results``: the
     class of the record that a function returns."""
@@ -258,7 +264,14 @@ class Lowered(ast.NodeTransformer):
         return ast.Subscript(ast.Name(ref.array, ast.Load()), total(ref.terms), ctx)
 
     def visit_Assign(self, node):
-        ref = self.ref(node.targets[0]) if isinstance(node.targets[0], (ast.Attribute, ast.Subscript)) else None
+        target, pointed = node.targets[0], self.ref(node.value)
+        ref = self.ref(target) if isinstance(target, (ast.Attribute, ast.Subscript)) else None
+        if ref and pointed and is_record(pointed.kind):
+            outer = self.ref(target.value)
+            if outer.kind.targets.get(getattr(target, "attr", None)) is not pointed.kind:
+                self.refuse(node, f"{ast.unparse(target)} is not where a {pointed.kind.__name__} begins")
+            value = ast.Call(ast.Name("float", ast.Load()), [distance(pointed, outer)], [])
+            return ast.Assign([self.visit(target)], value, lineno=node.lineno)
         if ref and ref.kind in (int, bool):
             node.value = ast.Call(ast.Name("float", ast.Load()), [node.value], [])
         return self.generic_visit(node)
@@ -272,7 +285,7 @@ class Lowered(ast.NodeTransformer):
     def visit_Call(self, node):
         name = ast.unparse(node.func)
         if name == "offset":
-            return total(self.ref(node.args[0]).terms)
+            return distance(self.ref(node.args[0]), self.ref(node.args[1]))
         parameters = self.signatures.get(self.function_key(name), [])
         if not any(kind for _, kind in parameters):
             return self.generic_visit(node)

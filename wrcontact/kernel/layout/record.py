@@ -80,7 +80,7 @@ class To:
 def pointed(name, kind):
     """A field that reads as the record at the offset that it holds, and is written as an offset."""
     return property(lambda self: kind.from_address(ctypes.addressof(self) + WIDTH * int(getattr(self, name))),
-                    lambda self, value: setattr(self, name, float(value)))
+                    lambda self, value: setattr(self, name, float(offset(value, self) if isinstance(value, Record) else value)))
 
 
 def run(length):

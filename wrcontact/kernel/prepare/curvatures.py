@@ -183,7 +183,7 @@ def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, k
     stop = Profile.at(tables, profile).stop
     count = int(ceil((stop - start) / min(max(RASTER_SHARE * scale, FINEST), COARSEST))) + 1
     table = CurvatureTable.at(tables, base)
-    first = base + offset(table.curvatures, table)
+    first = offset(table.curvatures, tables)
     if first + count > tables.shape[0]:
         return FULL
     table.count = float(count)
