@@ -139,7 +139,7 @@ static inline double contact_plane__first_abscissa(array_double_1d work, int64_t
  * frame : where cosine and sine of the plane's angle against the profile stand.
  * origin, height_there : the profile's point at station zero [m].
  */
-static inline int64_t contact_plane__trace_profile(double* result_0, double* result_1, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
+static inline int64_t contact_plane__trace_profile(double* result_0, double* result_1, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there)
 {
     double cosine;
     double sine;
@@ -155,8 +155,8 @@ static inline int64_t contact_plane__trace_profile(double* result_0, double* res
     double ordinate;
     cosine = (*cspan_at(&work, frame));
     sine = (*cspan_at(&work, frame + INT64_C(1)));
-    start = (*cspan_at(&tables, base + profile_table__START));
-    stop = (*cspan_at(&tables, base + profile_table__STOP));
+    start = (*cspan_at(&tables, profile + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
     u = contact_plane__first_abscissa(work, tracer, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
     (*exists) = INT64_C(0);
     offset = 0.0;
@@ -174,7 +174,7 @@ static inline int64_t contact_plane__trace_profile(double* result_0, double* res
         {
             u = stop;
         }
-        profile_table__height_slope_bend(height, slope, &bend, tables, base, u);
+        profile_table__height_slope_bend(height, slope, &bend, tables, profile, u);
         forward = cosine + (*slope) * sine;
         offset = (u - origin) * cosine + ((*height) - height_there) * sine - station;
         if (fabs(offset) < tolerance)
@@ -264,8 +264,8 @@ static inline int64_t contact_plane__trace_outline(double* result_0, double* res
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
     sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
-    start = (*cspan_at(&tables, wheel + profile_table__START));
-    stop = (*cspan_at(&tables, wheel + profile_table__STOP));
+    start = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE));
     above = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
     y = contact_plane__first_abscissa(work, contact_plane__TRACER_WHEEL, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));

@@ -17,10 +17,10 @@
 #include "locus.h"
 #include "profile_table.h"
 
-static const int64_t contact_plane__AT_PLANE = INT64_C(2326);
-static const int64_t contact_plane__AT_WHEEL_PLANE = INT64_C(2331);
-static const int64_t contact_plane__TRACER_RAIL = INT64_C(2334);
-static const int64_t contact_plane__TRACER_WHEEL = INT64_C(2337);
+static const int64_t contact_plane__AT_PLANE = INT64_C(2316);
+static const int64_t contact_plane__AT_WHEEL_PLANE = INT64_C(2321);
+static const int64_t contact_plane__TRACER_RAIL = INT64_C(2324);
+static const int64_t contact_plane__TRACER_WHEEL = INT64_C(2327);
 static const double contact_plane__NO_GAP = 1.0;
 static const double contact_plane__NEAR = 0.001;
 static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);
@@ -30,7 +30,7 @@ static inline int64_t contact_plane__start_tracer(array_double_1d work, double s
 static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t at, double y, double aside, double shift);
 static inline double contact_plane__longitudinal_curvature(array_double_1d tables, array_double_1d place, int64_t at, double z, double slope, double bend);
 static inline double contact_plane__first_abscissa(array_double_1d work, int64_t tracer, double away);
-static inline int64_t contact_plane__trace_profile(double* result_0, double* result_1, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t base, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);
+static inline int64_t contact_plane__trace_profile(double* result_0, double* result_1, double* turn, double* slope, double* height, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t tracer, int64_t frame, double station, double tolerance, double origin, double height_there);
 static inline int64_t contact_plane__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);
 static inline int64_t contact_plane__trace_outline(double* result_0, double* result_1, double* turn, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, int64_t at, double station, double tolerance);
 static inline int64_t contact_plane__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d tables, array_double_1d work, double station, double tolerance);

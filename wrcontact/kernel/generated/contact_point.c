@@ -67,11 +67,11 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
 }
 
 /* 1 if ``y`` [m] is at an end of the profile, else 0. */
-static inline int64_t contact_point__is_end(array_double_1d tables, int64_t base, double y)
+static inline int64_t contact_point__is_end(array_double_1d tables, int64_t profile, double y)
 {
     int64_t end;
     end = INT64_C(0);
-    if ((y < (*cspan_at(&tables, base + profile_table__START)) + contact_point__AT_END) || (y > (*cspan_at(&tables, base + profile_table__STOP)) - contact_point__AT_END))
+    if ((y < (*cspan_at(&tables, profile + layout__PROFILE_START)) + contact_point__AT_END) || (y > (*cspan_at(&tables, profile + layout__PROFILE_STOP)) - contact_point__AT_END))
     {
         end = INT64_C(1);
     }

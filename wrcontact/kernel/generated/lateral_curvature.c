@@ -1,23 +1,20 @@
 /* Generated from surface/lateral_curvature.py by tools/transpile_kernel.py; change that one.
  *
- * Lateral curvatures of wheel and rail profile, prepared once (prepare_curvatures.py) and read off along them.
- *
- * Table at ``base``: count of values, start [m], values per metre, then the curvatures [1/m] at even distances, positive where
- * the profile bulges towards the other body.
+ * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along them.
  */
 
 #include "lateral_curvature.h"
 
-/* Curvature [1/m] of the profile at ``y`` [m], on the straight line between two values; beyond an end the end's. */
-static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t base, double y)
+/* Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at that end. */
+static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t table, double y)
 {
     double u;
     double last;
     int64_t cell;
-    int64_t at;
+    double before;
     double result;
-    u = (y - (*cspan_at(&tables, base + lateral_curvature__CURVATURE_START))) * (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE));
-    last = (*cspan_at(&tables, base + lateral_curvature__CURVATURE_COUNT)) - 1.0;
+    u = (y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START))) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
+    last = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0;
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -31,8 +28,8 @@ static inline double lateral_curvature__profile_curvature(array_double_1d tables
     {
         cell = (int64_t)(last) - INT64_C(1);
     }
-    at = base + lateral_curvature__CURVATURES + cell;
-    result = (*cspan_at(&tables, at)) + (u - (double)(cell)) * ((*cspan_at(&tables, at + INT64_C(1))) - (*cspan_at(&tables, at)));
+    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
+    result = before + (u - (double)(cell)) * ((*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before);
     return result;
 }
 

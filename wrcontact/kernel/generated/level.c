@@ -73,7 +73,7 @@ static inline int64_t level__beside_rail(array_double_1d tables, array_double_1d
     {
         reach = search__REACH_SHARE * sine * sine * (*cspan_at(&tables, layout__TABLES_RADIUS)) * (*cspan_at(&tables, scan + search__SCAN_STEEPEST));
         furthest = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + (*cspan_at(&tables, layout__TABLES_ARM)) + (*cspan_at(&tables, nodes + search__SCAN_ROW * high + search__ROW_Y)) + reach;
-        if (furthest > (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + profile_table__START)))
+        if (furthest > (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)))
         {
             beside = INT64_C(0);
         }

@@ -17,14 +17,12 @@
 #include "../native/spans.h"
 #include "layout.h"
 
-static const int64_t locus__PLACE_SIZE = INT64_C(11);
-
-static inline int64_t locus__turn_wheelset(array_double_1d place, int64_t at, double roll);
-static inline int64_t locus__place_wheelset(array_double_1d place, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm);
-static inline int64_t locus__mirror_roll(array_double_1d place, int64_t at, int64_t to);
-static inline int64_t locus__mirror_place(array_double_1d place, int64_t at, int64_t to);
-static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d place, int64_t at, double slope);
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d place, int64_t at, double y, double z, double slope);
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d place, int64_t at, double y, double z, double slope, double bend);
+static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t at, double roll);
+static inline int64_t locus__place_wheelset(array_double_1d work, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm);
+static inline int64_t locus__mirror_roll(array_double_1d work, int64_t at, int64_t to);
+static inline int64_t locus__mirror_place(array_double_1d work, int64_t at, int64_t to);
+static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t at, double slope);
+static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t at, double y, double z, double slope);
+static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t at, double y, double z, double slope, double bend);
 
 #endif

@@ -50,11 +50,11 @@ static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_do
 {
     int64_t rail;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__START));
+    (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + layout__PROFILE_START));
     (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = 1.0;
     if (direction > INT64_C(0))
     {
-        (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + profile_table__STOP));
+        (*cspan_at(&work, overlaps__SAMPLE_RAIL + entry)) = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
         (*cspan_at(&work, overlaps__SAMPLE_RISE + entry)) = -1.0;
     }
     return INT64_C(0);
@@ -211,14 +211,14 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_do
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     for (i = INT64_C(0); i < overlaps__WIDENINGS; i += INT64_C(1))
     {
-        if (x <= (*cspan_at(&tables, rail + profile_table__START)))
+        if (x <= (*cspan_at(&tables, rail + layout__PROFILE_START)))
         {
-            result = (*cspan_at(&tables, rail + profile_table__START));
+            result = (*cspan_at(&tables, rail + layout__PROFILE_START));
             return result;
         }
-        if (x >= (*cspan_at(&tables, rail + profile_table__STOP)))
+        if (x >= (*cspan_at(&tables, rail + layout__PROFILE_STOP)))
         {
-            result = (*cspan_at(&tables, rail + profile_table__STOP));
+            result = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
             return result;
         }
         pressed__normal_line(&y, &overlap, &rise, &bend, &curvature, &found, tables, work, at, x, y, height);
@@ -686,8 +686,8 @@ static OUT_OF_LINE int64_t overlaps__gather_overlaps(array_double_1d tables, arr
         pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0);
         (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
-        low = (*cspan_at(&tables, rail + profile_table__START));
-        high = (*cspan_at(&tables, rail + profile_table__STOP));
+        low = (*cspan_at(&tables, rail + layout__PROFILE_START));
+        high = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
         if (region > INT64_C(0))
         {
             low = (*cspan_at(&work, deep - overlaps__DEEP_SIZE + overlaps__DEEP_HUMP));

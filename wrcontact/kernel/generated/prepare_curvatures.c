@@ -3,8 +3,8 @@
  * Lateral curvature of a profile all along it, as the source takes it.
  *
  * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
- * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.  Layout in
- * lateral_curvature.py.
+ * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.
+ * The table is the record CurvatureTable.
  */
 
 #include "prepare_curvatures.h"
@@ -59,8 +59,8 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
     double u;
     double v;
     double w;
-    low = double_max(2, y - reach, (*cspan_at(&tables, profile + profile_table__START)));
-    high = double_min(2, y + reach, (*cspan_at(&tables, profile + profile_table__STOP)));
+    low = double_max(2, y - reach, (*cspan_at(&tables, profile + layout__PROFILE_START)));
+    high = double_min(2, y + reach, (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
     profile_table__height_slope(&z_0, &slope, tables, profile, y);
     cosine = 1.0 / sqrt(1.0 + slope * slope);
     sine = slope * cosine;
@@ -154,7 +154,7 @@ static inline double prepare_curvatures__write_lengths(array_double_1d tables, i
     (*cspan_at(&work, lengths)) = 0.0;
     for (i = INT64_C(0); i < prepare_scan__piece_count(tables, profile); i += INT64_C(1))
     {
-        at = first + profile_table__PIECE_SIZE * i;
+        at = first + layout__PIECE_SIZE * i;
         total += prepare_curvatures__arc_panel(tables, profile, (*cspan_at(&tables, at)), (*cspan_at(&tables, at)) + prepare_scan__piece_width(tables, profile, at), work, scratch);
         (*cspan_at(&work, lengths + i + INT64_C(1))) = total;
     }
@@ -175,7 +175,7 @@ static inline double prepare_curvatures__arc_length(array_double_1d tables, int6
     while(high - low > INT64_C(1))
     {
         middle = py_floor_div_int64_t((low + high), INT64_C(2));
-        if ((*cspan_at(&tables, first + profile_table__PIECE_SIZE * middle)) <= y)
+        if ((*cspan_at(&tables, first + layout__PIECE_SIZE * middle)) <= y)
         {
             low = middle;
         }
@@ -184,7 +184,7 @@ static inline double prepare_curvatures__arc_length(array_double_1d tables, int6
             high = middle;
         }
     }
-    result = (*cspan_at(&work, scratch + INT64_C(2) * prepare_curvatures__GAUSS_POINTS + low)) + prepare_curvatures__arc_panel(tables, profile, (*cspan_at(&tables, first + profile_table__PIECE_SIZE * low)), y, work, scratch);
+    result = (*cspan_at(&work, scratch + INT64_C(2) * prepare_curvatures__GAUSS_POINTS + low)) + prepare_curvatures__arc_panel(tables, profile, (*cspan_at(&tables, first + layout__PIECE_SIZE * low)), y, work, scratch);
     return result;
 }
 
@@ -220,7 +220,7 @@ static inline double prepare_curvatures__place_at_length(array_double_1d tables,
             end = middle;
         }
     }
-    at = prepare_scan__first_piece(tables, profile) + profile_table__PIECE_SIZE * piece;
+    at = prepare_scan__first_piece(tables, profile) + layout__PIECE_SIZE * piece;
     low = (*cspan_at(&tables, at));
     high = low + prepare_scan__piece_width(tables, profile, at);
     share = (length - (*cspan_at(&work, lengths + piece))) / ((*cspan_at(&work, lengths + piece + INT64_C(1))) - (*cspan_at(&work, lengths + piece)));
@@ -272,6 +272,8 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
     double start;
     double stop;
     int64_t count;
+    int64_t table;
+    int64_t first;
     double total;
     double distance;
     int64_t i;
@@ -286,16 +288,18 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
     {
         scale = reach;
     }
-    start = (*cspan_at(&tables, profile + profile_table__START));
-    stop = (*cspan_at(&tables, profile + profile_table__STOP));
+    start = (*cspan_at(&tables, profile + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
     count = (int64_t)((int64_t)ceil((stop - start) / double_min(2, double_max(2, prepare_curvatures__RASTER_SHARE * scale, prepare_curvatures__FINEST), prepare_curvatures__COARSEST))) + INT64_C(1);
-    if (base + lateral_curvature__CURVATURES + count > (int64_t)tables.shape[INT64_C(0)])
+    table = base;
+    first = table + layout__CURVATURE_TABLE_CURVATURES;
+    if (first + count > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, base + lateral_curvature__CURVATURE_COUNT)) = (double)(count);
-    (*cspan_at(&tables, base + lateral_curvature__CURVATURE_START)) = start;
-    (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE)) = (double)(count - INT64_C(1)) / (stop - start);
+    (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) = (double)(count);
+    (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START)) = start;
+    (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)) = (double)(count - INT64_C(1)) / (stop - start);
     total = 0.0;
     if (kind == layout__LATERAL_ROUGH)
     {
@@ -318,7 +322,7 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
         {
             curvature = prepare_curvatures__turned_curvature(tables, profile, y, step, total, work, scratch);
         }
-        (*cspan_at(&tables, base + lateral_curvature__CURVATURES + i)) = sign * curvature;
+        (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + i)) = sign * curvature;
     }
-    return base + lateral_curvature__CURVATURES + count;
+    return first + count;
 }

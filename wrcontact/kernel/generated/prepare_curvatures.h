@@ -3,15 +3,14 @@
  * Lateral curvature of a profile all along it, as the source takes it.
  *
  * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
- * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.  Layout in
- * lateral_curvature.py.
+ * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.
+ * The table is the record CurvatureTable.
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_CURVATURES_H
 #define WRCONTACT_KERNEL_PREPARE_CURVATURES_H
 
 #include "../native/spans.h"
-#include "lateral_curvature.h"
 #include "layout.h"
 #include "prepare_pieces.h"
 #include "prepare_scan.h"

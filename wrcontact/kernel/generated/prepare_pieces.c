@@ -2,7 +2,7 @@
  *
  * From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
  *
- * Layout of the table in profile_table.py.
+ * The table is the record Profile.
  */
 
 #include "prepare_pieces.h"
@@ -96,7 +96,7 @@ static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int6
     while(waiting > INT64_C(0))
     {
         high = (*cspan_at(&work, scratch + waiting - INT64_C(1)));
-        if (at + INT64_C(2) * profile_table__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+        if (at + INT64_C(2) * layout__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
         {
             return prepare_pieces__FULL;
         }
@@ -105,7 +105,7 @@ static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int6
         prepare_pieces__write_quintic(tables, at, low, high, z_low, slope_low, bend_low, z_high, slope_high, bend_high);
         if ((high - low < 2.0 * prepare_pieces__SHORTEST_PIECE) || (waiting == prepare_pieces__HALVINGS) || (prepare_pieces__follows_zone(tables, at, zones, row, low, high) == INT64_C(1)))
         {
-            at += profile_table__PIECE_SIZE;
+            at += layout__PIECE_SIZE;
             low = high;
             waiting -= INT64_C(1);
         }
@@ -155,7 +155,7 @@ static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64
     double z_3;
     double slope_3;
     double bend_3;
-    if (at + INT64_C(2) * profile_table__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    if (at + INT64_C(2) * layout__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
@@ -171,7 +171,7 @@ static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64
     {
         prepare_pieces__write_quintic(tables, at, low, high, z_0, slope_0, bend_0, 0.5 * (z_1 + z_3), 0.5 * (slope_1 + slope_3), 0.5 * (bend_1 + bend_3));
     }
-    return at + profile_table__PIECE_SIZE;
+    return at + layout__PIECE_SIZE;
 }
 
 /* Pieces of zone ``index``; the offset after them, or FULL. */
@@ -238,6 +238,7 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
     double start;
     double stop;
     int64_t bins;
+    int64_t profile;
     int64_t first;
     int64_t at;
     int64_t index;
@@ -249,9 +250,10 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
     start = (*cspan_at(&zones, definition + prepare_zones__DEFINITION_ZONES + prepare_zones__ZONE_START));
     stop = (*cspan_at(&zones, definition + prepare_zones__DEFINITION_ZONES + (count - INT64_C(1)) * (int64_t)((*cspan_at(&zones, definition + prepare_zones__DEFINITION_ROW))) + prepare_zones__ZONE_STOP));
     bins = (int64_t)((int64_t)ceil((stop - start) / prepare_pieces__BIN_WIDTH));
-    first = base + profile_table__BINS + bins;
+    profile = base;
+    first = profile + layout__PROFILE_BINS + bins;
     at = first;
-    if (first + profile_table__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    if (first + layout__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
@@ -266,27 +268,27 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, base + profile_table__START)) = start * prepare_pieces__MM;
-    (*cspan_at(&tables, base + profile_table__STOP)) = stop * prepare_pieces__MM;
-    (*cspan_at(&tables, base + profile_table__BINS_PER_METRE)) = prepare_pieces__BINS_EACH_METRE;
-    (*cspan_at(&tables, base + profile_table__BIN_COUNT)) = (double)(bins);
-    (*cspan_at(&tables, base + profile_table__PIECE_OFFSET)) = (double)(profile_table__BINS + bins);
+    (*cspan_at(&tables, profile + layout__PROFILE_START)) = start * prepare_pieces__MM;
+    (*cspan_at(&tables, profile + layout__PROFILE_STOP)) = stop * prepare_pieces__MM;
+    (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE)) = prepare_pieces__BINS_EACH_METRE;
+    (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) = (double)(bins);
+    (*cspan_at(&tables, profile + layout__PROFILE_PIECES)) = (double)(first - base);
     piece = first;
     for (i = INT64_C(0); i < bins; i += INT64_C(1))
     {
         left = start + prepare_pieces__BIN_WIDTH * (double)(i);
-        while((piece + profile_table__PIECE_SIZE < at) && ((*cspan_at(&tables, piece + profile_table__PIECE_SIZE)) <= left))
+        while((piece + layout__PIECE_SIZE < at) && ((*cspan_at(&tables, piece + layout__PIECE_SIZE)) <= left))
         {
-            piece += profile_table__PIECE_SIZE;
+            piece += layout__PIECE_SIZE;
         }
-        (*cspan_at(&tables, base + profile_table__BINS + i)) = (double)(piece - base);
+        (*cspan_at(&tables, profile + layout__PROFILE_BINS + i)) = (double)(piece - base);
     }
     prepare_pieces__to_metres(tables, first, at);
-    for (k = INT64_C(0); k < profile_table__PIECE_SIZE; k += INT64_C(1))
+    for (k = INT64_C(0); k < layout__PIECE_SIZE; k += INT64_C(1))
     {
         (*cspan_at(&tables, at + k)) = nowhere;
     }
-    return at + profile_table__PIECE_SIZE;
+    return at + layout__PIECE_SIZE;
 }
 
 /* Pieces from millimetres to metres. */
@@ -302,7 +304,7 @@ static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t 
         (*cspan_at(&tables, at + INT64_C(4))) = (*cspan_at(&tables, at + INT64_C(4))) * prepare_pieces__SCALE_3;
         (*cspan_at(&tables, at + INT64_C(5))) = (*cspan_at(&tables, at + INT64_C(5))) * prepare_pieces__SCALE_4;
         (*cspan_at(&tables, at + INT64_C(6))) = (*cspan_at(&tables, at + INT64_C(6))) * prepare_pieces__SCALE_5;
-        at += profile_table__PIECE_SIZE;
+        at += layout__PIECE_SIZE;
     }
     return INT64_C(0);
 }

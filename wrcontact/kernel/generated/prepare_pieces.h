@@ -2,15 +2,15 @@
  *
  * From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
  *
- * Layout of the table in profile_table.py.
+ * The table is the record Profile.
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_PIECES_H
 #define WRCONTACT_KERNEL_PREPARE_PIECES_H
 
 #include "../native/spans.h"
+#include "layout.h"
 #include "prepare_zones.h"
-#include "profile_table.h"
 
 static const double prepare_pieces__PIECE_ERROR = 1e-09;
 static const double prepare_pieces__PIECE_BEND_ERROR = 1e-07;

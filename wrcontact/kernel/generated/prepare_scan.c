@@ -12,7 +12,7 @@
 static inline int64_t prepare_scan__first_piece(array_double_1d tables, int64_t base)
 {
     int64_t result;
-    result = base + (int64_t)((*cspan_at(&tables, base + profile_table__PIECE_OFFSET)));
+    result = base + (int64_t)((*cspan_at(&tables, base + layout__PROFILE_PIECES)));
     return result;
 }
 
@@ -20,7 +20,7 @@ static inline int64_t prepare_scan__first_piece(array_double_1d tables, int64_t 
 static inline int64_t prepare_scan__piece_count(array_double_1d tables, int64_t base)
 {
     int64_t result;
-    result = py_floor_div_int64_t((profile_table__find_piece(tables, base, (*cspan_at(&tables, base + profile_table__STOP))) - prepare_scan__first_piece(tables, base)), profile_table__PIECE_SIZE) + INT64_C(1);
+    result = py_floor_div_int64_t((profile_table__find_piece(tables, base, (*cspan_at(&tables, base + layout__PROFILE_STOP))) - prepare_scan__first_piece(tables, base)), layout__PIECE_SIZE) + INT64_C(1);
     return result;
 }
 
@@ -29,10 +29,10 @@ static inline double prepare_scan__piece_width(array_double_1d tables, int64_t b
 {
     double stop;
     double result;
-    stop = (*cspan_at(&tables, at + profile_table__PIECE_SIZE));
-    if (!(stop < (*cspan_at(&tables, base + profile_table__STOP))))
+    stop = (*cspan_at(&tables, at + layout__PIECE_SIZE));
+    if (!(stop < (*cspan_at(&tables, base + layout__PROFILE_STOP))))
     {
-        stop = (*cspan_at(&tables, base + profile_table__STOP));
+        stop = (*cspan_at(&tables, base + layout__PROFILE_STOP));
     }
     result = stop - (*cspan_at(&tables, at));
     return result;
@@ -94,7 +94,7 @@ static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_
     first = prepare_scan__first_piece(tables, base);
     for (i = INT64_C(0); i < prepare_scan__piece_count(tables, base); i += INT64_C(1))
     {
-        at = first + profile_table__PIECE_SIZE * i;
+        at = first + layout__PIECE_SIZE * i;
         prepare_scan__piece_range(&least, &most, &steepest, tables, at, prepare_scan__piece_width(tables, base, at), -prepare_scan__FAR, prepare_scan__FAR);
         (*cspan_at(&work, scratch + INT64_C(3) * i)) = least;
         (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(1))) = most;
@@ -122,8 +122,8 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
     double piece_most;
     double piece_steepest;
     int64_t i;
-    start = (*cspan_at(&tables, base + profile_table__START));
-    stop = (*cspan_at(&tables, base + profile_table__STOP));
+    start = (*cspan_at(&tables, base + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, base + layout__PROFILE_STOP));
     low = double_min(2, double_max(2, low, start), stop);
     high = double_min(2, double_max(2, high, start), stop);
     profile_table__height_slope_bend(&z, &slope, least, tables, base, low);
@@ -138,15 +138,15 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
     first = prepare_scan__first_piece(tables, base);
     last = profile_table__find_piece(tables, base, high);
     begin = profile_table__find_piece(tables, base, low);
-    at = int64_t_max(2, begin - profile_table__PIECE_SIZE, first);
+    at = int64_t_max(2, begin - layout__PIECE_SIZE, first);
     while(at <= last)
     {
         piece_least = prepare_scan__FAR;
         piece_most = -prepare_scan__FAR;
         piece_steepest = 0.0;
-        if ((at > begin) && (at < last - profile_table__PIECE_SIZE))
+        if ((at > begin) && (at < last - layout__PIECE_SIZE))
         {
-            i = py_floor_div_int64_t((at - first), profile_table__PIECE_SIZE);
+            i = py_floor_div_int64_t((at - first), layout__PIECE_SIZE);
             piece_least = (*cspan_at(&work, scratch + INT64_C(3) * i));
             piece_most = (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(1)));
             piece_steepest = (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(2)));
@@ -158,7 +158,7 @@ static inline int64_t prepare_scan__bend_range(double* least, double* most, doub
         (*least) = double_min(2, (*least), piece_least);
         (*most) = double_max(2, (*most), piece_most);
         (*steepest) = double_max(2, (*steepest), piece_steepest);
-        at += profile_table__PIECE_SIZE;
+        at += layout__PIECE_SIZE;
     }
     return 0;
 }
@@ -197,8 +197,8 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
     double least;
     double most;
     double steepest;
-    start = (*cspan_at(&tables, wheel + profile_table__START));
-    stop = (*cspan_at(&tables, wheel + profile_table__STOP));
+    start = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     count = prepare_scan__coarse_count(start, stop);
     step = (stop - start) / (double)(count);
     if (base + search__SCAN_NODES + search__SCAN_ROW * (INT64_C(2) * count + INT64_C(1)) > (int64_t)tables.shape[INT64_C(0)])
@@ -327,7 +327,7 @@ static inline int64_t prepare_scan__write_rail_rows(array_double_1d tables, int6
     for (cell = INT64_C(0); cell < count; cell += INT64_C(1))
     {
         row = at + search__RAIL_ROW * cell;
-        edge = (*cspan_at(&tables, rail + profile_table__START)) + prepare_scan__FINE_STEP * (double)(cell);
+        edge = (*cspan_at(&tables, rail + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(cell);
         prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - prepare_scan__FINE_STEP, edge + prepare_scan__FINE_STEP + 1.5 * prepare_scan__COARSE_STEP);
         (*cspan_at(&tables, row + search__RAIL_LEAST_BEND)) = least;
         (*cspan_at(&tables, row + search__RAIL_MOST_BEND)) = most;
@@ -365,8 +365,8 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t b
     {
         return count;
     }
-    bins = prepare_scan__coarse_count((*cspan_at(&tables, wheel + profile_table__START)), (*cspan_at(&tables, wheel + profile_table__STOP)));
-    cells = (int64_t)((int64_t)ceil(((*cspan_at(&tables, rail + profile_table__STOP)) - (*cspan_at(&tables, rail + profile_table__START))) / prepare_scan__FINE_STEP));
+    bins = prepare_scan__coarse_count((*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
+    cells = (int64_t)((int64_t)ceil(((*cspan_at(&tables, rail + layout__PROFILE_STOP)) - (*cspan_at(&tables, rail + layout__PROFILE_START))) / prepare_scan__FINE_STEP));
     rail_offset = search__SCAN_NODES + search__SCAN_ROW * count;
     bin_offset = rail_offset + search__RAIL_ROW * cells;
     if (base + bin_offset + bins > (int64_t)tables.shape[INT64_C(0)])
@@ -375,18 +375,18 @@ static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t b
     }
     prepare_scan__write_wheel_rows(tables, base, wheel, count, work, scratch);
     prepare_scan__write_levers(tables, base, wheel, count);
-    prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, (*cspan_at(&tables, wheel + profile_table__START)), (*cspan_at(&tables, wheel + profile_table__STOP)));
+    prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, (*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
     (*cspan_at(&tables, base + search__SCAN_STEEPEST)) = steepest;
     prepare_scan__sample_pieces(tables, rail, work, scratch);
     prepare_scan__write_rail_rows(tables, base + rail_offset, rail, cells, work, scratch);
     (*cspan_at(&tables, base + search__SCAN_COUNT)) = (double)(count);
     (*cspan_at(&tables, base + search__SCAN_RAIL_COUNT)) = (double)(cells);
-    (*cspan_at(&tables, base + search__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + profile_table__START));
+    (*cspan_at(&tables, base + search__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + layout__PROFILE_START));
     (*cspan_at(&tables, base + search__SCAN_RAIL_PER_METRE)) = 1.0 / prepare_scan__FINE_STEP;
     (*cspan_at(&tables, base + search__SCAN_RAIL_OFFSET)) = (double)(rail_offset);
     (*cspan_at(&tables, base + search__SCAN_BIN_OFFSET)) = (double)(bin_offset);
     (*cspan_at(&tables, base + search__SCAN_BIN_COUNT)) = (double)(bins);
-    (*cspan_at(&tables, base + search__SCAN_BINS_PER_METRE)) = (double)(bins) / ((*cspan_at(&tables, wheel + profile_table__STOP)) - (*cspan_at(&tables, wheel + profile_table__START)));
+    (*cspan_at(&tables, base + search__SCAN_BINS_PER_METRE)) = (double)(bins) / ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
     for (i = INT64_C(0); i < bins; i += INT64_C(1))
     {
         (*cspan_at(&tables, base + bin_offset + i)) = (*cspan_at(&work, firsts + i));

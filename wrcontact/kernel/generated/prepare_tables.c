@@ -168,7 +168,7 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     at = prepare_scan__write_scan(tables, at, wheel, rail, work, scratch);
     if (at == prepare_scan__TOO_WIDE)
     {
-        (*cspan_at(&report, prepare_tables__REPORT_WIDTH)) = (*cspan_at(&tables, wheel + profile_table__STOP)) - (*cspan_at(&tables, wheel + profile_table__START));
+        (*cspan_at(&report, prepare_tables__REPORT_WIDTH)) = (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START));
         return prepare_tables__WHEEL_TOO_WIDE;
     }
     if (at != prepare_pieces__FULL)

@@ -17,7 +17,6 @@
 #include "prepare_placement.h"
 #include "prepare_scan.h"
 #include "prepare_zones.h"
-#include "profile_table.h"
 #include "starts.h"
 
 static const int64_t prepare_tables__SETUP_INCLINATION = INT64_C(0);

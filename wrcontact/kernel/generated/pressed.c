@@ -120,7 +120,7 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             move = -pressed__LINE_STEP;
         }
         y += move;
-        if (!((y >= (*cspan_at(&tables, wheel + profile_table__START))) && (y <= (*cspan_at(&tables, wheel + profile_table__STOP)))))
+        if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
             (*result_0_0001) = y;
             (*result_1) = 0.0;
@@ -159,13 +159,13 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
         wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
         low = y - blur;
         high = y + blur;
-        if (low < (*cspan_at(&tables, wheel + profile_table__START)))
+        if (low < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
         {
-            low = (*cspan_at(&tables, wheel + profile_table__START));
+            low = (*cspan_at(&tables, wheel + layout__PROFILE_START));
         }
-        if (high > (*cspan_at(&tables, wheel + profile_table__STOP)))
+        if (high > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
         {
-            high = (*cspan_at(&tables, wheel + profile_table__STOP));
+            high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
         }
         profile_table__height_slope(&z, &low_slope, tables, wheel, low);
         profile_table__height_slope(&z, &high_slope, tables, wheel, high);
@@ -275,7 +275,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     (*rate) = 0.0;
     (*bend) = 0.0;
     (*curvature) = 1.0;
-    if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
+    if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
         pressed__normal_line(&y, &overlap, &rise, &turn, &found_curvature, &found, tables, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + way * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)));
         if (found == INT64_C(1))

@@ -1,22 +1,20 @@
 /* Generated from surface/profile_table.py by tools/transpile_kernel.py; change that one.
  *
- * A profile as the kernel reads it: quintic pieces found through uniform bins.
+ * Heights, slopes and bends of a profile, from its table of quintic pieces (the record Profile).
  *
- * Table at ``base``: start, stop, bins per metre, bin count, offset of the pieces, then for each bin the offset of the first
- * piece that reaches into it, then per piece its start and six coefficients; the piece after the last starts at not-a-number, which no
- * abscissa reaches.  An abscissa that is not a number, infinite or far outside reads an end piece: nothing leaves the table.
+ * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the table is read.
  */
 
 #include "profile_table.h"
 
-/* Offset in ``tables`` of the piece that holds ``y`` [m]. */
-static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t base, double y)
+/* The piece that holds ``y`` [m]. */
+static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t profile, double y)
 {
     double u;
     double last;
-    int64_t at;
-    u = (y - (*cspan_at(&tables, base + profile_table__START))) * (*cspan_at(&tables, base + profile_table__BINS_PER_METRE));
-    last = (*cspan_at(&tables, base + profile_table__BIN_COUNT)) - 1.0;
+    int64_t piece;
+    u = (y - (*cspan_at(&tables, profile + layout__PROFILE_START))) * (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE));
+    last = (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) - 1.0;
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -25,43 +23,40 @@ static inline int64_t profile_table__find_piece(array_double_1d tables, int64_t 
     {
         u = last;
     }
-    at = base + (int64_t)((*cspan_at(&tables, base + profile_table__BINS + (int64_t)(u))));
-    while(y >= (*cspan_at(&tables, at + profile_table__PIECE_SIZE)))
+    piece = profile + (int64_t)((*cspan_at(&tables, profile + layout__PROFILE_BINS + (int64_t)(u))));
+    while(y >= (*cspan_at(&tables, piece + layout__PIECE_SIZE + layout__PIECE_START)))
     {
-        at += profile_table__PIECE_SIZE;
+        piece = piece + layout__PIECE_SIZE;
     }
-    return at;
+    return piece;
 }
 
 /* Height [m] and slope [-] of the profile at ``y`` [m]. */
-static inline int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t base, double y)
+static inline int64_t profile_table__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y)
 {
-    int64_t at;
+    int64_t piece;
     double u;
-    double c5;
     double p4;
     double p3;
     double p2;
     double p1;
-    at = profile_table__find_piece(tables, base, y);
-    u = y - (*cspan_at(&tables, at));
+    piece = profile_table__find_piece(tables, profile, y);
+    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
     /* Horner's scheme, and again on the quotient that it leaves */
-    c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    p4 = (*cspan_at(&tables, at + INT64_C(5))) + u * c5;
-    p3 = (*cspan_at(&tables, at + INT64_C(4))) + u * p4;
-    p2 = (*cspan_at(&tables, at + INT64_C(3))) + u * p3;
-    p1 = (*cspan_at(&tables, at + INT64_C(2))) + u * p2;
-    (*slope) = p1 + u * (p2 + u * (p3 + u * (p4 + u * c5)));
-    (*result_0) = (*cspan_at(&tables, at + INT64_C(1))) + u * p1;
+    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
+    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
+    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
+    (*slope) = p1 + u * (p2 + u * (p3 + u * (p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5)))));
+    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
     return 0;
 }
 
 /* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
-static inline int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double y)
+static inline int64_t profile_table__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
 {
-    int64_t at;
+    int64_t piece;
     double u;
-    double c5;
     double p4;
     double p3;
     double p2;
@@ -70,19 +65,18 @@ static inline int64_t profile_table__height_slope_bend(double* result_0, double*
     double q3;
     double q2;
     double half_bend;
-    at = profile_table__find_piece(tables, base, y);
-    u = y - (*cspan_at(&tables, at));
+    piece = profile_table__find_piece(tables, profile, y);
+    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
     /* Horner's scheme, and twice again on the quotient that it leaves */
-    c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    p4 = (*cspan_at(&tables, at + INT64_C(5))) + u * c5;
-    p3 = (*cspan_at(&tables, at + INT64_C(4))) + u * p4;
-    p2 = (*cspan_at(&tables, at + INT64_C(3))) + u * p3;
-    p1 = (*cspan_at(&tables, at + INT64_C(2))) + u * p2;
-    q4 = p4 + u * c5;
+    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
+    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
+    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
+    q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
     q3 = p3 + u * q4;
     q2 = p2 + u * q3;
-    half_bend = q2 + u * (q3 + u * (q4 + u * c5));
-    (*result_0) = (*cspan_at(&tables, at + INT64_C(1))) + u * p1;
+    half_bend = q2 + u * (q3 + u * (q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5))));
+    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
     (*result_1) = p1 + u * q2;
     (*result_2) = 2.0 * half_bend;
     return 0;

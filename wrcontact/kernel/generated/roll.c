@@ -62,7 +62,7 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
     {
-        gap__vertical_gap(&gap, &mismatch, &rate, tables, work, at, y);
+        gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, y);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (!(rate > 0.0))
         {
@@ -83,7 +83,7 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
             return INT64_C(1);
         }
         y += move;
-        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) > roll__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + profile_table__START))) && (y < (*cspan_at(&tables, wheel + profile_table__STOP))))))
+        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) > roll__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y < (*cspan_at(&tables, wheel + layout__PROFILE_STOP))))))
         {
             return INT64_C(0);
         }
@@ -96,7 +96,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
 {
     double rate;
     (*difference) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-    rate = gap__gap_per_roll(tables, work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(tables, work, layout__WORK_PLACES, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
+    rate = gap__gap_per_roll(work, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(work, tables, layout__WORK_PLACES, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
     (*move) = 1.0;
     if (rate < 0.0)
     {
@@ -140,8 +140,8 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
         (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
         roll__turn_both(work, roll);
-        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, tables, work, layout__WORK_PLACES, left);
-        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right);
+        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, tables, layout__WORK_PLACES, left);
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right);
         if (!((rate_left > 0.0) && (rate_right > 0.0)))
         {
             (*result_0_0001) = roll;
@@ -204,7 +204,7 @@ static inline int64_t roll__on_profiles(array_double_1d tables, double y, double
     int64_t on;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     on = gap__above_rail(tables, abscissa);
-    if ((y < (*cspan_at(&tables, wheel + profile_table__START))) || (y > (*cspan_at(&tables, wheel + profile_table__STOP))))
+    if ((y < (*cspan_at(&tables, wheel + layout__PROFILE_START))) || (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP))))
     {
         on = INT64_C(0);
     }

@@ -443,10 +443,10 @@ static inline int64_t search__is_gone(array_double_1d tables, array_double_1d pl
     int64_t gone;
     scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    apart = abscissa - (*cspan_at(&tables, rail + profile_table__STOP));
+    apart = abscissa - (*cspan_at(&tables, rail + layout__PROFILE_STOP));
     if (direction < INT64_C(0))
     {
-        apart = (*cspan_at(&tables, rail + profile_table__START)) - abscissa;
+        apart = (*cspan_at(&tables, rail + layout__PROFILE_START)) - abscissa;
     }
     reach = 0.0;
     if ((*cspan_at(&place, at + layout__PLACE_YAWED)) == 1.0)
@@ -511,7 +511,7 @@ static inline int64_t search__search_end(array_double_1d tables, array_double_1d
     }
     if (beyond < abscissa)
     {
-        abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + profile_table__START));
+        abscissa = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
     }
     search__bend_bounds(&least, &most, tables, place, at, cell, abscissa);
     if (inside < inner)
@@ -692,8 +692,8 @@ static inline int64_t search__list_end(array_double_1d tables, array_double_1d w
     }
     if (low < high)
     {
-        gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, place, at, low);
-        gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, place, at, high);
+        gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, low);
+        gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, high);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
         search__list_cell(tables, work, side, place, at, state, reach, cell, direction, search__rail_place(tables, place, at, low), low, high, gap_low, gap_high, mismatch_low, mismatch_high);
     }
@@ -743,8 +743,8 @@ static inline int64_t search__list_cell(array_double_1d tables, array_double_1d 
     {
         /* the outline may be folded there */
         least = nothing;
-        gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, place, at, low);
-        gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, place, at, high);
+        gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, low);
+        gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, high);
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
     }
     stack = side + layout__SIDE_STACK;
@@ -776,7 +776,7 @@ static inline int64_t search__list_cell(array_double_1d tables, array_double_1d 
             else if ((width > search__LISTED) && (folded || (search__is_steady(least, most, width, mismatch_low, mismatch_high) == INT64_C(0))))
             {
                 middle = 0.5 * (low + high);
-                gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
+                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
                 (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
                 /* the one that comes first in ``direction`` on top */
                 if (direction > INT64_C(0))
@@ -884,8 +884,8 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
     double middle;
     double mismatch;
     stack = side + layout__SIDE_STACK;
-    gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, place, at, first);
-    gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, place, at, last);
+    gap__vertical_gap(&gap_low, &mismatch_low, &rate, work, tables, at, first);
+    gap__vertical_gap(&gap_high, &mismatch_high, &rate, work, tables, at, last);
     (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
     search__push_cell(work, stack, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
     depth = INT64_C(1);
@@ -920,7 +920,7 @@ static inline int64_t search__search_cell(array_double_1d tables, array_double_1
             else if ((width > search__NARROW) && (!steady) && (folded || (!(least > 0.0))))
             {
                 middle = 0.5 * (low + high);
-                gap__vertical_gap(&gap, &mismatch, &rate, tables, place, at, middle);
+                gap__vertical_gap(&gap, &mismatch, &rate, work, tables, at, middle);
                 (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
                 search__push_cell(work, top, low, middle, gap_low, gap, mismatch_low, mismatch);
                 search__push_cell(work, top + INT64_C(6), middle, high, gap, gap_high, mismatch, mismatch_high);
@@ -987,7 +987,7 @@ static inline int64_t search__refine_minimum(double* y, double* gap, array_doubl
     (*gap) = 0.0;
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
-        gap__vertical_gap(gap, &mismatch, &rate, tables, place, at, (*y));
+        gap__vertical_gap(gap, &mismatch, &rate, place, tables, at, (*y));
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 1.0;
         if (mismatch < 0.0)
         {

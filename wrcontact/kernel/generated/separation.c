@@ -14,16 +14,16 @@
 
 #include "separation.h"
 
-/* Offset of the profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on. */
-static OUT_OF_LINE int64_t separation__curve_table(array_double_1d tables, int64_t tracer)
+/* The profile that ``tracer``, TRACER_RAIL or TRACER_WHEEL, moves on. */
+static OUT_OF_LINE int64_t separation__curve_profile(array_double_1d tables, int64_t tracer)
 {
-    int64_t base;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    int64_t profile;
+    profile = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     if (tracer == contact_plane__TRACER_RAIL)
     {
-        base = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+        profile = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     }
-    return base;
+    return profile;
 }
 
 /* Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
@@ -34,7 +34,7 @@ static OUT_OF_LINE int64_t separation__curve_jet(double* across, double* down, d
     double z;
     double y_track;
     double z_track;
-    profile_table__height_slope_bend(&z, slope, bend, tables, separation__curve_table(tables, tracer), u);
+    profile_table__height_slope_bend(&z, slope, bend, tables, separation__curve_profile(tables, tracer), u);
     (*across) = u - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0)));
     (*down) = z - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(1)));
     (*stretch) = 1.0;
@@ -62,7 +62,7 @@ static OUT_OF_LINE double separation__curve_speed(array_double_1d tables, array_
     at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
     if ((tracer == contact_plane__TRACER_RAIL) || (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)))
     {
-        profile_table__height_slope(&z, &slope, tables, separation__curve_table(tables, tracer), u);
+        profile_table__height_slope(&z, &slope, tables, separation__curve_profile(tables, tracer), u);
         speed = sqrt(1.0 + slope * slope);
     }
     else
@@ -118,7 +118,7 @@ static OUT_OF_LINE double separation__arc_length(array_double_1d tables, array_d
 {
     double low;
     double high;
-    int64_t at;
+    int64_t piece;
     double end;
     double total;
     low = start;
@@ -129,17 +129,17 @@ static OUT_OF_LINE double separation__arc_length(array_double_1d tables, array_d
         high = start;
     }
     total = 0.0;
-    at = profile_table__find_piece(tables, separation__curve_table(tables, tracer), low);
+    piece = profile_table__find_piece(tables, separation__curve_profile(tables, tracer), low);
     while(low < high)
     {
         end = high;
-        if ((*cspan_at(&tables, at + profile_table__PIECE_SIZE)) < high)
+        piece = piece + layout__PIECE_SIZE;
+        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
         {
-            end = (*cspan_at(&tables, at + profile_table__PIECE_SIZE));
+            end = (*cspan_at(&tables, piece + layout__PIECE_START));
         }
         total += separation__panel_length(tables, work, tracer, low, end);
         low = end;
-        at += profile_table__PIECE_SIZE;
     }
     if (stop < start)
     {
@@ -151,15 +151,15 @@ static OUT_OF_LINE double separation__arc_length(array_double_1d tables, array_d
 /* ``u``, or the end of the profile that it lies beyond. */
 static OUT_OF_LINE double separation__within(array_double_1d tables, int64_t tracer, double u)
 {
-    int64_t base;
-    base = separation__curve_table(tables, tracer);
-    if (u < (*cspan_at(&tables, base + profile_table__START)))
+    int64_t profile;
+    profile = separation__curve_profile(tables, tracer);
+    if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
     {
-        u = (*cspan_at(&tables, base + profile_table__START));
+        u = (*cspan_at(&tables, profile + layout__PROFILE_START));
     }
-    if (u > (*cspan_at(&tables, base + profile_table__STOP)))
+    if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
     {
-        u = (*cspan_at(&tables, base + profile_table__STOP));
+        u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
     }
     return u;
 }

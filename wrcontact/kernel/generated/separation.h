@@ -22,8 +22,8 @@
 #include "pressed.h"
 #include "profile_table.h"
 
-static const int64_t separation__AT_RAIL_ORIGIN = INT64_C(43821);
-static const int64_t separation__AT_WHEEL_ORIGIN = INT64_C(43823);
+static const int64_t separation__AT_RAIL_ORIGIN = INT64_C(43811);
+static const int64_t separation__AT_WHEEL_ORIGIN = INT64_C(43813);
 static const double separation__SHARP = 1e-13;
 static const int64_t separation__ITERATIONS = INT64_C(40);
 static const double separation__GAUSS_1 = 0.2386191860831969;
@@ -33,7 +33,7 @@ static const double separation__WEIGHT_1 = 0.467913934572691;
 static const double separation__WEIGHT_2 = 0.3607615730481386;
 static const double separation__WEIGHT_3 = 0.1713244923791704;
 
-static OUT_OF_LINE int64_t separation__curve_table(array_double_1d tables, int64_t tracer);
+static OUT_OF_LINE int64_t separation__curve_profile(array_double_1d tables, int64_t tracer);
 static OUT_OF_LINE int64_t separation__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t tracer, double u);
 static OUT_OF_LINE double separation__curve_speed(array_double_1d tables, array_double_1d work, int64_t tracer, double u);
 static OUT_OF_LINE double separation__panel_length(array_double_1d tables, array_double_1d work, int64_t tracer, double low, double high);

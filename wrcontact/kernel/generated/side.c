@@ -162,9 +162,9 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
         block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
         stiffness = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_COS));
         weight += stiffness;
-        total += stiffness * gap__gap_per_roll(tables, work, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));
+        total += stiffness * gap__gap_per_roll(work, tables, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));
     }
-    lever = gap__gap_per_roll(tables, work, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
+    lever = gap__gap_per_roll(work, tables, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
     if (weight > 0.0)
     {
         lever = total / weight;

@@ -212,7 +212,7 @@ static inline int64_t tangent_contact_plane__first_abscissa_t(double* u, double*
 }
 
 /* Tangent of ``trace_profile``. */
-static inline int64_t tangent_contact_plane__trace_profile_t(double* result_0, double* result_1, double* result_2, double* result_3, double* turn, double* turn_t, double* slope, double* slope_t, double* height, double* height_t, int64_t* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t base, int64_t tracer, int64_t frame, double station, double station_t, double tolerance, double tolerance_t, double origin, double origin_t, double height_there, double height_there_t)
+static inline int64_t tangent_contact_plane__trace_profile_t(double* result_0, double* result_1, double* result_2, double* result_3, double* turn, double* turn_t, double* slope, double* slope_t, double* height, double* height_t, int64_t* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t profile, int64_t tracer, int64_t frame, double station, double station_t, double tolerance, double tolerance_t, double origin, double origin_t, double height_there, double height_there_t)
 {
     double cosine_t;
     double cosine;
@@ -253,8 +253,8 @@ static inline int64_t tangent_contact_plane__trace_profile_t(double* result_0, d
     cosine = (*cspan_at(&work, frame));
     sine_t = (*cspan_at(&work_t, frame + INT64_C(1)));
     sine = (*cspan_at(&work, frame + INT64_C(1)));
-    start = (*cspan_at(&tables, base + profile_table__START));
-    stop = (*cspan_at(&tables, base + profile_table__STOP));
+    start = (*cspan_at(&tables, profile + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
     tangent_contact_plane__first_abscissa_t(&v1, &v1_t, work, work_t, tracer, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
     u_t = v1_t;
     u = v1;
@@ -281,7 +281,7 @@ static inline int64_t tangent_contact_plane__trace_profile_t(double* result_0, d
             u_t = 0.0;
             u = stop;
         }
-        tangent_profile_table__height_slope_bend_t(height, height_t, slope, slope_t, &bend, &bend_t, tables, base, u, u_t);
+        tangent_profile_table__height_slope_bend_t(height, height_t, slope, slope_t, &bend, &bend_t, tables, profile, u, u_t);
         forward_t = cosine_t + ((*slope_t) * sine + (*slope) * sine_t);
         forward = cosine + (*slope) * sine;
         v2 = u - origin;
@@ -441,8 +441,8 @@ static inline int64_t tangent_contact_plane__trace_outline_t(double* result_0, d
     cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
     sine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN));
     sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
-    start = (*cspan_at(&tables, wheel + profile_table__START));
-    stop = (*cspan_at(&tables, wheel + profile_table__STOP));
+    start = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+    stop = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     left_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ASIDE));
     left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE));
     above_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT));

@@ -45,10 +45,10 @@ static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables,
     at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
     y_t = 0.0;
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
-    tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, at, y, y_t);
+    tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, tables, at, y, y_t);
     v1 = -mismatch;
     y_t = (-mismatch_t) / rate;
-    tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, at, y, y_t);
+    tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, tables, at, y, y_t);
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)) = y_t;
     (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
     (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) = gap_t;
@@ -83,10 +83,10 @@ static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* resu
     tangent_implicit__place_moving_t(tables, work, work_t, (*roll), 0.0);
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__WORK_PLACES, left, 0.0);
-    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
-    tangent_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
-    tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__WORK_PLACES, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, tables, layout__WORK_PLACES, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, work, work_t, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
+    tangent_gap__gap_per_roll_t(&v1, &v1_t, work, work_t, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
+    tangent_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, tables, layout__WORK_PLACES, left, 0.0);
     lever_t = v1_t + v2_t;
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);

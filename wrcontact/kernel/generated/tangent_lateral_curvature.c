@@ -6,20 +6,20 @@
 #include "tangent_lateral_curvature.h"
 
 /* Tangent of ``profile_curvature``. */
-static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t base, double y, double y_t)
+static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t)
 {
     double v1;
     double u_t;
     double u;
     double last;
     int64_t cell;
-    int64_t at;
+    double before;
     double v2;
     double v3;
-    v1 = y - (*cspan_at(&tables, base + lateral_curvature__CURVATURE_START));
-    u_t = y_t * (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE));
-    u = v1 * (*cspan_at(&tables, base + lateral_curvature__CURVATURE_PER_METRE));
-    last = (*cspan_at(&tables, base + lateral_curvature__CURVATURE_COUNT)) - 1.0;
+    v1 = y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START));
+    u_t = y_t * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
+    u = v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
+    last = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0;
     if (!(u > 0.0))
     {
         u_t = 0.0;
@@ -35,10 +35,10 @@ static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* res
     {
         cell = (int64_t)(last) - INT64_C(1);
     }
-    at = base + lateral_curvature__CURVATURES + cell;
+    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
     v2 = u - (double)(cell);
-    v3 = (*cspan_at(&tables, at + INT64_C(1))) - (*cspan_at(&tables, at));
-    (*result_0) = (*cspan_at(&tables, at)) + v2 * v3;
+    v3 = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before;
+    (*result_0) = before + v2 * v3;
     (*result_1) = u_t * v3;
     return 0;
 }

@@ -7,10 +7,9 @@
 #define WRCONTACT_KERNEL_TANGENT_LATERAL_CURVATURE_H
 
 #include "../native/spans.h"
-#include "lateral_curvature.h"
 #include "layout.h"
 
-static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t base, double y, double y_t);
+static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t);
 static inline int64_t tangent_lateral_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, double y, double y_t, double abscissa, double abscissa_t);
 
 #endif

@@ -177,9 +177,9 @@ static inline int64_t tangent_overlaps__gather_overlaps_t(array_double_1d tables
         (*cspan_at(&work_t, block + layout__REGION_CURVATURE)) = curvature_t;
         (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
         low_t = 0.0;
-        low = (*cspan_at(&tables, rail + profile_table__START));
+        low = (*cspan_at(&tables, rail + layout__PROFILE_START));
         high_t = 0.0;
-        high = (*cspan_at(&tables, rail + profile_table__STOP));
+        high = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
         if (region > INT64_C(0))
         {
             low_t = (*cspan_at(&work_t, deep - overlaps__DEEP_SIZE + overlaps__DEEP_HUMP));

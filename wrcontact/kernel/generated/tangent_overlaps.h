@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "overlaps.h"
-#include "profile_table.h"
 #include "tangent_contact_plane.h"
 #include "tangent_locus.h"
 #include "tangent_planes.h"

@@ -203,7 +203,7 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
         }
         y_t = y_t + move_t;
         y = y + move;
-        if (!((y >= (*cspan_at(&tables, wheel + profile_table__START))) && (y <= (*cspan_at(&tables, wheel + profile_table__STOP)))))
+        if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
             (*result_0_0001) = y;
             (*result_1_0001) = y_t;
@@ -261,15 +261,15 @@ static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* res
         low = y - blur;
         high_t = y_t + blur_t;
         high = y + blur;
-        if (low < (*cspan_at(&tables, wheel + profile_table__START)))
+        if (low < (*cspan_at(&tables, wheel + layout__PROFILE_START)))
         {
             low_t = 0.0;
-            low = (*cspan_at(&tables, wheel + profile_table__START));
+            low = (*cspan_at(&tables, wheel + layout__PROFILE_START));
         }
-        if (high > (*cspan_at(&tables, wheel + profile_table__STOP)))
+        if (high > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))
         {
             high_t = 0.0;
-            high = (*cspan_at(&tables, wheel + profile_table__STOP));
+            high = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
         }
         tangent_profile_table__height_slope_t(&z, &z_t, &low_slope, &low_slope_t, tables, wheel, low, low_t);
         tangent_profile_table__height_slope_t(&z, &z_t, &high_slope, &high_slope_t, tables, wheel, high, high_t);
@@ -497,7 +497,7 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     (*bend) = 0.0;
     (*curvature_t) = 0.0;
     (*curvature) = 1.0;
-    if ((abscissa >= (*cspan_at(&tables, rail + profile_table__START))) && (abscissa <= (*cspan_at(&tables, rail + profile_table__STOP))))
+    if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
         tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &turn, &turn_t, &found_curvature, &found_curvature_t, &found, tables, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + way * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + (way_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) + way * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_POSE)));
         if (found == INT64_C(1))

@@ -10,7 +10,6 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "pressed.h"
-#include "profile_table.h"
 #include "tangent_contact_plane.h"
 #include "tangent_locus.h"
 #include "tangent_profile_table.h"

@@ -633,12 +633,12 @@ static inline int64_t tangent_regions__width_rule_t(double* width, double* width
         y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
         y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
         out = x_t - rail_rate;
-        if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + profile_table__START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + profile_table__STOP)) - regions__WIDTH_TRACE)))
+        if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + layout__PROFILE_START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + layout__PROFILE_STOP)) - regions__WIDTH_TRACE)))
         {
             moved = (-rail_rate) / out;
         }
         out = y_t - wheel_rate;
-        if ((out != 0.0) && ((y < (*cspan_at(&tables, wheel + profile_table__START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + profile_table__STOP)) - regions__WIDTH_TRACE)))
+        if ((out != 0.0) && ((y < (*cspan_at(&tables, wheel + layout__PROFILE_START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - regions__WIDTH_TRACE)))
         {
             moved = (-wheel_rate) / out;
         }

@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
-#include "profile_table.h"
 #include "regions.h"
 #include "search.h"
 #include "tangent_contact_plane.h"

@@ -14,7 +14,7 @@ static inline int64_t tangent_separation__curve_jet_t(double* across, double* ac
     double y_track_t;
     double z_track;
     double z_track_t;
-    tangent_profile_table__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, separation__curve_table(tables, tracer), u, u_t);
+    tangent_profile_table__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, separation__curve_profile(tables, tracer), u, u_t);
     (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0)));
     (*across) = u - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(0)));
     (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_RAIL + INT64_C(1)));
@@ -57,7 +57,7 @@ static inline int64_t tangent_separation__curve_speed_t(double* speed, double* s
     at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
     if ((tracer == contact_plane__TRACER_RAIL) || (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)))
     {
-        tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, separation__curve_table(tables, tracer), u, u_t);
+        tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, separation__curve_profile(tables, tracer), u, u_t);
         v1 = 1.0 + slope * slope;
         v2 = sqrt(v1);
         (*speed_t) = tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t);
@@ -138,7 +138,7 @@ static inline int64_t tangent_separation__arc_length_t(double* total, double* to
     double low;
     double high_t;
     double high;
-    int64_t at;
+    int64_t piece;
     double end_t;
     double end;
     double v1;
@@ -156,22 +156,22 @@ static inline int64_t tangent_separation__arc_length_t(double* total, double* to
     }
     (*total_t) = 0.0;
     (*total) = 0.0;
-    at = profile_table__find_piece(tables, separation__curve_table(tables, tracer), low);
+    piece = profile_table__find_piece(tables, separation__curve_profile(tables, tracer), low);
     while(low < high)
     {
         end_t = high_t;
         end = high;
-        if ((*cspan_at(&tables, at + profile_table__PIECE_SIZE)) < high)
+        piece = piece + layout__PIECE_SIZE;
+        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
         {
             end_t = 0.0;
-            end = (*cspan_at(&tables, at + profile_table__PIECE_SIZE));
+            end = (*cspan_at(&tables, piece + layout__PIECE_START));
         }
         tangent_separation__panel_length_t(&v1, &v1_t, tables, work, work_t, tracer, low, low_t, end, end_t);
         (*total_t) = (*total_t) + v1_t;
         (*total) = (*total) + v1;
         low_t = end_t;
         low = end;
-        at = at + profile_table__PIECE_SIZE;
     }
     if (stop < start)
     {
@@ -184,17 +184,17 @@ static inline int64_t tangent_separation__arc_length_t(double* total, double* to
 /* Tangent of ``within``. */
 static inline int64_t tangent_separation__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t tracer, double u, double u_t)
 {
-    int64_t base;
-    base = separation__curve_table(tables, tracer);
-    if (u < (*cspan_at(&tables, base + profile_table__START)))
+    int64_t profile;
+    profile = separation__curve_profile(tables, tracer);
+    if (u < (*cspan_at(&tables, profile + layout__PROFILE_START)))
     {
         u_t = 0.0;
-        u = (*cspan_at(&tables, base + profile_table__START));
+        u = (*cspan_at(&tables, profile + layout__PROFILE_START));
     }
-    if (u > (*cspan_at(&tables, base + profile_table__STOP)))
+    if (u > (*cspan_at(&tables, profile + layout__PROFILE_STOP)))
     {
         u_t = 0.0;
-        u = (*cspan_at(&tables, base + profile_table__STOP));
+        u = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
     }
     (*result_0) = u;
     (*result_1) = u_t;

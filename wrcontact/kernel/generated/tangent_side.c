@@ -172,11 +172,11 @@ static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t,
         stiffness = v1 * (*cspan_at(&work, block + layout__REGION_COS));
         weight_t = weight_t + stiffness_t;
         weight = weight + stiffness;
-        tangent_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+        tangent_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, tables, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
         total_t = total_t + (stiffness_t * v2 + stiffness * v2_t);
         total = total + stiffness * v2;
     }
-    tangent_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
+    tangent_gap__gap_per_roll_t(&v3, &v3_t, work, work_t, tables, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
     (*lever_t) = v3_t;
     (*lever) = v3;
     if (weight > 0.0)

@@ -109,7 +109,7 @@ static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double
             (*result_5_0001) = INT64_C(0);
             return 0;
         }
-        if (!((y > (*cspan_at(&tables, wheel + profile_table__START))) && (y < (*cspan_at(&tables, wheel + profile_table__STOP)))))
+        if (!((y > (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y < (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
             (*result_0_0001) = y;
             (*result_1_0001) = abscissa;
@@ -119,7 +119,7 @@ static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double
             (*result_5_0001) = INT64_C(0);
             return 0;
         }
-        if (!((abscissa > (*cspan_at(&tables, rail + profile_table__START))) && (abscissa < (*cspan_at(&tables, rail + profile_table__STOP)))))
+        if (!((abscissa > (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa < (*cspan_at(&tables, rail + layout__PROFILE_STOP)))))
         {
             (*result_0_0001) = y;
             (*result_1_0001) = abscissa;
