@@ -1,4 +1,4 @@
-"""ANALYN on dense gap curves, with the lateral curvature left open: what the curvature study varies.
+"""ANALYN on dense gap curves, for any lateral curvature; used by the curvature study.
 
 The recipe is that of wrcontact/kernel/normal/normal_contact.py (docs/method.md, section 7)::
 

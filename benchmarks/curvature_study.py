@@ -1,4 +1,4 @@
-"""What lateral curvature?  ANALYN with different ones against the half-space, as a Markdown table and a picture.
+"""Which lateral curvature?  ANALYN with different ones compared with the half-space, as a Markdown table and a picture.
 
     python -m benchmarks.curvature_study [--quick] [--picture FILE]
 

@@ -1,4 +1,4 @@
-"""What a step of the native FMUs costs from a C host on the hunting run: set five inputs, step, get all Real outputs.
+"""Cost of a step of the native FMUs, from a C host, on the hunting run: set five inputs, step, get all Real outputs.
 
     python -m benchmarks.native [FMU ...]
 
@@ -53,7 +53,7 @@ def cost_of(fmu, folder):
     count = len(run["lateral_shift"])
     file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED} for k in range(count)]))
     best = None
-    for _ in range(ROUNDS):     # the unit in turn with the work
+    for _ in range(ROUNDS):     # the unit is measured alternately
         done = subprocess.run([str(host), "cost", str(file)], text=True, capture_output=True, check=True)
         seconds = 1e-6 * json.loads(done.stdout)["microseconds"]
         best = machine.Cost(seconds, seconds / machine.unit()).least(best)

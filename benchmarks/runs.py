@@ -1,4 +1,4 @@
-"""Poses that are timed, and stored runs that errors are measured against."""
+"""Poses for timing, and the stored runs for errors."""
 
 import csv
 from functools import cache
@@ -23,7 +23,7 @@ def trajectory(count, yaw=YAW):
 
 
 def anywhere(count, yaw=ANY_YAW):
-    """No pose has anything to do with the one before."""
+    """Lateral shift [m] and yaw [rad] (count,) of independent random poses."""
     random = np.random.default_rng(0)
     return random.uniform(-SHIFT, SHIFT, count), yaw * random.uniform(-1, 1, count)
 

@@ -1,7 +1,7 @@
 """Draw the FMU's icon: ``python tools/make_icon.py`` writes fmu_src/icon.svg and fmu_src/icon.png from one list of shapes.
 
-A wheelset on two rails, seen along the track, on a transparent ground of 200 by 200 units; wheels and rails are far thicker
-than they are, so that the icon can be read at 64 pixels.
+A wheelset on two rails, seen along the track, on a transparent background of 200 by 200 units.  Wheels and rails are drawn much
+too thick, so that the icon is clear at 64 pixels.
 """
 
 from pathlib import Path
@@ -51,7 +51,7 @@ def svg():
 
 
 def png(path):
-    """Write the icon as PNG with a transparent ground."""
+    """Write the icon as PNG with a transparent background."""
     figure = Figure(figsize=(1, 1), dpi=SIZE)
     panel = figure.add_axes((0, 0, 1, 1), xlim=(0, SIZE), ylim=(0, SIZE))
     panel.set_axis_off()

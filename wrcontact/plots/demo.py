@@ -1,4 +1,4 @@
-"""The picture of ``wrcontact demo``: where wheels touch, what the patches look like, and the run of the FMU."""
+"""The picture of ``wrcontact demo``: contact positions, patches, and the run of the FMU."""
 
 from matplotlib.ticker import MultipleLocator
 
@@ -23,9 +23,9 @@ RUN_PANELS = (
 
 @styled
 def demo_figure(system, run, stored):
-    """Three rows: contacts and roll over the lateral shift, patches from tread to flange, and the run over time.
+    """Three rows: contacts and roll against the lateral shift, patches from tread to flange, and the run over time.
 
-    ``run`` and ``stored`` hold arrays (n,) by FMU name in SI: what the FMU answered, and the stored run with its inputs.
+    ``run`` and ``stored`` have arrays (n,) in SI by FMU name: the outputs of the FMU, and the stored run with its inputs.
     """
     figure = new_figure(10, 10.6)
     rows = figure.subfigures(3, 1, height_ratios=(3.4, 3.4, 3.9), hspace=0.02)
@@ -43,7 +43,7 @@ def _titled(row, title):
 
 
 def draw_patches(row, system):
-    """The right wheel's patch at :data:`SHOWN_SHIFTS` in panels of one scale, with one colour bar."""
+    """The right wheel's patch at :data:`SHOWN_SHIFTS`, in panels with a common scale and a colour bar."""
     states = [system.evaluate(lateral_shift=shift) for shift in SHOWN_SHIFTS]
     outlines = [state.right.outline for state in states]
     panels = row.subplots(1, len(states), sharey=True)
@@ -65,7 +65,7 @@ def _describe(shift, side):
 
 
 def draw_run(panels, run, stored):
-    """Inputs, contact positions, forces, pressures and areas of the run over time into panels (2, 3)."""
+    """Draw inputs, contact positions, forces, pressures and areas of the run over time into panels (2, 3)."""
     for panel, (title, name, unit, unit_name) in zip(panels.flat, RUN_PANELS):
         panel.set_label(f"run {name}")
         panel.set_title(title)
@@ -83,7 +83,7 @@ def draw_run(panels, run, stored):
 
 
 def _compare(panel, run, stored, name, unit):
-    """The FMU's answer for both wheels as lines, the stored values as circles."""
+    """Outputs of the FMU for both wheels as lines, stored values as circles."""
     time = stored["time"]
     for side in SIDES:
         look = {"color": SIDE_COLOUR[side], "linewidth": 1}

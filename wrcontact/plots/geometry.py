@@ -1,4 +1,4 @@
-"""What pictures need and a simulation does not: outlines of wheel and rail on the track, and names of a wheel's parts."""
+"""Geometry that only pictures need: outlines of wheel and rail on the track, and names of the parts of a wheel."""
 
 import numpy as np
 
@@ -44,7 +44,7 @@ def rail_outline(system, side):
 
 
 def _turned(profile, y, angle):
-    """Points (2, n) of a profile turned by ``angle`` [rad] from y to z."""
+    """Points (2, n) of a profile rotated by ``angle`` [rad] from y to z."""
     z = profile.height(y)
     return np.array([np.cos(angle) * y - np.sin(angle) * z, np.sin(angle) * y + np.cos(angle) * z])
 

@@ -1,4 +1,4 @@
-"""One pose: wheel and rail of both sides as they touch, with the contact plane, and their patches."""
+"""Picture of one pose: wheels on rails with contact point and contact plane, and the patches."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from .style import CONTACT_COLOUR, DEGREE, KILONEWTON, MM, RAIL_COLOUR, RAIL_LAB
 INSIDE, OUTSIDE = 78e-3, 54e-3  # [m] shown from the rail's highest point to the track centre and to the field side
 ABOVE, BELOW = 18e-3, 38e-3  # [m] shown above and below top of rail
 PLANE = 32e-3  # [m] drawn length of the contact plane
-HIGH = 0.1  # [m] where a drawn wheel ends upwards, out of sight
+HIGH = 0.1  # [m] upper end of a drawn wheel, outside the picture
 
 
 @styled
@@ -33,7 +33,7 @@ def contact_figure(system, state):
 
 
 def draw_contacts(figure, panels, system, state):
-    """Left and right contact into ``panels`` (2,), the pose above them."""
+    """Draw left and right contact into ``panels`` (2,), with the pose as title."""
     figure.suptitle(_headline(system, state), x=0.01, ha="left")
     for panel, side in zip(panels, SIDES):
         draw_contact(panel, system, state, side)
@@ -89,7 +89,7 @@ def _headline(system, state):
 
 
 def _load(system, state):
-    """How the wheels are loaded: by forces, or by the height of the wheelset."""
+    """Text on the load: forces, or the height of the wheelset."""
     if system.parameters["contact_mode"] == "compliant":
         return f"{number(state.vertical_shift / MM, 3)} mm down"
     force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]

@@ -1,4 +1,4 @@
-"""Contacts and roll over the lateral shift: tread, flange root and flange, and the shifts at which the contact jumps."""
+"""Contacts and roll against the lateral shift, with the parts of the wheel and the jumps of the contact."""
 
 from dataclasses import dataclass
 
@@ -19,7 +19,7 @@ BAND = {"boxstyle": "square,pad=0.15", "facecolor": "white", "edgecolor": "none"
 
 @dataclass(frozen=True)
 class Sweep:
-    """Wheelset states at rising lateral shifts [m], and where their contacts jump."""
+    """Wheelset states at rising lateral shifts [m], and the jumps of their contacts."""
 
     lateral_shift: np.ndarray
     state: object
@@ -37,7 +37,7 @@ def sweep(system, lateral_shift=None, yaw=0.0):
 
 @styled
 def sweep_figure(swept):
-    """Contact position of both wheels and roll of the wheelset over the lateral shift."""
+    """Contact position of both wheels and roll of the wheelset against the lateral shift."""
     figure = new_figure(10, 3.6)
     draw_sweep(figure.subplots(1, 3), swept)
     return figure
@@ -74,7 +74,7 @@ def draw_zones(panel, edge):
 
 
 def broken_curve(swept, side):
-    """Lateral shift and contact position [mm], two arrays, that end at every jump and begin anew behind it."""
+    """Lateral shift and contact position [mm], two arrays, interrupted at every jump."""
     jumps = [jump for jump in swept.jumps if jump.side == side]
     shift = np.concatenate([swept.lateral_shift, *([jump.lateral_shift] * 3 for jump in jumps)])
     place = np.concatenate([getattr(swept.state, side).contact.y_wheel,
