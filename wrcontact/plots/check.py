@@ -46,7 +46,7 @@ def _headline(report):
 def draw_places(figure, panel, report):
     """Wheel above rail, contact points joined by lines coloured by the lateral shift; jumps are dotted."""
     panel.set_label("places")
-    panel.set_title("Places of right wheel and rail that touch; dotted beside a jump")
+    panel.set_title("Contact points of right wheel and rail; dotted beside a jump")
     wheel, rail, y_top = report.system.profile_tables()
     aside = y_top - report.system.parameters["running_circle_distance"] / 2  # lateral distance of the rail's frame from the wheel's in the centred position
     side, colours = report.curves.right, _shift_colours()
@@ -106,7 +106,7 @@ def _shown_jumps(report, side):
 def draw_radii(panel, report):
     """Rolling radius difference [mm] against the lateral shift, with and without roll."""
     panel.set_label("radii")
-    panel.set_title("Rolling radius difference, right less left")
+    panel.set_title("Rolling radius difference, right minus left")
     for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"), ("level", LEVEL_COLOUR, "without roll")):
         if report.conicity_curves[name] is not None:
             shift, difference = report.conicity_curves[name]
@@ -147,7 +147,7 @@ def _legend(panel, place):
 def draw_moves(panel, report):
     """Rate of the right contact position on wheel and rail, per lateral shift; logarithmic."""
     panel.set_label("moves")
-    panel.set_title("Move of the right contact per lateral shift")
+    panel.set_title("Rate of the right contact per lateral shift")
     shift, side = report.curves.lateral_shift / MM, report.curves.right
     rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
     for rate, colour, words in rates:
@@ -198,7 +198,7 @@ def draw_near(panel, report):
             panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal")
     panel.plot(*_broken(report, shift, side.near_width / MM, "right"), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
-    panel.text(0.01, WIDE / MM, f"shaded: longer, or turns by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left",
+    panel.text(0.01, WIDE / MM, f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left",
                va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
     _shift_axis(panel, "mm")
     panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0),
