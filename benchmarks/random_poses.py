@@ -89,7 +89,7 @@ def references(count, store=STORE, processes=None):
         store.write_text("".join(map(line, known.values())), encoding="utf-8")
         with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
                 open(store, "a", newline="", encoding="utf-8") as file:
-            for row in told(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
+            for row in with_progress(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
                 file.write(line(row))
                 file.flush()
                 known[int(row[0])] = row
@@ -107,7 +107,7 @@ def stored(store):
     return [row for row in rows if row[:-6] == heading(int(row[0]))]
 
 
-def told(rows, count):
+def with_progress(rows, count):
     """Yield the rows, and print the remaining time now and then."""
     start = time.perf_counter()
     for done, row in enumerate(rows, 1):
