@@ -1,7 +1,8 @@
-"""Pack the FMU and print its path: ``python build_fmu.py [--native] [--output DIR] [--wheel FILE] [--rail FILE]``.
+"""Pack the FMU and print its path: ``python build_fmu.py [--native] [--output DIR] [--wheel FILE] [--rail
+FILE]``.
 
-This calls ``wrcontact.fmu``.  If an installed wrcontact has the same source as this folder, it is used, because it contains the
-compiled kernel; otherwise the source in this folder is used.
+This calls ``wrcontact.fmu``.  If an installed wrcontact has the same source as this folder, it is used,
+because it contains the compiled kernel; otherwise the source in this folder is used.
 """
 
 import sys

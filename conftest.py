@@ -1,9 +1,10 @@
 """Makes the tests use the installed wrcontact; pytest reads this file before any test.
 
-``python -m pytest`` puts this folder first in ``sys.path``, so ``wrcontact/`` here would hide the installed package, and a file
-that is missing from it would not be noticed.  So this folder is moved to the end: ``import wrcontact`` finds what pip installed
-(with ``pip install -e .`` the source here), and the source here only if nothing is installed.  The other parts of the repository
-(build_fmu, benchmarks, tools, ...) are still found.
+``python -m pytest`` puts this folder first in ``sys.path``, so ``wrcontact/`` here would hide the installed
+package, and a file that is missing from it would not be noticed.  So this folder is moved to the end:
+``import wrcontact`` finds what pip installed (with ``pip install -e .`` the source here), and the source here
+only if nothing is installed.  The other parts of the repository (build_fmu, benchmarks, tools, ...) are still
+found.
 
 If the installed copy differs from the source here, the test run ends at once.
 """

@@ -2,9 +2,9 @@
 
     python -m benchmarks [--quick] [--readme] [--picture PATH] [--random N]
 
-docs/benchmarks.md explains what is measured and has the results.  The unit is the time of ``np.sqrt`` of 2000 doubles,
-timed alternately with each row, so that results of two machines can be compared.  A row is the fastest of several rounds,
-since disturbances only add time.
+docs/benchmarks.md explains what is measured and has the results.  The unit is the time of ``np.sqrt`` of 2000
+doubles, timed alternately with each row, so that results of two machines can be compared.  A row is the
+fastest of several rounds, since disturbances only add time.
 """
 
 import argparse
@@ -75,7 +75,8 @@ def full_table(measured, effort):
 
 
 def search_table(effort):
-    """The contact searches of the degree project that wrcontact started from, geometry only (docs/source_study.md)."""
+    """The contact searches of the degree project that wrcontact started from, geometry only
+    (docs/source_study.md)."""
     found = []
     for name, work, calls, error in search_rows(quick=effort is rows.QUICK):
         took = machine.cost(work, calls, 1)

@@ -1,8 +1,8 @@
 """Errors against independent references: mean and worst error of penetration, area and peak pressure.
 
-*Positions*: the right wheel from tread to flange (tests/reference/positions.csv).  *Hunting run*: both wheels during growing
-hunting with yaw and load transfer (tests/trajectories/hunting.csv).  Both are results of a half-space solver on the true
-three-dimensional gap, whose own errors are 0.004, 0.9 and 0.6 %.
+*Positions*: the right wheel from tread to flange (tests/reference/positions.csv).  *Hunting run*: both wheels
+during growing hunting with yaw and load transfer (tests/trajectories/hunting.csv).  Both are results of a
+half-space solver on the true three-dimensional gap, whose own errors are 0.004, 0.9 and 0.6 %.
 """
 
 from functools import cache
@@ -57,7 +57,8 @@ def summary(shares):
 
 
 def rigid(system):
-    """Largest errors of the rigid contact in the hunting run, as text: roll [rad] and contact position [mm]."""
+    """Largest errors of the rigid contact in the hunting run, as text: roll [rad] and contact position
+    [mm]."""
     run = runs.stored(runs.HUNTING)
     table = system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"], run["load_transfer"])
     roll = np.max(np.abs(table.roll - run["roll"]))

@@ -2,9 +2,10 @@
 
     python -m benchmarks.fmu_step [FMU]
 
-The unit is ``np.sqrt`` of 2000 doubles, measured in the same run, so that results of two machines can be compared.  Without an
-argument the FMU is built into a temporary folder.  ``kernel`` is one evaluation, ``layer`` the FMU's own Python around
-it (measured with a kernel that does nothing), ``importer`` the time that fmpy and PythonFMU need to pass the values.
+The unit is ``np.sqrt`` of 2000 doubles, measured in the same run, so that results of two machines can be
+compared.  Without an argument the FMU is built into a temporary folder.  ``kernel`` is one evaluation,
+``layer`` the FMU's own Python around it (measured with a kernel that does nothing), ``importer`` the time
+that fmpy and PythonFMU need to pass the values.
 """
 
 import sys

@@ -1,4 +1,5 @@
-"""Cost of a call, in seconds and in a unit that can be compared between machines: ``np.sqrt`` of 2000 doubles."""
+"""Cost of a call, in seconds and in a unit that can be compared between machines: ``np.sqrt`` of 2000
+doubles."""
 
 import os
 import platform

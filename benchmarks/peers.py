@@ -1,7 +1,8 @@
 """Quoted results of another program: CONTACT v25.2 (Vollebregt), timed on another machine.
 
-Errors of its approximations refer to its own complete theory at ten of the positions, 0 ... 6.5 mm at 78.5 kN.  Its times are
-for one wheel with prescribed force, search included; a wheelset has two wheels.  No time was reported for Kik-Piotrowski.
+Errors of its approximations refer to its own complete theory at ten of the positions, 0 ... 6.5 mm at 78.5
+kN.  Its times are for one wheel with prescribed force, search included; a wheelset has two wheels.  No time
+was reported for Kik-Piotrowski.
 """
 
 from typing import NamedTuple

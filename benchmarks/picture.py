@@ -1,4 +1,5 @@
-"""Picture of run time against error: one point per row; quoted programs as bars from shortest to longest time."""
+"""Picture of run time against error: one point per row; quoted programs as bars from shortest to longest
+time."""
 
 import numpy as np
 
@@ -79,7 +80,8 @@ def annotate(axes, row, colour, offset, side):
 
 
 def draw_peers(axes):
-    """Quoted programs as bars; one without error lies on the lower edge, one without time is a mark at the right edge."""
+    """Quoted programs as bars; one without error lies on the lower edge, one without time is a mark at the
+    right edge."""
     for peer in PEERS:
         error = max(100 * float(np.mean(peer.mean)), LOWEST * 1.07)
         if peer.milliseconds is None:

@@ -1,7 +1,8 @@
 """Effect of measurement noise on ANALYN's contacts after smoothing: ``python -m benchmarks.profile_noise``.
 
-S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are read as any
-file is.  Right contacts at lateral shifts of -6 ... 6 mm are compared with those of the exact profiles.
+S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are
+read as any file is.  Right contacts at lateral shifts of -6 ... 6 mm are compared with those of the exact
+profiles.
 """
 
 import functools
@@ -42,7 +43,8 @@ def noisy_points(kind, spacing, noise, seed, both=True):
 
 
 def contacts(**profiles):
-    """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many are not valid."""
+    """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many
+    are not valid."""
     state = wrcontact.ContactSystem(**profiles).evaluate_many(lateral_shift=SHIFTS, side="right", outputs="patches")
     right = state.right
     return np.array([right.contact.y_wheel / MM, right.area, right.max_pressure]), int(np.count_nonzero(state.status))

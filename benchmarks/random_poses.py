@@ -1,9 +1,10 @@
-"""Random poses on random tracks: ANALYN and its strip correction compared with the complete theory, wheel by wheel.
+"""Random poses on random tracks: ANALYN and its strip correction compared with the complete theory, wheel by
+wheel.
 
     |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or 1:20, up to 2 deg of yaw in half
 
-Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended goes on
-where it was, a larger one only adds, and a changed model is compared anew within a second.
+Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended
+goes on where it was, a larger one only adds, and a changed model is compared anew within a second.
 """
 
 import math
@@ -67,7 +68,8 @@ def system(rail, inclination, **options):
 
 
 def solve(index):
-    """A line of the file: index, pose, penetration, area and peak pressure of both wheels; NaN without convergence."""
+    """A line of the file: index, pose, penetration, area and peak pressure of both wheels; NaN without
+    convergence."""
     where = pose(index)
     model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
     state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
@@ -81,7 +83,8 @@ def heading(index):
 
 
 def references(count, store=STORE, processes=None):
-    """Half-space results (count, 6) of the first ``count`` poses; those missing from the file are solved and added."""
+    """Half-space results (count, 6) of the first ``count`` poses; those missing from the file are solved and
+    added."""
     store.parent.mkdir(parents=True, exist_ok=True)
     known = {int(row[0]): row for row in stored(store)}
     missing = [index for index in range(count) if index not in known]
@@ -134,7 +137,8 @@ def answers(poses, **options):
 
 
 def compared(count, models=("analyn", "analyn_strip"), store=STORE):
-    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst poses."""
+    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst
+    poses."""
     truth, poses = references(count, store), [pose(index) for index in range(count)]
     lost = np.isnan(truth).any(axis=1)
     header = ["", *PATCH_NAMES]
@@ -171,7 +175,8 @@ def worst(poses, kept, shares):
 
 
 def numerics(count):
-    """Text: difference of each tolerance from the finest resolution of the same model, S1002 on UIC60 1:40."""
+    """Text: difference of each tolerance from the finest resolution of the same model, S1002 on UIC60
+    1:40."""
     poses = [pose(index)._replace(rail="UIC60", inclination=1 / 40) for index in range(count)]
     rows = []
     for model, ladder in LADDERS.items():

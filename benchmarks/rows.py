@@ -1,7 +1,8 @@
-"""The rows that are timed, each with its errors: models by tolerance, strips and sweeps, the ways to call them.
+"""The rows that are timed, each with its errors: models by tolerance, strips and sweeps, the ways to call
+them.
 
-A row is one wheelset: search, roll, and both wheels' patches.  Unless a row says otherwise, the poses follow a trajectory
-without yaw and are evaluated by evaluate_many.
+A row is one wheelset: search, roll, and both wheels' patches.  Unless a row says otherwise, the poses follow
+a trajectory without yaw and are evaluated by evaluate_many.
 """
 
 from collections.abc import Callable
@@ -41,7 +42,8 @@ QUICK = Effort(300, 3, 1, HALFSPACE[:2], EVERY)
 
 @dataclass
 class Row:
-    """One line of the table: ``work()`` makes ``calls`` evaluations; ``kind`` is its group and marker in the picture."""
+    """One line of the table: ``work()`` makes ``calls`` evaluations; ``kind`` is its group and marker in the
+    picture."""
 
     name: str
     kind: str
@@ -93,7 +95,8 @@ def formulas(effort):
 
 
 def ladders(effort):
-    """ANALYN and the strip correction at each of their tolerances, and ANALYN with the other longitudinal curvature."""
+    """ANALYN and the strip correction at each of their tolerances, and ANALYN with the other longitudinal
+    curvature."""
     poses = runs.trajectory(effort.count, yaw=0.0)
     for model, ladder in LADDERS.items():
         for tolerance, resolution in ladder.items():

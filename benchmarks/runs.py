@@ -17,7 +17,8 @@ ANY_YAW = 0.035  # [rad] 2 deg
 
 
 def trajectory(count, yaw=YAW):
-    """Lateral shift [m] and yaw [rad]: from flange to flange, about twice in 2000 poses; yaw a quarter cycle apart."""
+    """Lateral shift [m] and yaw [rad]: from flange to flange, about twice in 2000 poses; yaw a quarter cycle
+    apart."""
     turn = 12.0 * np.arange(count) / 2000
     return SHIFT * np.sin(turn), yaw * np.cos(turn)
 

@@ -1,4 +1,5 @@
-"""Computations that can be skipped: the cost of each skip beside the full cost, and its effect on the result."""
+"""Computations that can be skipped: the cost of each skip beside the full cost, and its effect on the
+result."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,7 +14,8 @@ from .table import percent
 
 @dataclass
 class Skip:
-    """``work`` with the skip and ``full`` without it, ``calls`` evaluations each; ``answer`` is the effect on the result."""
+    """``work`` with the skip and ``full`` without it, ``calls`` evaluations each; ``answer`` is the effect on
+    the result."""
 
     name: str
     work: Callable

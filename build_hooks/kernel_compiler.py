@@ -20,10 +20,12 @@ PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS",
 LIBRARY_NAME = library_name(host_platform())
 write_whole = runpy.run_path(str(KERNEL.parent / "files" / "whole_file.py"))["write_whole"]
 
-#: Steps, preparation and derivatives are separate units, so that the optimisation of the first does not depend on the others.
+#: Steps, preparation and derivatives are separate units, so that the optimisation of the first does not
+#: depend on the others.
 SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
 
-# No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
+# No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS
+# is not read.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-shared", "-fPIC")
 ZIG = (sys.executable, "-m", "ziglang", "cc")
@@ -39,8 +41,8 @@ class CompilerProblem(Exception):
 def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=()):
     """Compile the kernel into ``target_folder`` and return the library's path.
 
-    ``platform`` is a name in PLATFORMS, for which ziglang compiles; by default this machine.  ``compiler`` is a command as a list
-    of words; by default the first one that works on this machine.
+    ``platform`` is a name in PLATFORMS, for which ziglang compiles; by default this machine.  ``compiler`` is
+    a command as a list of words; by default the first one that works on this machine.
     """
     if platform:
         chosen = PLATFORMS[platform]
@@ -66,7 +68,8 @@ def place(library, folder):
 
 
 def find_compiler():
-    """Command of a C compiler: the first of $CC, cc, gcc and clang that compiles a small library; else ziglang; else None."""
+    """Command of a C compiler: the first of $CC, cc, gcc and clang that compiles a small library; else
+    ziglang; else None."""
     named = shlex.split(os.environ.get("CC", ""), posix=os.name != "nt")
     for command in (named, ["cc"], ["gcc"], ["clang"]):
         if command and shutil.which(command[0]) and makes_library(command):
@@ -85,7 +88,8 @@ def makes_library(command):
 
 
 def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
-    """Run the compiler; unless ``keeps_cache``, zig's cache is beside ``library``, so that nothing stays behind."""
+    """Run the compiler; unless ``keeps_cache``, zig's cache is beside ``library``, so that nothing stays
+    behind."""
     cache = str(library.parent / "cache")
     changed = {} if keeps_cache else {"ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache}
     return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True,
@@ -94,8 +98,8 @@ def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
 
 
 def requirements():
-    """Build requirements from PyPI: ziglang for a chosen platform, or if no compiler works on this machine and ziglang is available
-    for it."""
+    """Build requirements from PyPI: ziglang for a chosen platform, or if no compiler works on this machine
+    and ziglang is available for it."""
     if not wanted():
         return []
     here = (platform.system(), platform.machine()) in ZIG_PLATFORMS

@@ -1,14 +1,16 @@
 """PEP 517 backend: setuptools, and the compiled kernel in the wheel.
 
 * If no C compiler works, ``ziglang`` (a C compiler as a wheel) becomes a build requirement.
-* The library is written into the wheel, whose tag is then ``py3-none-<platform>``, and also beside its sources.  There it is used
-  by an editable installation, and by Python started in the checkout (``python -m benchmarks``), which finds this package before
-  the installed one.  Git ignores it, and the loader refuses it when its sources have changed.
-* ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with ziglang, whatever
-  compilers are installed; kernel_compiler.py lists the platforms.
+* The library is written into the wheel, whose tag is then ``py3-none-<platform>``, and also beside its
+  sources.  There it is used by an editable installation, and by Python started in the checkout (``python -m
+  benchmarks``), which finds this package before the installed one.  Git ignores it, and the loader refuses it
+  when its sources have changed.
+* ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with
+  ziglang, whatever compilers are installed; kernel_compiler.py lists the platforms.
 * The FMU's sources, ``fmu_src`` at the top of the checkout, are part of the wheel as ``wrcontact/fmu_src``.
-* If compilation fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the package then runs its
-  Python source, slowly, with a warning.  pip shows the build's warning only with ``-v``.
+* If compilation fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the
+  package then runs its Python source, slowly, with a warning.  pip shows the build's warning only with
+  ``-v``.
 
 ``WRCONTACT_KERNEL=python pip install .`` compiles nothing.
 """
@@ -73,9 +75,11 @@ class PlatformWheel(bdist_wheel):
 
 
 def compiled_into(folder):
-    """Compile the library into ``folder`` and into the checkout; returns False, after a warning, if that is not possible.
+    """Compile the library into ``folder`` and into the checkout; returns False, after a warning, if that is
+    not possible.
 
-    For a platform chosen by WRCONTACT_PLATFORM it is compiled only into ``folder``, and a failure is an error.
+    For a platform chosen by WRCONTACT_PLATFORM it is compiled only into ``folder``, and a failure is an
+    error.
     """
     if chosen_platform():
         return bool(compile_library(folder, platform=chosen_platform()))

@@ -1,4 +1,5 @@
-"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] ...`` writes docs/img/*.png.
+"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] ...`` writes
+docs/img/*.png.
 
     frames      frames and signs (docs/conventions.md)
     demo        the picture of ``wrcontact demo`` (README)
@@ -6,7 +7,8 @@
     models      the pressures of examples/compare_models.py (README)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
 
-Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are exaggerated.
+Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
+exaggerated.
 """
 
 import os
@@ -70,7 +72,8 @@ def demo():
 
 @style.styled
 def frames():
-    """Five sketches: the track frame from behind and from above, the profile frames, and the contact plane."""
+    """Five sketches: the track frame from behind and from above, the profile frames, and the contact
+    plane."""
     figure = style.new_figure(10.5, 6.9)
     upper, lower = figure.subfigures(2, 1, height_ratios=(1.25, 1))
     behind, above = upper.subplots(1, 2, width_ratios=(1.75, 1))

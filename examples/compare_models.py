@@ -1,4 +1,5 @@
-"""Four normal models at one pose with two patches: pressure across the right contact.  Draws compare_models.png."""
+"""Four normal models at one pose with two patches: pressure across the right contact.  Draws
+compare_models.png."""
 
 import matplotlib.pyplot as plt
 

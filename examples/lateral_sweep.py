@@ -1,4 +1,5 @@
-"""A wheelset moves across the track: contact position and largest pressure of the right wheel.  Draws lateral_sweep.png."""
+"""A wheelset moves across the track: contact position and largest pressure of the right wheel.  Draws
+lateral_sweep.png."""
 
 import matplotlib.pyplot as plt
 import numpy as np

@@ -1,4 +1,5 @@
-"""One pose, 1 mm to the right.  Prints the right contact and draws both wheels on their rails: one_pose.png."""
+"""One pose, 1 mm to the right.  Prints the right contact and draws both wheels on their rails:
+one_pose.png."""
 
 import wrcontact
 from wrcontact.plots import pose_figure, save

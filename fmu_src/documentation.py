@@ -137,7 +137,8 @@ of a file in the FMU's <code>resources</code>.</p>
 
 
 def about_native(version, platforms, profiles):
-    """HTML on a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by name."""
+    """HTML on a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by
+    name."""
     names = {kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
              for kind in ("wheel", "rail")}
     return f"""
@@ -202,7 +203,8 @@ def _abilities(root):
 
 
 def _table(title, causality, root):
-    """A table of all variables of one causality, without empty columns; left and right, patches and stations share a row."""
+    """A table of all variables of one causality, without empty columns; left and right, patches and stations
+    share a row."""
     groups = {}
     for variable in root.find("ModelVariables"):
         if variable.get("causality") == causality:
@@ -261,7 +263,8 @@ def _short(number):
 
 
 def _references(members):
-    """Value references of variables, by side where there are two: "left 28 &hellip; 58; right 162 &hellip; 192"."""
+    """Value references of variables, by side where there are two: "left 28 &hellip; 58; right 162 &hellip;
+    192"."""
     sides = {}
     for variable in members:
         side = variable.get("name").split(".")[0]

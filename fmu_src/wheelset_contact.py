@@ -10,8 +10,8 @@ from wrcontact.interface.session import Session
 class WheelsetContact(Fmi2Slave):
     """Wheelset on track as an FMI 2.0 co-simulation slave: passes values to a Session and back.
 
-    PythonFMU executes this file for every instance, so it contains only one class and its imports.  A step always succeeds:
-    problems are reported by the output ``status`` and by one line in the log.
+    PythonFMU executes this file for every instance, so it contains only one class and its imports.  A step
+    always succeeds: problems are reported by the output ``status`` and by one line in the log.
     """
 
     def __init__(self, **kwargs):
@@ -67,10 +67,11 @@ class WheelsetContact(Fmi2Slave):
         self.log(sentence, Fmi2Status.warning, "logStatusWarning")
 
     def _do(self, action, *arguments):
-        """Run an action; if it is refused, report the reason in the log and on the console, and let the FMI call fail.
+        """Run an action; if it is refused, report the reason in the log and on the console, and let the FMI
+        call fail.
 
-        PythonFMU releases its references to the class, the instance and its log when a call fails, and again when the instance is
-        freed.  An additional reference to each keeps the instance alive.
+        PythonFMU releases its references to the class, the instance and its log when a call fails, and again
+        when the instance is freed.  An additional reference to each keeps the instance alive.
         """
         try:
             return action(*arguments)

@@ -1,4 +1,5 @@
-"""Compile the kernel in place, for developers: ``python tools/compile_kernel.py`` after tools/transpile_kernel.py.
+"""Compile the kernel in place, for developers: ``python tools/compile_kernel.py`` after
+tools/transpile_kernel.py.
 
     --folder DIR        write the library there instead of into wrcontact/kernel
     --check-bounds      end the program if an index is outside its array

@@ -6,7 +6,8 @@ from .kernel import layout
 
 
 class _View:
-    """Named values of an output array (276,) or (n, 276), longer if outlines follow, starting at ``offset``."""
+    """Named values of an output array (276,) or (n, 276), longer if outlines follow, starting at
+    ``offset``."""
 
     __slots__ = ("_values", "_offset")
 
@@ -51,13 +52,15 @@ def station_count(values):
 
 
 def outline_of(values, first):
-    """Stations, half-lengths and pressures (3, stations) of the side of one pose whose outputs begin at ``first``."""
+    """Stations, half-lengths and pressures (3, stations) of the side of one pose whose outputs begin at
+    ``first``."""
     start, stations = outline_offset(values, first), station_count(values)
     return values[start:start + 3 * stations].reshape(3, stations)
 
 
 def outline_offset(values, first):
-    """Offset of the outline of the side whose outputs begin at ``first``; kernel/patch/outline.py defines the layout."""
+    """Offset of the outline of the side whose outputs begin at ``first``; kernel/patch/outline.py defines the
+    layout."""
     if values.shape[-1] == layout.OUTPUT_COUNT:
         return first + layout.SIDE_STATION
     return layout.OUTPUT_COUNT + (3 * station_count(values) if first == layout.OUT_RIGHT else 0)
@@ -73,7 +76,8 @@ class Vector(_View):
 
 
 class Contact(_View):
-    """The contact point of one wheel, in the wheel's, the rail's and the track's frame (wrcontact/conventions.py)."""
+    """The contact point of one wheel, in the wheel's, the rail's and the track's frame
+    (wrcontact/conventions.py)."""
 
     __slots__ = ()
     x_wheel = _place(layout.SIDE_X_WHEEL, "m", "ahead of the wheel's principal profile")
@@ -152,10 +156,12 @@ class Side(_View):
 
 
 class WheelsetState:
-    """Result of an evaluation: ``status``, ``roll`` [rad], ``vertical_shift`` [m, positive down], ``left``, ``right``.
+    """Result of an evaluation: ``status``, ``roll`` [rad], ``vertical_shift`` [m, positive down], ``left``,
+    ``right``.
 
-    ``force`` [N] and ``moment`` about the wheelset's centre [N m] are the resultant of the contact forces on the wheelset.
-    ``inputs`` are the seven inputs and ``values`` the kernel's outputs; all are (n, ...) for a table.
+    ``force`` [N] and ``moment`` about the wheelset's centre [N m] are the resultant of the contact forces on
+    the wheelset.  ``inputs`` are the seven inputs and ``values`` the kernel's outputs; all are (n, ...) for a
+    table.
     """
 
     __slots__ = ("values", "status", "inputs")

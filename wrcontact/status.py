@@ -29,7 +29,8 @@ INPUT_UNITS = ("m", "rad", "rad", "N", "1", "m", "rad")
 def explain(status, inputs, compliant=False):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
-    ``inputs`` are the seven inputs in the order of :data:`INPUT_NAMES`; ``compliant`` says whether the contact mode is compliant.
+    ``inputs`` are the seven inputs in the order of :data:`INPUT_NAMES`; ``compliant`` says whether the
+    contact mode is compliant.
     """
     shift, yaw, _, force, transfer, height, roll = (float(value) for value in inputs)
     kept = "the outputs keep their last valid values"

@@ -25,7 +25,8 @@ MOVES = (
     ("curvature\n1/m", lambda curves: curves.right.curvature, 1.0, 1),
     ("close\nmm", lambda curves: curves.right.near_width, 1e3, 1),
 )
-#: Rows of the table of profiles: name, unit, factor to that unit, digits, reader of a Quality; READINGS read its Reading.
+#: Rows of the table of profiles: name, unit, factor to that unit, digits, reader of a Quality; READINGS read
+#: its Reading.
 QUALITIES = (
     ("profile from", "mm", 1e3, 2, lambda quality: quality.start),
     ("to", "mm", 1e3, 2, lambda quality: quality.stop),
@@ -95,7 +96,8 @@ def _table(*headings):
 
 
 def profile_table(report):
-    """Ends of each profile, the part in contact, its roughness there, and its points if it comes from a file."""
+    """Ends of each profile, the part in contact, its roughness there, and its points if it comes from a
+    file."""
     both = (report.wheel, report.rail)
     table = Table("", "", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
     for quality in both:
@@ -109,7 +111,8 @@ def profile_table(report):
 
 
 def jump_table(report):
-    """Lateral shift of each jump, and the positions on wheel and rail before and after it, for rising shift."""
+    """Lateral shift of each jump, and the positions on wheel and rail before and after it, for rising
+    shift."""
     table = _table("shift\nmm", "on wheel\nbefore", "after\nmm", "on rail\nbefore", "after\nmm")
     for jump in merged_jumps(report.jumps, "right"):
         places = (jump.before, jump.after, jump.rail_before, jump.rail_after)
@@ -151,7 +154,8 @@ def zone_table(report):
 
 
 def check_text(report):
-    """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI with its attribute names; null for NaN."""
+    """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI with its attribute names; null for
+    NaN."""
     chosen = report.system.parameters
     fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
     system = {"wheel": report.wheel.name, "rail": report.rail.name, **{name: chosen[name] for name in GEOMETRY}}

@@ -48,9 +48,9 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
          = False):
     """Build the FMU, run it over tread, flange root and flange, and check its results.
 
-    The FMU steps through a stored run of a hunting wheelset. Its results are compared with independent references: roll and
-    contact positions with another search, penetration, area and pressure with an elastic half-space. The command writes a
-    table of all outputs and a picture. The exit code is 1 if a check fails.
+    The FMU steps through a stored run of a hunting wheelset. Its results are compared with independent
+    references: roll and contact positions with another search, penetration, area and pressure with an elastic
+    half-space. The command writes a table of all outputs and a picture. The exit code is 1 if a check fails.
     """
     from .demo import run_demo
 
@@ -63,8 +63,9 @@ def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Pr
           smoothing: Smoothing = None):
     """Solve one pose and print the contact of both wheels side by side.
 
-    With --contact-mode rigid, the default, the undeformed wheels touch the rails. With elastic, the wheels approach the rails
-    until each carries its load. With compliant, --vertical-shift-mm and --roll-deg prescribe the position, and the loads follow.
+    With --contact-mode rigid, the default, the undeformed wheels touch the rails. With elastic, the wheels
+    approach the rails until each carries its load. With compliant, --vertical-shift-mm and --roll-deg
+    prescribe the position, and the loads follow.
 
     Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
     """
@@ -137,9 +138,9 @@ def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="F
           smoothing: Smoothing = None):
     """Check a pair of profiles before a simulation relies on it.
 
-    The command prints and draws where the contact jumps, how fast contact and roll change with the lateral shift, where wheel
-    and rail are conformal, the quality of the profiles, and the equivalent conicity at 1 to 8 mm (EN 15302). The exit code is 1
-    if the pair has no contact within 1 mm of the centred position.
+    The command prints and draws where the contact jumps, how fast contact and roll change with the lateral
+    shift, where wheel and rail are conformal, the quality of the profiles, and the equivalent conicity at 1
+    to 8 mm (EN 15302). The exit code is 1 if the pair has no contact within 1 mm of the centred position.
 
     Example: wrcontact check --wheel worn.whl --rail 60E1 --output worn.png
     """
@@ -166,8 +167,9 @@ def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="NUMBER"
             only: Annotated[Optional[list[str]], typer.Option(metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
     """Recompute and draw the figures of the degree project that wrcontact started from.
 
-    Each figure is written as a picture and a CSV table, such as fig_7_2.png and fig_7_2.csv. The index figures.md shows all of
-    them, with what the project states and what is found here. This takes about 15 seconds.
+    Each figure is written as a picture and a CSV table, such as fig_7_2.png and fig_7_2.csv. The index
+    figures.md shows all of them, with what the project states and what is found here. This takes about 15
+    seconds.
 
     Example: wrcontact figures --only 7.2 7.4
     """
@@ -183,7 +185,8 @@ def _refuse_no_picture(output):
 
 
 def _system(parameters, smoothing):
-    """The contact system with these parameters; repairs of profile files are reported in one line per file."""
+    """The contact system with these parameters; repairs of profile files are reported in one line per
+    file."""
     with sentences(), remarks_in_lines("wrcontact"):
         return ContactSystem(**parameters, smoothing=None if smoothing is None else smoothing / 1e6)
 
@@ -199,7 +202,8 @@ def _refuse_what_is_not_read(system, given):
 
 
 def _refuse_without_contact(system, state):
-    """Refuse a state without contact: exit code 1 if the search did not converge, 2 if the input has no contact."""
+    """Refuse a state without contact: exit code 1 if the search did not converge, 2 if the input has no
+    contact."""
     if state.status > Status.UNLOADED:
         raise Refused(sentence(state.status, state.inputs, is_compliant(system)),
                       code=1 if state.status == Status.NOT_CONVERGED else 2)

@@ -27,7 +27,8 @@ CSV_NAME, PICTURE_NAME = "demo.csv", "demo.png"
 AXES = ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track")
 POSITIONS = tuple(f"contact.{name}" for name in AXES)
 WHEELSET, WHEELS = ("",), tuple(f"{side}." for side in SIDES)
-#: What is compared: quantity, owner, variables, tolerance, unit.  A tolerance in % is relative to the stored value.
+#: What is compared: quantity, owner, variables, tolerance, unit.  A tolerance in % is relative to the stored
+#: value.
 TOLERANCES = (
     ("roll", WHEELSET, ("roll",), 1e-9, "rad"),
     ("vertical shift", WHEELSET, ("vertical_shift",), 1e-3, "mm"),
@@ -39,12 +40,14 @@ TOLERANCES = (
     ("area", WHEELS, ("area",), 12.0, "%"),
     ("largest pressure", WHEELS, ("max_pressure",), 15.0, "%"),
 )
-#: The stored patches are those of the complete theory.  ANALYN may exceed its tolerance in a few rows, where the load moves
-#: between two patches: quantity, largest deviation there [%].  At least the share LEAST_WITHIN must be within the tolerance.
+#: The stored patches are those of the complete theory.  ANALYN may exceed its tolerance in a few rows, where
+#: the load moves between two patches: quantity, largest deviation there [%].  At least the share LEAST_WITHIN
+#: must be within the tolerance.
 LARGEST = {"penetration": 16.0, "area": 18.0, "largest pressure": 30.0}
 LEAST_WITHIN = 0.97
-#: The stored patches lie in one plane, that of the contact point.  wrcontact gives a patch whose normal differs by more than
-#: this angle [rad] a plane of its own (wrcontact/kernel/contact/planes.py); the largest pressure is then not compared.
+#: The stored patches lie in one plane, that of the contact point.  wrcontact gives a patch whose normal
+#: differs by more than this angle [rad] a plane of its own (wrcontact/kernel/contact/planes.py); the largest
+#: pressure is then not compared.
 LEANING = radians(15)
 
 
@@ -62,14 +65,16 @@ class Check:
 
     @property
     def passed(self):
-        """Whether all values are within the tolerance; for patches, whether enough are and none exceeds LARGEST."""
+        """Whether all values are within the tolerance; for patches, whether enough are and none exceeds
+        LARGEST."""
         if self.quantity in LARGEST:
             return self.deviation <= LARGEST[self.quantity] and self.within >= LEAST_WITHIN * self.count
         return self.within == self.count
 
 
 def run_demo(folder, native=False):
-    """Run the demo with the Python FMU or a native one, and write to ``folder``; True if every check passes."""
+    """Run the demo with the Python FMU or a native one, and write to ``folder``; True if every check
+    passes."""
     stored = stored_run()
     with sentences():
         fmu = built(folder, native)
@@ -80,7 +85,8 @@ def run_demo(folder, native=False):
 
 
 def built(folder, native):
-    """Path of the FMU to run, built in ``folder``; ``native`` builds both native FMUs and returns the one of FMI 2.0."""
+    """Path of the FMU to run, built in ``folder``; ``native`` builds both native FMUs and returns the one of
+    FMI 2.0."""
     from ..fmu import build_fmu
     from ..fmu.native import build_native_fmus
 
@@ -108,8 +114,9 @@ def all_inputs(stored):
 def apart(function, *arguments):
     """The result of ``function(*arguments)``, computed in a process of its own.
 
-    PythonFMU's library accesses freed memory when a process that loaded it ends, and sometimes aborts that process (PythonFMU
-    issue 228).  In a separate process this happens after the result has been returned, and does no harm.
+    PythonFMU's library accesses freed memory when a process that loaded it ends, and sometimes aborts that
+    process (PythonFMU issue 228).  In a separate process this happens after the result has been returned, and
+    does no harm.
     """
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
@@ -138,7 +145,8 @@ def undisturbed():
 
 
 def step_through(fmu, stored):
-    """All outputs of the FMU after each row of the run, arrays (n,) by name, and the duration of each step (n,) [s]."""
+    """All outputs of the FMU after each row of the run, arrays (n,) by name, and the duration of each step
+    (n,) [s]."""
     import fmpy
 
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
@@ -210,7 +218,8 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
 
 
 def is_asked(answers, name):
-    """Steps (n,) in which output ``name`` is compared: all, except largest pressures with a patch in another plane."""
+    """Steps (n,) in which output ``name`` is compared: all, except largest pressures with a patch in another
+    plane."""
     wheel, _, quantity = name.partition(".")
     steps = np.ones(len(answers["status"]), dtype=bool)
     for k in range(1, layout.PATCH_LIMIT + 1):
@@ -222,7 +231,8 @@ def is_asked(answers, name):
 
 
 def deviation(found, wanted, unit):
-    """Deviation of ``found`` from ``wanted`` (n,), both in SI, in ``unit``: mm, rad, or % of the wanted value."""
+    """Deviation of ``found`` from ``wanted`` (n,), both in SI, in ``unit``: mm, rad, or % of the wanted
+    value."""
     difference = np.abs(found - wanted)
     if unit == "%":
         return 100 * difference / np.abs(wanted)

@@ -24,7 +24,8 @@ class Door(TyperGroup):
     """The group of commands; it prints errors as one sentence, without usage text or traceback."""
 
     def main(self, *arguments, standalone_mode=True, **options):
-        """Run a command and end the process with its exit code; without ``standalone_mode``, return the code."""
+        """Run a command and end the process with its exit code; without ``standalone_mode``, return the
+        code."""
         try:
             code = super().main(*arguments, standalone_mode=False, **options)
         except Refused as refusal:

@@ -14,7 +14,8 @@ VERDICTS = {HOLDS: "It holds.", PARTLY: "It holds in part.", FAILS: "It does not
 
 
 def run_figures(output, words):
-    """Write the figures named by ``words`` (all if empty) and an index into the folder ``output``; print a summary."""
+    """Write the figures named by ``words`` (all if empty) and an index into the folder ``output``; print a
+    summary."""
     from ..plots import save
     from ..plots.source_figures import source_figure
 
@@ -33,7 +34,8 @@ def run_figures(output, words):
 
 
 def summary(figures):
-    """A table with one row per figure: number, what it shows, main result, whether the source's claim holds."""
+    """A table with one row per figure: number, what it shows, main result, whether the source's claim
+    holds."""
     table = Table("fig.", "what", "main result", "claim", box=box.SIMPLE_HEAD, show_edge=False,
                   padding=(0, 1, 0, 0))
     for column in table.columns:
@@ -45,7 +47,8 @@ def summary(figures):
 
 
 def index(figures):
-    """A page in Markdown: a table of all figures, then each picture with the source's claim and the finding."""
+    """A page in Markdown: a table of all figures, then each picture with the source's claim and the
+    finding."""
     parts = ["# The source's figures, recomputed\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 mm, 78.5 kN "
              "per wheel. Each picture is drawn from the table with the same name.\n",
              "| figure | what it shows | main result | the source's claim |\n|---|---|---|---|"]

@@ -1,7 +1,7 @@
 """Command line options, made from the table of variables, in display units.
 
-``lateral_shift`` [m] becomes ``--lateral-shift-mm``; the command receives the value in SI.  An option that is not given leaves
-the package's default.
+``lateral_shift`` [m] becomes ``--lateral-shift-mm``; the command receives the value in SI.  An option that is
+not given leaves the package's default.
 """
 
 from functools import wraps
@@ -72,8 +72,8 @@ PANELS = {INPUT: "Pose and load", PARAMETER: "Wheelset, track, material and meth
 def takes(**groups):
     """Decorator that adds options for groups of variables to a command.
 
-    ``@takes(pose=POSE, system=SYSTEM)`` calls the command with ``pose`` and ``system``, dicts of the SI values given,
-    with the names of the arguments of :class:`~wrcontact.ContactSystem` and its ``evaluate``.
+    ``@takes(pose=POSE, system=SYSTEM)`` calls the command with ``pose`` and ``system``, dicts of the SI
+    values given, with the names of the arguments of :class:`~wrcontact.ContactSystem` and its ``evaluate``.
     """
 
     def decorate(command):
@@ -121,7 +121,8 @@ def _option(variable):
 
 
 def _values(variables, given):
-    """Remove the options of ``variables`` from ``given``; return those that were given, by Python name, in SI."""
+    """Remove the options of ``variables`` from ``given``; return those that were given, by Python name, in
+    SI."""
     typed = {variable: given.pop(name_of(variable)) for variable in variables}
     return {name_of(variable): _in_si(variable, value) for variable, value in typed.items() if value is not None}
 

@@ -162,7 +162,8 @@ def _cell(name, value):
 
 
 def print_sweep(table):
-    """Print contact position, area and largest pressure of both wheels against the lateral shift, in display units."""
+    """Print contact position, area and largest pressure of both wheels against the lateral shift, in display
+    units."""
     units = dict(SIDE_ROWS)
     quantities = [("shift", table.inputs[:, 0], "m", 3), ("roll", table.roll, "rad", 4)]
     quantities += [(f"{side}\n{heading}", attrgetter(f"{side}.{name}")(table), units[name], digits)

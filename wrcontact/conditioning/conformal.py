@@ -1,9 +1,9 @@
 """Conformal contact: where wheel and rail are close to each other over a long or strongly curved stretch.
 
-The *close stretch* is the part of the undeformed wheel around a rigid contact that is less than NEAR from the rail, measured
-along the contact's normal.  If it is long or its direction changes much, three difficulties arise: the contact position
-depends on micrometres of the profiles, the patch is not the ellipse of the curvatures at one point, and a half-space with a
-single normal is not a good model.
+The *close stretch* is the part of the undeformed wheel around a rigid contact that is less than NEAR from the
+rail, measured along the contact's normal.  If it is long or its direction changes much, three difficulties
+arise: the contact position depends on micrometres of the profiles, the patch is not the ellipse of the
+curvatures at one point, and a half-space with a single normal is not a good model.
 """
 
 import math
@@ -14,15 +14,18 @@ import numpy as np
 from ..conventions import MIRROR, SIDES
 from ..profiles.compiled import evaluate_table, places
 
-#: [m] The approach of wheels of 0.3 to 0.5 m radius under 50 to 150 kN is 0.05 to 0.13 mm: closer points carry load.
+#: [m] The approach of wheels of 0.3 to 0.5 m radius under 50 to 150 kN is 0.05 to 0.13 mm: closer points
+#: carry load.
 NEAR = 0.1e-3
 #: [m] Twice the length of a patch in the rolling direction under such loads, which is 10 to 13 mm.
 WIDE = 25e-3
-#: [rad] Patches whose normals differ by more have planes of their own in wrcontact (kernel/contact/planes.py).
+#: [rad] Patches whose normals differ by more have planes of their own in wrcontact
+#: (kernel/contact/planes.py).
 TURN = math.radians(15.0)
 #: [m] Conformal shifts that are no farther apart than this belong to one zone.
 ONE = 0.21e-3
-#: [m] Spacing of the outline's points; the error of straight lines between them is 0.03 um on the sharpest flange.
+#: [m] Spacing of the outline's points; the error of straight lines between them is 0.03 um on the sharpest
+#: flange.
 STEP = 0.05e-3
 #: Number of steps in a chord, 1 mm, that gives the wheel's direction; noise changes it little.
 CHORD = 20
@@ -32,8 +35,8 @@ CHORD = 20
 class ConformalZone:
     """A range of lateral shifts, ``start`` to ``stop`` [m], over which the contact of one side is conformal.
 
-    The contact on the wheel lies between ``y_low`` and ``y_high`` [m]; the close stretch is up to ``width`` long [m], and its
-    direction changes by up to ``turn`` [rad].
+    The contact on the wheel lies between ``y_low`` and ``y_high`` [m]; the close stretch is up to ``width``
+    long [m], and its direction changes by up to ``turn`` [rad].
     """
 
     side: str
@@ -59,7 +62,8 @@ class Outlines:
         self.z_rail = evaluate_table(rail, self.y_rail)[0]
 
     def near(self, shift, roll, contact_angle, y_wheel):
-        """Length [m] and change of direction [rad] of the close stretch of a right wheel in contact at ``y_wheel`` [m]."""
+        """Length [m] and change of direction [rad] of the close stretch of a right wheel in contact at
+        ``y_wheel`` [m]."""
         sine, cosine = math.sin(roll), math.cos(roll)
         across = shift + (self.arm + self.y) * cosine - (self.radius + self.z) * sine
         down = (self.arm + self.y) * sine + (self.radius + self.z) * cosine
@@ -74,7 +78,8 @@ class Outlines:
 
 
 def near_stretches(system, lateral_shift, table):
-    """Length [m] and change of direction [rad] of the close stretches (2, n) by side, for the states ``table`` at these shifts (n,)."""
+    """Length [m] and change of direction [rad] of the close stretches (2, n) by side, for the states
+    ``table`` at these shifts (n,)."""
     outlines, found = Outlines(system), {}
     for side, sign in zip(SIDES, (MIRROR[0], 1.0)):
         wheel = getattr(table, side)
@@ -90,7 +95,8 @@ def conformal_zones(lateral_shift, sides):
 
 
 def _zones(lateral_shift, conformal):
-    """Indices of the ``conformal`` shifts (n,), one array per zone; shifts no farther apart than ONE are in one zone."""
+    """Indices of the ``conformal`` shifts (n,), one array per zone; shifts no farther apart than ONE are in
+    one zone."""
     found = np.flatnonzero(conformal)
     return [part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1) if len(part)]
 

@@ -4,10 +4,11 @@ A massless wheelset that rolls without slip follows, over the distance x,
 
     y'' + delta_r(y) / (e r0) = 0
 
-with delta_r the right minus the left rolling radius, e the distance of the running circles and r0 the nominal radius.  For a
-cone delta_r = 2 y tan(gamma), and the wavelength L is Klingel's.  Any other pair has an L at each amplitude, and its equivalent
-conicity is tan(gamma) = (pi / L)^2 2 e r0.  The product e r0 cancels, so it is 1 here.  With S(y), the integral of delta_r, the
-motion conserves E = y'^2 / 2 + S(y), and L / 2 is the integral of dy / sqrt(2 (E - S)) between the two turning points.
+with delta_r the right minus the left rolling radius, e the distance of the running circles and r0 the nominal
+radius.  For a cone delta_r = 2 y tan(gamma), and the wavelength L is Klingel's.  Any other pair has an L at
+each amplitude, and its equivalent conicity is tan(gamma) = (pi / L)^2 2 e r0.  The product e r0 cancels, so
+it is 1 here.  With S(y), the integral of delta_r, the motion conserves E = y'^2 / 2 + S(y), and L / 2 is the
+integral of dy / sqrt(2 (E - S)) between the two turning points.
 """
 
 import math
@@ -18,9 +19,11 @@ from scipy.optimize import brentq
 
 #: Amplitudes of the report [m].
 AMPLITUDES = np.arange(1.0, 9.0) * 1e-3
-#: Points of the sum over half an oscillation; its error is proportional to 1 / PLACES^2, 1e-6 of the conicity.
+#: Points of the sum over half an oscillation; its error is proportional to 1 / PLACES^2, 1e-6 of the
+#: conicity.
 PLACES = 2000
-#: Rolling radii that differ by less [m] over the whole amplitude count as equal: profiles are printed to 1 nm.
+#: Rolling radii that differ by less [m] over the whole amplitude count as equal: profiles are printed to 1
+#: nm.
 LEVEL = 1e-9
 #: Closer to a turning point than this share of the oscillation's width, S equals its value there to rounding.
 ROUNDING = 1e-7
@@ -54,8 +57,8 @@ class Conicity:
 
 
 class Swing:
-    """Oscillation of a free wheelset: rolling radius differences ``difference`` (n,) [m] at rising lateral shifts ``shift``
-    (n,) [m], linear in between."""
+    """Oscillation of a free wheelset: rolling radius differences ``difference`` (n,) [m] at rising lateral
+    shifts ``shift`` (n,) [m], linear in between."""
 
     def __init__(self, shift, difference):
         self.shift, self.difference = shift, difference
@@ -74,8 +77,8 @@ class Swing:
         return np.interp(y, self.shift, self.difference)
 
     def first_turns(self, amplitude):
-        """Left turning points [m] of all oscillations with this amplitude [m]: S is equal at both turning points and smaller
-        in between, and the rolling radius difference leads back from both."""
+        """Left turning points [m] of all oscillations with this amplitude [m]: S is equal at both turning
+        points and smaller in between, and the rolling radius difference leads back from both."""
         last = self.shift[-1] - 2 * amplitude
         ends = np.unique(np.concatenate([self.shift, self.shift - 2 * amplitude, [last]]))
         ends = ends[(ends >= self.shift[0]) & (ends <= last)]
@@ -95,8 +98,8 @@ class Swing:
                 and np.max(inside, initial=-math.inf) < self.energy(first))
 
     def half_wave(self, first, last):
-        """Distance x from the turning point ``first`` to ``last`` for e r0 = 1; the substitution y = middle + amplitude
-        sin(phi) removes the singularities at both ends."""
+        """Distance x from the turning point ``first`` to ``last`` for e r0 = 1; the substitution y = middle +
+        amplitude sin(phi) removes the singularities at both ends."""
         phi = math.pi * ((np.arange(PLACES) + 0.5) / PLACES - 0.5)
         middle, amplitude = 0.5 * (first + last), 0.5 * (last - first)
         y = middle + amplitude * np.sin(phi)
@@ -105,8 +108,8 @@ class Swing:
         return np.sum(amplitude * np.cos(phi) / speed) * math.pi / PLACES
 
     def conicity(self, amplitude):
-        """tan(gamma) [1], middle of the oscillation [m], and "" or the reason why there is none.  Of several oscillations, the
-        one nearest to the middle of the track counts."""
+        """tan(gamma) [1], middle of the oscillation [m], and "" or the reason why there is none.  Of several
+        oscillations, the one nearest to the middle of the track counts."""
         turns = self.first_turns(amplitude) if self.shift[-1] - self.shift[0] > 2 * amplitude else []
         if turns:
             first = min(turns, key=lambda turn: abs(turn + amplitude))
@@ -120,11 +123,12 @@ class Swing:
 
 
 def equivalent_conicity(lateral_shift, radius_difference, amplitude):
-    """Equivalent conicity tan(gamma) [1] at each ``amplitude`` (m,) [m]; an array (m,), NaN where there is no oscillation.
+    """Equivalent conicity tan(gamma) [1] at each ``amplitude`` (m,) [m]; an array (m,), NaN where there is no
+    oscillation.
 
-    It follows EN 15302:2021, by integration of the equation of motion, and accepts any rolling radius difference: with jumps,
-    with different wheels left and right, or with an equilibrium beside the middle of the track.  The amplitude is half the
-    distance between the two turning points.
+    It follows EN 15302:2021, by integration of the equation of motion, and accepts any rolling radius
+    difference: with jumps, with different wheels left and right, or with an equilibrium beside the middle of
+    the track.  The amplitude is half the distance between the two turning points.
 
     Parameters
     ----------
@@ -152,7 +156,8 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
 
 
 def conicities(level, rolled, *, running_circle_distance, nominal_radius):
-    """The :class:`Conicity` of two curves (lateral shift, rolling radius difference), each (n,) [m] or None without contact."""
+    """The :class:`Conicity` of two curves (lateral shift, rolling radius difference), each (n,) [m] or None
+    without contact."""
     values, middles, reasons = _at_amplitudes(level)
     rolled_values, _, rolled_reasons = _at_amplitudes(rolled)
     with np.errstate(divide="ignore"):

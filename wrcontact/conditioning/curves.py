@@ -7,8 +7,8 @@ import numpy as np
 from ..conventions import SIDES
 from .jumps import FAR, LIFTED
 
-#: Step of the central differences [m]: roll and positions are accurate to 1e-14, and the curvature of a profile changes over
-#: 1e-4 m or more.
+#: Step of the central differences [m]: roll and positions are accurate to 1e-14, and the curvature of a
+#: profile changes over 1e-4 m or more.
 NUDGE = 1e-6
 
 
@@ -16,9 +16,10 @@ NUDGE = 1e-6
 class SideCurves:
     """One contact over the lateral shift, arrays (n,), NaN where there is none.
 
-    ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, their derivatives with respect to the lateral shift [1];
-    ``contact_angle`` [rad]; ``curvature``, relative, across the track [1/m]; ``rolling_radius`` [m]; ``near_width`` [m] and
-    ``near_turn`` [rad], length and change of direction of the close stretch (conformal.py).
+    ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, their derivatives with respect to the lateral
+    shift [1]; ``contact_angle`` [rad]; ``curvature``, relative, across the track [1/m]; ``rolling_radius``
+    [m]; ``near_width`` [m] and ``near_turn`` [rad], length and change of direction of the close stretch
+    (conformal.py).
     """
 
     y_wheel: np.ndarray
@@ -36,9 +37,10 @@ class SideCurves:
 class Curves:
     """Contact of a pair of profiles against the lateral shift; arrays (n,), NaN where there is no contact.
 
-    ``lateral_shift`` [m]; ``roll`` [rad] and its derivative ``roll_rate`` [rad/m]; ``jump_distance`` to the nearest jump of
-    either contact [m], infinite without one; ``radius_difference``, right minus left rolling radius [m], and
-    ``level_radius_difference``, the same at zero roll; ``left`` and ``right``, a :class:`SideCurves` each.
+    ``lateral_shift`` [m]; ``roll`` [rad] and its derivative ``roll_rate`` [rad/m]; ``jump_distance`` to the
+    nearest jump of either contact [m], infinite without one; ``radius_difference``, right minus left rolling
+    radius [m], and ``level_radius_difference``, the same at zero roll; ``left`` and ``right``, a
+    :class:`SideCurves` each.
     """
 
     lateral_shift: np.ndarray
@@ -52,7 +54,8 @@ class Curves:
 
 
 def geometry(system, lateral_shift):
-    """States at ``lateral_shift`` (n,) [m], geometry only: of a rigid wheelset, or of a compliant one at zero roll."""
+    """States at ``lateral_shift`` (n,) [m], geometry only: of a rigid wheelset, or of a compliant one at zero
+    roll."""
     return system.evaluate_many(lateral_shift=lateral_shift, vertical_shift_input=LIFTED, outputs="geometry")
 
 
@@ -63,7 +66,8 @@ def radius_difference(system, lateral_shift):
 
 
 def rates(system, lateral_shift):
-    """Derivatives of roll (n,) [rad/m] and of (y_wheel, y_rail) by side (2, n) [1] with respect to the lateral shift (n,).
+    """Derivatives of roll (n,) [rad/m] and of (y_wheel, y_rail) by side (2, n) [1] with respect to the
+    lateral shift (n,).
 
     Central differences over 2 NUDGE; NaN where a jump or the end of a profile lies in between.
     """

@@ -16,7 +16,8 @@ LIFTED = -20e-3  # [m] height at which a compliant wheelset touches nothing; its
 class Jump:
     """A ``lateral_shift`` [m] at which the contact of one wheel jumps from one place to another.
 
-    With rising shift, y_wheel is ``before`` and ``after`` the jump, and y_rail is ``rail_before`` and ``rail_after`` [m].
+    With rising shift, y_wheel is ``before`` and ``after`` the jump, and y_rail is ``rail_before`` and
+    ``rail_after`` [m].
     """
 
     side: str
@@ -28,10 +29,11 @@ class Jump:
 
 
 def find_jumps(system, lateral_shift, yaw=0.0):
-    """Jumps of both contacts between neighbouring values of ``lateral_shift`` [m], rising (n,): a list, left ones first.
+    """Jumps of both contacts between neighbouring values of ``lateral_shift`` [m], rising (n,): a list, left
+    ones first.
 
-    Where a contact moves by more than FAR in one step, the step is halved until the parts move by less or the jump is located
-    to RESOLUTION.
+    Where a contact moves by more than FAR in one step, the step is halved until the parts move by less or the
+    jump is located to RESOLUTION.
     """
     lateral_shift = np.asarray(lateral_shift, dtype=float)
     places = contact_places(system, lateral_shift, yaw)
@@ -39,7 +41,8 @@ def find_jumps(system, lateral_shift, yaw=0.0):
 
 
 def contact_places(system, lateral_shift, yaw=0.0):
-    """y_wheel and y_rail of the contacts [m], (2, n) by side, for ``lateral_shift`` (n,); NaN without contact."""
+    """y_wheel and y_rail of the contacts [m], (2, n) by side, for ``lateral_shift`` (n,); NaN without
+    contact."""
     table = system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED, outputs="geometry")
     return {side: np.array([getattr(table, side).contact.y_wheel, getattr(table, side).contact.y_rail]) for side in SIDES}
 
@@ -62,7 +65,8 @@ def _jumps_of(system, yaw, side, shift, places):
 
 
 def merged_jumps(jumps, side):
-    """The ``jumps`` of one side; jumps within NEIGHBOURS of the one before are merged, at the place of the largest."""
+    """The ``jumps`` of one side; jumps within NEIGHBOURS of the one before are merged, at the place of the
+    largest."""
     clusters = []
     for jump in (jump for jump in jumps if jump.side == side):
         if clusters and jump.lateral_shift - clusters[-1][-1].lateral_shift < NEIGHBOURS:

@@ -1,4 +1,5 @@
-"""Quality of a profile where it is in contact: its points and repairs, its joints, and the roughness of its curvature."""
+"""Quality of a profile where it is in contact: its points and repairs, its joints, and the roughness of its
+curvature."""
 
 import math
 from dataclasses import dataclass
@@ -9,7 +10,8 @@ from ..kernel.surface import profile_table
 from ..profiles.compiled import evaluate_table, places
 from ..profiles.reading import Reading
 
-#: [rad] A joint with a larger change of angle is a kink: at a relative curvature of 5 1/m it moves the contact by 0.2 mm.
+#: [rad] A joint with a larger change of angle is a kink: at a relative curvature of 5 1/m it moves the
+#: contact by 0.2 mm.
 KINK = 1e-3
 #: [m] Shorter waves of the curvature are roughness: patches are longer, and no design has such waves.
 SMOOTH = 4e-3
@@ -46,8 +48,8 @@ class ProfileQuality:
 
 
 def profile_quality(profile, table, visited, inclination=0.0):
-    """The :class:`ProfileQuality` of ``profile``, with the kernel's ``table`` of it and contacts between ``visited`` = (low,
-    high) [m]; ``inclination`` is that of a rail, as a slope."""
+    """The :class:`ProfileQuality` of ``profile``, with the kernel's ``table`` of it and contacts between
+    ``visited`` = (low, high) [m]; ``inclination`` is that of a rail, as a slope."""
     y = _on_track(profile, math.atan(inclination))
     joints = [joint for joint, at in zip(profile.joints, y) if visited[0] <= at <= visited[1]]
     y = y[(y >= visited[0]) & (y <= visited[1])]
@@ -73,8 +75,8 @@ def _on_track(profile, angle):
 
 
 def _roughness(table, low, high):
-    """Median deviation [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH.  The few joints of
-    a design do not affect the median."""
+    """Median deviation [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH.
+    The few joints of a design do not affect the median."""
     y = places(table, STEP)
     y = y[(y >= low) & (y <= high)]
     window = np.ones(int(SMOOTH / STEP) | 1)

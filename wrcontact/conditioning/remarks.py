@@ -18,7 +18,8 @@ ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder 
 
 
 def sentences(*, usable, usable_shifts, jumps, nearest_jump, flange_shift, curves, conformal, conicity, wheel, rail, **_):
-    """The remarks (a tuple of sentences) on the results of ``check``, which are the attributes of a Conditioning."""
+    """The remarks (a tuple of sentences) on the results of ``check``, which are the attributes of a
+    Conditioning."""
     if not math.isfinite(usable_shifts[0]):
         return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
                 *_on_profile(wheel), *_on_profile(rail))

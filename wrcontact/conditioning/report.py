@@ -63,8 +63,8 @@ def check(system):
     """Check the pair of profiles of ``system``, without yaw, and return a :class:`Conditioning`.
 
     Contacts are rigid, so only the profiles and the geometry matter (rail_inclination, gauge, gauge_depth,
-    running_circle_distance, nominal_radius).  The check takes less than a second.  A pair without contact raises no error; it
-    is reported in ``usable`` and ``remarks``.  The equivalent conicity follows EN 15302.
+    running_circle_distance, nominal_radius).  The check takes less than a second.  A pair without contact
+    raises no error; it is reported in ``usable`` and ``remarks``.  The equivalent conicity follows EN 15302.
 
     >>> import wrcontact
     >>> wrcontact.check(wrcontact.ContactSystem()).conformal[1].side
@@ -93,7 +93,8 @@ def check(system):
 
 
 def _wheelset(system, contact_mode):
-    """The same wheelset and track with Hertz contact and this contact mode; a compliant one is evaluated at zero roll."""
+    """The same wheelset and track with Hertz contact and this contact mode; a compliant one is evaluated at
+    zero roll."""
     chosen = {name: system.parameters[name] for name in GEOMETRY}
     return ContactSystem(system.wheel, system.rail, **chosen, contact_mode=contact_mode, normal_model="hertz")
 
@@ -128,7 +129,8 @@ def _usable_shifts(system, shifts, status):
 
 
 def _boundary(holds, inside, outside):
-    """The last shift, between ``inside`` and ``outside``, at which ``holds(shift)`` is true; by bisection to END [m]."""
+    """The last shift, between ``inside`` and ``outside``, at which ``holds(shift)`` is true; by bisection to
+    END [m]."""
     while abs(outside - inside) > END:
         middle = 0.5 * (inside + outside)
         inside, outside = (middle, outside) if holds(middle) else (inside, middle)
@@ -148,8 +150,8 @@ def _curves(rolling, level, shifts, table, jumps):
 
 
 def _swing_curve(system, jumps):
-    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at every jump; None
-    without contact in the centred position."""
+    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at
+    every jump; None without contact in the centred position."""
     beside = [jump.lateral_shift + step for jump in jumps for step in (-RESOLUTION, RESOLUTION)]
     shifts = np.unique(np.concatenate([_shifts(FINE), np.clip(beside, -LATERAL_LIMIT, LATERAL_LIMIT)]))
     difference = radius_difference(system, shifts)
@@ -186,7 +188,8 @@ def _profiles(system, curves):
 
 
 def _visited(name, curves, near):
-    """Smallest and largest ``name`` [m] of both contacts at the shifts ``near`` (a mask (n,)); NaN without contact."""
+    """Smallest and largest ``name`` [m] of both contacts at the shifts ``near`` (a mask (n,)); NaN without
+    contact."""
     found = np.concatenate([getattr(getattr(curves, side), name)[near] for side in SIDES])
     found = found[np.isfinite(found)]
     return (float(np.min(found)), float(np.max(found))) if len(found) else (math.nan, math.nan)

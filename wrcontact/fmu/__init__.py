@@ -1,7 +1,7 @@
 """Packs wrcontact into FMUs.
 
-The sources of the FMUs are in ``fmu_src``: beside this package when wrcontact is installed, otherwise at the top of the checkout.
-Its modules are imported as ``wrcontact.fmu.description`` and so on.
+The sources of the FMUs are in ``fmu_src``: beside this package when wrcontact is installed, otherwise at the
+top of the checkout.  Its modules are imported as ``wrcontact.fmu.description`` and so on.
 """
 
 from pathlib import Path

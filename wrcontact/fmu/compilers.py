@@ -1,7 +1,7 @@
 """C compilers for libraries in FMUs: the machine's own, or ziglang, which also builds for other machines.
 
-The first build for a platform compiles a part of the C library, which takes a minute or two, most of it for Windows.  zig keeps
-the result in its own cache (``ZIG_GLOBAL_CACHE_DIR`` selects the folder).
+The first build for a platform compiles a part of the C library, which takes a minute or two, most of it for
+Windows.  zig keeps the result in its own cache (``ZIG_GLOBAL_CACHE_DIR`` selects the folder).
 """
 
 import atexit
@@ -32,11 +32,13 @@ class CompilerProblem(ValueError):
 
 
 def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
-    """Compile ``sources`` in ``folder`` for the platform ``name``; returns the library ``identifier`` as bytes.
+    """Compile ``sources`` in ``folder`` for the platform ``name``; returns the library ``identifier`` as
+    bytes.
 
-    Object files are kept in the folder ``cache``, if given.  Sources in a folder of their own, such as the kernel's, include
-    nothing outside it, so their object files serve both versions of FMI.  Without ziglang the machine's own compiler is used,
-    for the machine's own platform only.  CompilerProblem if there is no compiler or if it fails.
+    Object files are kept in the folder ``cache``, if given.  Sources in a folder of their own, such as the
+    kernel's, include nothing outside it, so their object files serve both versions of FMI.  Without ziglang
+    the machine's own compiler is used, for the machine's own platform only.  CompilerProblem if there is no
+    compiler or if it fails.
     """
     if name not in PLATFORMS:
         raise CompilerProblem(f"platform is {name!r}; permitted are {', '.join(PLATFORMS)}")
@@ -70,7 +72,8 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
 
 @lru_cache(maxsize=None)
 def zig_cache():
-    """Environment variables for zig's cache: none for the usual folder, or a temporary folder if that is not writable."""
+    """Environment variables for zig's cache: none for the usual folder, or a temporary folder if that is not
+    writable."""
     if sys.platform == "win32" or "ZIG_GLOBAL_CACHE_DIR" in os.environ:
         return {}
     try:

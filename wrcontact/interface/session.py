@@ -40,8 +40,9 @@ class Refused(ValueError):
 class Session:
     """One wheelset from its parameters to its outputs.
 
-    Outputs are computed when they are first read after a change of the inputs, and then kept: a step with unchanged inputs costs
-    nothing.  Stepping never raises; problems are reported by ``status`` and by one call of ``tell``.
+    Outputs are computed when they are first read after a change of the inputs, and then kept: a step with
+    unchanged inputs costs nothing.  Stepping never raises; problems are reported by ``status`` and by one
+    call of ``tell``.
 
     Parameters
     ----------
@@ -173,7 +174,8 @@ class Session:
         return int(self._values[STATUS])
 
     def _refresh(self):
-        """Evaluate if an input has changed since the last time; before initialisation there is nothing to evaluate."""
+        """Evaluate if an input has changed since the last time; before initialisation there is nothing to
+        evaluate."""
         if self._stale and self._stepper is not None:
             if not self.locked:
                 self.initialise()

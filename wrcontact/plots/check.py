@@ -1,4 +1,5 @@
-"""The picture of ``wrcontact check``: contact positions, rolling radii, conicity, sensitivities and conformal zones."""
+"""The picture of ``wrcontact check``: contact positions, rolling radii, conicity, sensitivities and conformal
+zones."""
 
 import numpy as np
 

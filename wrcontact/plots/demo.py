@@ -8,9 +8,11 @@ from .patch import draw_patch, frame_patch, pressure_scale, window_size
 from .style import DEGREE, INK, KILONEWTON, MEGAPASCAL, MM, SIDE_COLOUR, new_figure, styled
 from .sweep import draw_sweep, draw_zones, sweep
 
-#: Lateral shifts [m] at which the right wheel's patch is drawn: two on the tread, two at the flange root, one on the flange.
+#: Lateral shifts [m] at which the right wheel's patch is drawn: two on the tread, two at the flange root, one
+#: on the flange.
 SHOWN_SHIFTS = (0.0, 3e-3, 5e-3, 6e-3, 7e-3)
-#: Panels of the run, by rows: title, name of the variable (after the side, where a wheel has it), display unit and its name.
+#: Panels of the run, by rows: title, name of the variable (after the side, where a wheel has it), display
+#: unit and its name.
 RUN_PANELS = (
     ("Lateral shift", "lateral_shift", MM, "mm"),
     ("Yaw", "yaw", DEGREE, "deg"),
@@ -23,9 +25,11 @@ RUN_PANELS = (
 
 @styled
 def demo_figure(system, run, stored):
-    """Three rows: contacts and roll against the lateral shift, patches from tread to flange, and the run over time.
+    """Three rows: contacts and roll against the lateral shift, patches from tread to flange, and the run over
+    time.
 
-    ``run`` and ``stored`` have arrays (n,) in SI by FMU name: the outputs of the FMU, and the stored run with its inputs.
+    ``run`` and ``stored`` have arrays (n,) in SI by FMU name: the outputs of the FMU, and the stored run with
+    its inputs.
     """
     figure = new_figure(10, 10.6)
     rows = figure.subfigures(3, 1, height_ratios=(3.4, 3.4, 3.9), hspace=0.02)

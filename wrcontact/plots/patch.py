@@ -1,4 +1,5 @@
-"""Pictures of a contact patch: its outline in the contact plane, its pressure in colour, and the pressure on its centre line."""
+"""Pictures of a contact patch: its outline in the contact plane, its pressure in colour, and the pressure on
+its centre line."""
 
 import numpy as np
 from matplotlib.colors import Normalize
@@ -14,7 +15,8 @@ MARGIN = 1.2e-3  # [m] around a patch
 def fine_outline(outline):
     """Station [m], half-length [m] and pressure [Pa] of one pose at many stations, three arrays (n,).
 
-    Between the stored stations the squares are interpolated: they are linear near an edge, so an ellipse stays smooth.
+    Between the stored stations the squares are interpolated: they are linear near an edge, so an ellipse
+    stays smooth.
     """
     stored = np.arange(len(outline.station))
     place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
@@ -24,7 +26,8 @@ def fine_outline(outline):
 
 
 def draw_patch(panel, outline, scale):
-    """Fill the patch of one pose by pressure: lateral position to the right, rolling direction up, both in mm.
+    """Fill the patch of one pose by pressure: lateral position to the right, rolling direction up, both in
+    mm.
 
     ``scale`` is a matplotlib norm in MPa, so that several patches share one colour scale.
     """
@@ -59,14 +62,16 @@ def pressure_scale(outlines):
 
 
 def window_size(outlines):
-    """Half width and half length [m] of a window that fits each of several patches, so that they share one scale."""
+    """Half width and half length [m] of a window that fits each of several patches, so that they share one
+    scale."""
     across = max(float(np.ptp(outline.station)) for outline in outlines) / 2
     along = max(float(np.max(outline.half_length)) for outline in outlines)
     return across + MARGIN, along + MARGIN
 
 
 def frame_patch(panel, outline, across, along):
-    """Set the limits of ``panel`` to ``across`` [m] on both sides of the patch's middle and ``along`` [m] ahead and behind."""
+    """Set the limits of ``panel`` to ``across`` [m] on both sides of the patch's middle and ``along`` [m]
+    ahead and behind."""
     middle = 0.5 * (outline.station[0] + outline.station[-1])
     panel.set_xlim((middle - across) / MM, (middle + across) / MM)
     panel.set_ylim(-along / MM, along / MM)

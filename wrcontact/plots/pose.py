@@ -16,7 +16,8 @@ HIGH = 0.1  # [m] upper end of a drawn wheel, outside the picture
 
 @styled
 def pose_figure(system, state):
-    """Both wheels on their rails at one pose, seen in the direction of travel, above patches and pressures."""
+    """Both wheels on their rails at one pose, seen in the direction of travel, above patches and
+    pressures."""
     figure = new_figure(9, 9.6)
     panels = figure.subplots(3, 2, height_ratios=(2, 3.9, 1.6))
     draw_contacts(figure, panels[0], system, state)
@@ -42,7 +43,8 @@ def draw_contacts(figure, panels, system, state):
 
 
 def draw_contact(panel, system, state, side):
-    """Wheel and rail of one side in track coordinates [mm], height up, with contact point and contact plane."""
+    """Wheel and rail of one side in track coordinates [mm], height up, with contact point and contact
+    plane."""
     panel.set_label(f"{side} contact")
     y_rail, z_rail = rail_outline(system, side)
     panel.fill(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR, alpha=0.3, linewidth=0)
@@ -70,7 +72,8 @@ def draw_plane(panel, contact, side):
 
 
 def _frame(panel, top, side):
-    """Show the flange on the inner side and the tread on the outer one; ``top`` is the rail's highest point [m]."""
+    """Show the flange on the inner side and the tread on the outer one; ``top`` is the rail's highest point
+    [m]."""
     low, high = (-INSIDE, OUTSIDE) if side == "right" else (-OUTSIDE, INSIDE)
     panel.set(xlim=((top + low) / MM, (top + high) / MM), ylim=(-BELOW / MM, ABOVE / MM), aspect="equal",
               xlabel="across the track, right + [mm]", ylabel="above top of rail [mm]", yticks=(-30, -20, -10, 0, 10))

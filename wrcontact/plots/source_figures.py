@@ -1,4 +1,5 @@
-"""The figures of the degree project as pictures, each drawn only from its table, which is also written as CSV.
+"""The figures of the degree project as pictures, each drawn only from its table, which is also written as
+CSV.
 
 Lines are exact, dots are the source's searches, broken lines are elastic contact or the complete theory.
 """
@@ -242,7 +243,8 @@ def draw_separation(picture, figure):
 
 
 def closed_outline(panel, station, half_length, *, fine=False, label=None, **look):
-    """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they stand for."""
+    """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they
+    stand for."""
     if fine:
         station, half_length = rounded_edge(station, half_length)
     loaded = half_length > 0
@@ -338,7 +340,8 @@ def draw_patches(picture, figure):
 
 
 def draw_torn(picture, figure):
-    """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete theory's patch."""
+    """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete
+    theory's patch."""
     names = [name for name in curves_of(figure) if name != "complete theory"]
     theory = rows_of(figure.columns, curve="complete theory")
     true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)

@@ -1,7 +1,7 @@
 """Style of the pictures: fonts, lines and colours; units mm, deg, kN and MPa.
 
-The colours are those of Okabe and Ito, which can be distinguished with any colour vision.  Figures are made without pyplot:
-they need no display and leave no global state.
+The colours are those of Okabe and Ito, which can be distinguished with any colour vision.  Figures are made
+without pyplot: they need no display and leave no global state.
 """
 
 from functools import wraps

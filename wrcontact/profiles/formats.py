@@ -1,7 +1,8 @@
 """Points from the text of a profile file: plain columns, Simpack's .prw and .prr, MiniProf's .whl and .ban.
 
-Each reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file, with the unit,
-shift and mirror that the file itself states; everything that must be guessed is left to repair.py.
+Each reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file,
+with the unit, shift and mirror that the file itself states; everything that must be guessed is left to
+repair.py.
 """
 
 import math
@@ -28,10 +29,11 @@ UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 2
 
 @dataclass
 class Points:
-    """Points in the order of the file: ``y``, ``z`` (n,), in mm if the file states its unit, and ``weight`` (n,).
+    """Points in the order of the file: ``y``, ``z`` (n,), in mm if the file states its unit, and ``weight``
+    (n,).
 
-    ``lines`` (n,) are their line numbers.  ``free`` is True for a format that does not define the position of the running
-    circle and the direction of the axes; finding these is then not reported as a repair.
+    ``lines`` (n,) are their line numbers.  ``free`` is True for a format that does not define the position of
+    the running circle and the direction of the axes; finding these is then not reported as a repair.
     """
 
     y: np.ndarray
@@ -43,7 +45,8 @@ class Points:
 
 
 def read_points(text, extension, kind):
-    """The :class:`Points` in ``text``, in the format of ``extension`` (such as ".prw"); a Refusal if there are none."""
+    """The :class:`Points` in ``text``, in the format of ``extension`` (such as ".prw"); a Refusal if there
+    are none."""
     named = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}.get(extension)
     if named and named != kind:
         raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
@@ -60,9 +63,9 @@ def read_points(text, extension, kind):
 def plain_points(text):
     """Points from columns of numbers.
 
-    Columns are separated by semicolons, tabs, blanks or commas.  The decimal sign is a point, or a comma if it cannot be a
-    separator.  The first two columns are y and z, unless a header line names columns y and z.  Comments start with #, !, % or
-    //.  Lines with another number of fields than most lines are headers.
+    Columns are separated by semicolons, tabs, blanks or commas.  The decimal sign is a point, or a comma if
+    it cannot be a separator.  The first two columns are y and z, unless a header line names columns y and z.
+    Comments start with #, !, % or //.  Lines with another number of fields than most lines are headers.
     """
     rows = [(number, fields) for number, fields in _fields_of(text) if len(fields) >= 2]
     if 2 * len(AMBIGUOUS.findall(text)) > len(rows) > 0:
@@ -149,12 +152,13 @@ def _left_out(word, numbers, why):
 def simpack_points(text, kind):
     """Points from Simpack's .prw and .prr.
 
-    Lines between ``point.begin`` and ``point.end`` contain y, z and optionally a weight for smoothing; a point of weight 0 is
-    left out.  These keys are applied, in the order in which such files number them:
-    ``point.dist.min``, ``shift.y``, ``shift.z``, ``rotate`` (about x, from y to z), ``bound.y.min`` ... ``bound.z.max``
-    (none where min > max), ``mirror.y``, ``mirror.z``, ``inversion``, ``units.len.f`` (length unit per metre; without it
-    ``units.len``) and ``units.ang.f``.  ``type`` in the header (0 rail, 1 wheel) must be the requested one.
-    ``approx.smooth`` is not applied, since its scale is Simpack's own.  "!" starts a comment.
+    Lines between ``point.begin`` and ``point.end`` contain y, z and optionally a weight for smoothing; a
+    point of weight 0 is left out.  These keys are applied, in the order in which such files number them:
+    ``point.dist.min``, ``shift.y``, ``shift.z``, ``rotate`` (about x, from y to z), ``bound.y.min`` ...
+    ``bound.z.max`` (none where min > max), ``mirror.y``, ``mirror.z``, ``inversion``, ``units.len.f`` (length
+    unit per metre; without it ``units.len``) and ``units.ang.f``.  ``type`` in the header (0 rail, 1 wheel)
+    must be the requested one.  ``approx.smooth`` is not applied, since its scale is Simpack's own.  "!"
+    starts a comment.
     """
     keys, rows, bad, inside, section = {}, [], [], False, ""
     for number, line in enumerate(text.splitlines(), start=1):
@@ -225,9 +229,10 @@ def _apart(y, z, nearest):
 def miniprof_points(text):
     """Points from MiniProf's .whl and .ban.
 
-    Header lines are ``Keyword=value``.  ``ColumnDef`` (such as X,Y,A,C,N) names the columns: X is lateral and Y vertical, both
-    in mm; without it they are the first two columns.  "#" starts a comment.  A wheel may be measured from the back of its
-    flange, upwards or downwards, and from either side; position and directions are found from its shape.
+    Header lines are ``Keyword=value``.  ``ColumnDef`` (such as X,Y,A,C,N) names the columns: X is lateral and
+    Y vertical, both in mm; without it they are the first two columns.  "#" starts a comment.  A wheel may be
+    measured from the back of its flange, upwards or downwards, and from either side; position and directions
+    are found from its shape.
     """
     columns, data = (0, 1), []
     for line in text.splitlines():

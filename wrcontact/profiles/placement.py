@@ -1,7 +1,8 @@
 """The rail on the track: inclination about the head, and the gauge.
 
-The rail is inclined towards the track centre, so its field side rises and its highest point moves to the field side.  The
-inclined profile is expressed in axes parallel to the track's, with the origin at its highest point.
+The rail is inclined towards the track centre, so its field side rises and its highest point moves to the
+field side.  The inclined profile is expressed in axes parallel to the track's, with the origin at its highest
+point.
 """
 
 import math
@@ -11,8 +12,8 @@ from ..conventions import MILLIMETRE as MM
 from .profile import Profile
 from .zones import Arc, Moved, move_zone
 
-#: The head is read as a function of y; it ends where it is steeper than this [rad].  Wheels are less steep (75 deg at
-#: most on flanges in use), so no contact lies beyond.
+#: The head is read as a function of y; it ends where it is steeper than this [rad].  Wheels are less steep
+#: (75 deg at most on flanges in use), so no contact lies beyond.
 STEEPEST = math.radians(80.0)
 
 
@@ -46,7 +47,8 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
 
 
 def readable_wheel(wheel):
-    """``wheel`` without the parts steeper than :data:`STEEPEST` at its ends (the flange back's vertical start)."""
+    """``wheel`` without the parts steeper than :data:`STEEPEST` at its ends (the flange back's vertical
+    start)."""
     kept = [part for part in (_readable(zone, 0.0, 0.0, 0.0) for zone in wheel.zones) if part is not None]
     return Profile(wheel.name, "wheel", _around_top(kept), wheel.smooth)
 

@@ -7,7 +7,8 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from .reading import Reading
 
-#: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by rounding.
+#: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
+#: rounding.
 JOINT_HEIGHT = 2e-4
 #: Largest slope step at a joint of a tangent chain [-]; S1002 as printed has 1.1e-5.
 JOINT_SLOPE = 3e-5
@@ -15,7 +16,8 @@ JOINT_SLOPE = 3e-5
 
 @dataclass(frozen=True)
 class Joint:
-    """Where two zones meet: position [m] and the steps in height [m], slope [-] and second derivative [1/m]."""
+    """Where two zones meet: position [m] and the steps in height [m], slope [-] and second derivative
+    [1/m]."""
 
     y: float
     height_step: float
@@ -27,10 +29,11 @@ class Joint:
 class Profile:
     """A profile made of ``zones`` (in mm, by rising y), read in metres.
 
-    ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or "rail"
-    (origin at the highest point of the head).  Height is positive down for both.  The constructor checks that consecutive
-    zones have no hole between them and agree in height and slope; ``smooth=False`` permits corners, for measured profiles.
-    ``reading`` describes the file of points that the profile comes from, if any; it has no effect.
+    ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or
+    "rail" (origin at the highest point of the head).  Height is positive down for both.  The constructor
+    checks that consecutive zones have no hole between them and agree in height and slope; ``smooth=False``
+    permits corners, for measured profiles.  ``reading`` describes the file of points that the profile comes
+    from, if any; it has no effect.
 
     Raises
     ------
@@ -98,7 +101,8 @@ class Profile:
         return self.zones[-1].stop * MM
 
     def evaluate(self, y):
-        """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN outside."""
+        """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN
+        outside."""
         y = np.asarray(y, dtype=float)
         # ``start`` and ``stop`` in metres need not come back to the same millimetres
         y_mm = np.where((y >= self.start) & (y <= self.stop), np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 class Reading:
     """Properties of a file of points.
 
-    ``points``, the number of points used; their median ``spacing`` and the ``widest`` one [m]; their estimated ``noise`` and the
-    applied ``smoothing`` [m]; ``remarks``, a tuple of sentences on repairs.
+    ``points``, the number of points used; their median ``spacing`` and the ``widest`` one [m]; their
+    estimated ``noise`` and the applied ``smoothing`` [m]; ``remarks``, a tuple of sentences on repairs.
     """
 
     points: int

@@ -6,7 +6,8 @@ from contextlib import contextmanager
 
 
 class ProfileWarning(UserWarning):
-    """A profile file was repaired before it was used; the message says what was done, where and by how much."""
+    """A profile file was repaired before it was used; the message says what was done, where and by how
+    much."""
 
 
 class Refusal(ValueError):
@@ -21,7 +22,8 @@ def remark(kind, name, remarks):
 
 @contextmanager
 def remarks_in_lines(prefix):
-    """Inside this context, each different ProfileWarning is printed once, as one line "prefix: message" on the error stream."""
+    """Inside this context, each different ProfileWarning is printed once, as one line "prefix: message" on
+    the error stream."""
     with warnings.catch_warnings():
         show, said = warnings.showwarning, set()
 

@@ -1,9 +1,11 @@
-"""From measured points to a smooth curve: noise estimate, smoothing spline over the arc length, and its pieces in y.
+"""From measured points to a smooth curve: noise estimate, smoothing spline over the arc length, and its
+pieces in y.
 
-The spline is FITPACK's of degree 5 over the arc length, so flanges and gauge faces may be vertical.  It uses the smallest
-number of knots that keeps the points within the tolerance: sum of squared distances <= (n + 3 sqrt(2 n)) tolerance^2.  Few
-knots on the tread and many in the root give a usable curvature: with 1 to 10 um of noise every 0.2 mm its error on the tread of
-S1002 is 0.1 to 0.5 1/m; a spline of uniform stiffness has an error of 1 to 2 1/m.
+The spline is FITPACK's of degree 5 over the arc length, so flanges and gauge faces may be vertical.  It uses
+the smallest number of knots that keeps the points within the tolerance: sum of squared distances <= (n + 3
+sqrt(2 n)) tolerance^2.  Few knots on the tread and many in the root give a usable curvature: with 1 to 10 um
+of noise every 0.2 mm its error on the tread of S1002 is 0.1 to 0.5 1/m; a spline of uniform stiffness has an
+error of 1 to 2 1/m.
 """
 
 import math
@@ -16,10 +18,10 @@ from .zones import Polynomial
 
 #: Points with less noise are not smoothed [mm]; rounding to four decimals gives three times as much.
 LEAST_NOISE = 1e-5
-#: Noise is the residual of polynomials fitted to stretches of points: number of points, degree, step from one stretch to the
-#: next, and the median of chi squared with (points - degree - 1) degrees of freedom.  If the points are far apart, the residual
-#: of long stretches includes the profile's own joints.  The short stretch is used if its variance is less than half of that and
-#: the spacing is more than SPARSE times the noise.
+#: Noise is the residual of polynomials fitted to stretches of points: number of points, degree, step from one
+#: stretch to the next, and the median of chi squared with (points - degree - 1) degrees of freedom.  If the
+#: points are far apart, the residual of long stretches includes the profile's own joints.  The short stretch
+#: is used if its variance is less than half of that and the spacing is more than SPARSE times the noise.
 STRETCHES = ((11, 5, 2, 4.3515), (5, 3, 1, 0.4549))
 SPARSE = 20.0
 #: Relative regularisation, for repeated points; it changes a fit by this share.
@@ -36,18 +38,19 @@ PIECE, SHORTEST_PIECE = 0.5, 0.01
 WALL = math.tan(math.radians(88.0))
 #: A wall may begin this far below the top of a rail or the running circle, or beyond this y on a wheel [mm].
 WALL_DEPTH, FIELD_SIDE = 5.0, 25.0
-#: Smallest advance in y of a wall's pieces, relative to their length; 20 mm of vertical gauge face advance by 0.02 mm.
+#: Smallest advance in y of a wall's pieces, relative to their length; 20 mm of vertical gauge face advance by
+#: 0.02 mm.
 LEAST_ADVANCE = 1e-3
 #: Smallest width of a piece in y [mm].
 NARROWEST = 1e-6
 
 
 def noise_of(y, z):
-    """Standard deviation [mm] of points ``y``, ``z`` (n,) across their curve where it is flat, and the factor (n,) by which it
-    is smaller at each point.
+    """Standard deviation [mm] of points ``y``, ``z`` (n,) across their curve where it is flat, and the factor
+    (n,) by which it is smaller at each point.
 
-    It is the median, over stretches, of the residual of a polynomial, separately for flat and steep stretches: noise in z alone
-    is smaller across a flank.
+    It is the median, over stretches, of the residual of a polynomial, separately for flat and steep
+    stretches: noise in z alone is smaller across a flank.
     """
     if len(y) < 2 * STRETCHES[0][0]:
         return 0.0, np.ones(len(y))
@@ -63,7 +66,8 @@ def noise_of(y, z):
 
 
 def _variances(y, z, points, degree, step, median):
-    """Variances [mm^2] of flat and of steep stretches; if there are too few of a kind, that of all stretches."""
+    """Variances [mm^2] of flat and of steep stretches; if there are too few of a kind, that of all
+    stretches."""
     starts = np.arange(0, len(y) - points + 1, step)
     rows = [part[starts[:, None] + np.arange(points)] for part in (y, z)]
     along, across = in_chords(*rows)
@@ -79,8 +83,8 @@ def _directions(y, z):
 
 
 def in_chords(y, z, y_more=None, z_more=None):
-    """Coordinates along and across the least-squares line through each row of ``y``, ``z`` (m, n): of these points, followed
-    by those of ``y_more``, ``z_more`` (m, k)."""
+    """Coordinates along and across the least-squares line through each row of ``y``, ``z`` (m, n): of these
+    points, followed by those of ``y_more``, ``z_more`` (m, k)."""
     angle = _directions(y, z)[:, None]
     y_mean, z_mean = y.mean(axis=1, keepdims=True), z.mean(axis=1, keepdims=True)
     y, z = (part if more is None else np.hstack([part, more]) for part, more in ((y, y_more), (z, z_more)))
@@ -117,14 +121,17 @@ def arc_lengths(y, z, noise):
 
 
 def _most(count):
-    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of 700; a closer curve would follow the noise."""
+    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of 700; a closer curve would
+    follow the noise."""
     return count + 3.0 * math.sqrt(2.0 * count)
 
 
 class Curve:
-    """The smoothing spline for ordered points ``y``, ``z`` (n,) [mm], with a root mean square distance of ``tolerance`` [mm].
+    """The smoothing spline for ordered points ``y``, ``z`` (n,) [mm], with a root mean square distance of
+    ``tolerance`` [mm].
 
-    ``weight`` (n,) multiplies the distance of each point.  With tolerance 0 the spline goes through every point.
+    ``weight`` (n,) multiplies the distance of each point.  With tolerance 0 the spline goes through every
+    point.
     """
 
     def __init__(self, y, z, weight, tolerance):
@@ -152,7 +159,8 @@ class Curve:
         return (y - self.origin[0], z - self.origin[1]), slope, bend
 
     def ends_of_pieces(self):
-        """Arc lengths (n,) at the ends of the pieces: knots at least SHORTEST_PIECE apart, and others at most PIECE apart."""
+        """Arc lengths (n,) at the ends of the pieces: knots at least SHORTEST_PIECE apart, and others at most
+        PIECE apart."""
         knots = np.unique(np.clip(self._spline[0], self.s[0], self.s[-1]))
         kept = [knots[0]]
         for knot in knots[1:-1]:
@@ -180,8 +188,8 @@ class Curve:
 
 
 def pieces_of(curve, top, *, walls):
-    """Quintic pieces in y of ``curve`` around the arc length ``top``, as far as it is less steep than WALL, and whether the
-    result is smooth.  With ``walls``, straight pieces continue to the ends of the curve.
+    """Quintic pieces in y of ``curve`` around the arc length ``top``, as far as it is less steep than WALL,
+    and whether the result is smooth.  With ``walls``, straight pieces continue to the ends of the curve.
 
     Raises
     ------
@@ -226,7 +234,8 @@ def _quintic(low, high):
 
 
 def _wall(y, z, slope):
-    """Straight pieces through the points of a wall, outwards and down until it turns up; y advances by at least LEAST_ADVANCE."""
+    """Straight pieces through the points of a wall, outwards and down until it turns up; y advances by at
+    least LEAST_ADVANCE."""
     zones, start, height = [], float(y[0]), float(z[0])
     for low, high in zip(z[:-1], z[1:]):
         if high <= low or slope < 0.0:

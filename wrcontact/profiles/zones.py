@@ -1,6 +1,7 @@
 """The zones by which standards define profiles: polynomials and circular arcs, in millimetres as printed.
 
-``zone(y)`` returns height z [mm] (positive down), slope dz/dy [1] and second derivative [1/mm] at y [mm], arrays of y's shape.
+``zone(y)`` returns height z [mm] (positive down), slope dz/dy [1] and second derivative [1/mm] at y [mm],
+arrays of y's shape.
 """
 
 import math
@@ -28,7 +29,8 @@ class Polynomial:
 
 @dataclass(frozen=True)
 class Arc:
-    """Part of the circle around (y_centre, z_centre); ``side`` +1 is its lower half (larger z), -1 its upper half.
+    """Part of the circle around (y_centre, z_centre); ``side`` +1 is its lower half (larger z), -1 its upper
+    half.
 
     z = z_centre + side * sqrt(radius^2 - (y - y_centre)^2)
     """
@@ -50,7 +52,8 @@ class Arc:
 
 @dataclass(frozen=True)
 class Moved:
-    """``zone`` rotated by ``angle`` [rad] from y to z about the origin of its frame, then shifted by (y_shift, z_shift) [mm].
+    """``zone`` rotated by ``angle`` [rad] from y to z about the origin of its frame, then shifted by
+    (y_shift, z_shift) [mm].
 
     The moved curve is a function of its own abscissa y: the zone's parameter t with
     t cos(angle) - z(t) sin(angle) + y_shift = y is found by Newton's method.
