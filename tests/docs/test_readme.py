@@ -1,4 +1,4 @@
-"""The README tells the truth: its example runs, its files exist, its counts are today's."""
+"""README and documentation: examples run, linked files exist, counts and tables agree with the package."""
 
 import re
 
@@ -10,6 +10,11 @@ from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES, select
 from wrcontact.profiles.catalogue import BUILDERS
 
+<<<<<<< HEAD:tests/docs/test_readme.py
+=======
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
+>>>>>>> 6f240db (README on two pages: everything else moves to docs/usage.md and docs/fmu.md):tests/test_readme.py
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -20,9 +25,8 @@ def test_the_example_runs(capsys):
     assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)            # the S1002's 70 deg flank, and the roll
 
 
-@pytest.mark.parametrize("name", ["README.md", "docs/fmu.md"])
-def test_linked_files_exist(name):
-    page = ROOT / name
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+def test_linked_files_exist(page):
     for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
         assert (page.parent / link).exists(), link
 
@@ -34,10 +38,11 @@ TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmuco
 
 def test_tools_that_are_said_to_run_are_run():
     """Every row with a "yes" names the tests that run the tool."""
-    rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", README, re.MULTILINE)
+    page = (DOCS / "fmu.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", page, re.MULTILINE)
     assert len(rows) >= len(TOOLS)
     for tool, _, tests in rows:
-        sources = [(ROOT / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
+        sources = [(DOCS / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
         word = next((word for name, word in TOOLS.items() if tool.startswith(name)), tool.split(",")[0])
         assert sources and all(word in source for source in sources), tool
 
