@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +19,7 @@ from benchmarks import (
     skips,
 )
 from benchmarks.table import figure, markdown
+from tests.helpers.paths import ROOT
 from wrcontact.plots import style
 from wrcontact.methods.resolution import LADDERS
 
@@ -61,7 +61,7 @@ def test_the_readme_is_shorter():
 
 def test_the_readme_has_these_rows():
     """Its table is one that ``--readme`` printed: the same header, and the same rows in the same order."""
-    page = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+    page = (ROOT / "README.md").read_text(encoding="utf-8")
     expected = [row.name for row in rows.all_rows(rows.FULL) if row.short] + [rows.FMU_ROW]
     expected += [f"{peer.name} ({peers.SOURCE})" for peer in peers.PEERS]
     table = page.split(__main__.line(__main__.HEADER))[1].split("\n\n")[0].splitlines()

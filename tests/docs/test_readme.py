@@ -10,11 +10,7 @@ from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES, select
 from wrcontact.profiles.catalogue import BUILDERS
 
-<<<<<<< HEAD:tests/docs/test_readme.py
-=======
-ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
->>>>>>> 6f240db (README on two pages: everything else moves to docs/usage.md and docs/fmu.md):tests/test_readme.py
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -65,9 +61,10 @@ def test_counts():
 
 def test_every_input_and_parameter_is_in_a_table():
     """And every choice of every method."""
+    page = (DOCS / "nomenclature.md").read_text(encoding="utf-8")
     for variable in VARIABLES:
         if variable.causality != OUTPUT:
-            assert re.search(rf"^\| [^|]*`{variable.name}`[^|]* \|", README, re.MULTILINE), variable.name
-            assert all(f'"{choice}"' in README for choice in variable.choices), variable.name
+            assert re.search(rf"^\| [^|]*`{variable.name}`[^|]* \|", page, re.MULTILINE), variable.name
+            assert all(f'"{choice}"' in page for choice in variable.choices), variable.name
     for name in ("force", "moment", "roll", "vertical_shift", "status"):
-        assert re.search(rf"^\| [^|]*`{name}`[^|]* \|", README, re.MULTILINE), name
+        assert re.search(rf"^\| [^|]*`{name}`[^|]* \|", page, re.MULTILINE), name
