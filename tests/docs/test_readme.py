@@ -27,6 +27,17 @@ def test_linked_files_exist(page):
         assert (page.parent / link).exists(), link
 
 
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+def test_files_that_are_named_exist(page):
+    """Paths in backticks, from the top of the repository or of the package, and names of tests."""
+    words = set(re.findall(r"`([^`\s]+)`", page.read_text(encoding="utf-8")))
+    paths = {word.split("::")[0] for word in words if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
+    missing = {path for path in paths if not ((ROOT / path).exists() or (ROOT / "wrcontact" / path).exists())}
+    assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
+    tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
+    assert {word.split("::")[0] for word in words if re.match(r"test_\w+\.py", word)} <= tests
+
+
 #: A word that a test has if it runs the tool.
 TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"', "ecospy": '"ecospy"',
          "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
