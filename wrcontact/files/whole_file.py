@@ -1,8 +1,7 @@
 """Atomic writing of files: a file is written under a temporary name in the same folder, then renamed.
 
-If the process is killed or interrupted, or the disk is full, the file from before is unchanged.  The
-temporary file ``.wrcontact-*.part`` stays, and is removed when the next file is written to the same folder
-and ABANDONED seconds have passed.
+If the process is killed or interrupted, or the disk is full, the file from before is unchanged.  The temporary file
+``.wrcontact-*.part`` stays, and is removed when the next file is written to the same folder and ABANDONED seconds have passed.
 
 Standard library only and no imports from the package, so that build tools can run this file by its path.
 """
@@ -30,9 +29,8 @@ def write_whole(target, data):
 def whole_file(target, mode="wb", **options):
     """An open file that replaces ``target`` if the ``with`` block ends without an error.
 
-    ``mode`` and ``options`` are those of open().  A link stays a link, and an existing file keeps its
-    permissions.  A target that is not an ordinary file, such as a pipe, is written directly.  An OSError
-    names ``target``.
+    ``mode`` and ``options`` are those of open().  A link stays a link, and an existing file keeps its permissions.  A target that
+    is not an ordinary file, such as a pipe, is written directly.  An OSError names ``target``.
     """
     try:
         with _part_of(target, mode, options) as file:

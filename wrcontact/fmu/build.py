@@ -1,8 +1,8 @@
 """Pack the Python FMU with PythonFMU's runtime; the same sources give the same bytes.
 
-Two FMUs in one process share Python's modules, and a module that is already loaded is used instead of the one
-in the FMU.  Therefore the package in an FMU has a name that contains a hash of everything packed.  So each
-FMU runs its own code, not that of another FMU and not that of an installed wrcontact.
+Two FMUs in one process share Python's modules, and a module that is already loaded is used instead of the one in the FMU.
+Therefore the package in an FMU has a name that contains a hash of everything packed.  So each FMU runs its own code, not that
+of another FMU and not that of an installed wrcontact.
 """
 
 import argparse
@@ -74,11 +74,9 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
 
 
 def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the profiles that come from files, by file name; each file
-    is read once.
+    """Start values of the profile parameters, and the profiles that come from files, by file name; each file is read once.
 
-    Files are packed as prepared profiles with their own names: reading points needs scipy, which an FMU does
-    not have.
+    Files are packed as prepared profiles with their own names: reading points needs scipy, which an FMU does not have.
     """
     starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
     given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}

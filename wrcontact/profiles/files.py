@@ -1,9 +1,9 @@
 """Profiles from files and by name; the only module that opens a profile file.
 
-A file of points is text in one of the formats of formats.py.  The points are repaired where the repair is
-certain enough (repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve.  A
-:class:`ProfileWarning` reports what was done.  A prepared file (.json) contains the pieces themselves and
-needs only numpy; an FMU contains its profiles in this form.
+A file of points is text in one of the formats of formats.py.  The points are repaired where the repair is certain enough
+(repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve.  A :class:`ProfileWarning` reports what
+was done.  A prepared file (.json) contains the pieces themselves and needs only numpy; an FMU contains its profiles in this
+form.
 """
 
 import json
@@ -34,8 +34,8 @@ LEVEL = 1e-9
 def find_profile(source, kind, smoothing=None):
     """The profile for ``source``: a :class:`Profile`, a standard name, or the path of a file.
 
-    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :func:`read_profile`.  ValueError, in one
-    sentence, if ``source`` is none of these.
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :func:`read_profile`.  ValueError, in one sentence, if
+    ``source`` is none of these.
     """
     _checked_smoothing(smoothing)
     if isinstance(source, Profile):
@@ -78,8 +78,7 @@ def read_profile(path, kind, smoothing=None):
 
 
 def _checked_smoothing(smoothing):
-    """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside
-    SMOOTHING."""
+    """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside SMOOTHING."""
     if smoothing is None:
         return None
     try:
@@ -92,8 +91,7 @@ def _checked_smoothing(smoothing):
 
 
 def _text(path):
-    """The text of a file in UTF-8, UTF-16 or Latin-1; a Refusal if it is too large or changes while it is
-    read."""
+    """The text of a file in UTF-8, UTF-16 or Latin-1; a Refusal if it is too large or changes while it is read."""
     with open(path, "rb") as file:
         before = os.fstat(file.fileno())
         content = file.read(LARGEST_FILE + 1)
@@ -111,8 +109,7 @@ def _text(path):
 
 
 def _smooth_profile(found, name, kind, tolerance, remarks):
-    """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is
-    None."""
+    """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is None."""
     if found.noise > SMOOTHING[1] / MM:
         raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
     asked = tolerance is not None

@@ -1,8 +1,7 @@
 """Repair of measured points: every repair is reported, and points that cannot be repaired are refused.
 
-The recipe is :func:`repair`.  Each step takes points and returns points, and adds to ``remarks`` what it did,
-to how many points, where and by how much.  The message of a Refusal lacks the file's name, which files.py
-adds.
+The recipe is :func:`repair`.  Each step takes points and returns points, and adds to ``remarks`` what it did, to how many
+points, where and by how much.  The message of a Refusal lacks the file's name, which files.py adds.
 """
 
 import math
@@ -24,11 +23,10 @@ WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
 SHOULDER = 10.0
 #: A profile turns back where its y decreases by this [mm]; noise is smaller.
 TURN = 0.5
-#: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to where the gauge is
-#: measured.
+#: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to where the gauge is measured.
 UPRIGHT = 0.2
-#: Factors to millimetres, and the widths in the file's unit for which that unit is assumed.  Centimetres and
-#: inches do not overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
+#: Factors to millimetres, and the widths in the file's unit for which that unit is assumed.  Centimetres and inches do not
+#: overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
 UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
          "inches": (25.4, {"wheel": (3.55, 6.3), "rail": (1.9, 3.5)}),
          "centimetres": (10.0, {"wheel": (9.0, 16.0), "rail": (4.8, 9.0)}),
@@ -39,12 +37,11 @@ FAR = 5.0
 SAME = 1e-6
 #: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
-#: An outlier deviates from the curve of its neighbours by more than OUTLIER times the noise and by more than
-#: LEAST_OUTLIER [mm].  If points are farther apart than CLOSE [mm], that limit grows with the square of the
-#: spacing, since joints of exact profiles deviate by as much.
+#: An outlier deviates from the curve of its neighbours by more than OUTLIER times the noise and by more than LEAST_OUTLIER
+#: [mm].  If points are farther apart than CLOSE [mm], that limit grows with the square of the spacing, since joints of exact
+#: profiles deviate by as much.
 OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
-#: It also deviates AGREED times more than the neighbours themselves do from their common curve; at a kink it
-#: is 7 times.
+#: It also deviates AGREED times more than the neighbours themselves do from their common curve; at a kink it is 7 times.
 AGREED = 8.0
 #: Outliers are removed in passes, one from each neighbourhood per pass.
 MOST_PASSES = 50
@@ -56,18 +53,16 @@ ENDS = 2
 TRIMMED = 2
 #: Largest share of outliers.
 MOST_OUTLIERS = 0.1
-#: A gap is longer than GAP [mm] and SPACINGS times the spacing; one longer than WIDEST_GAP [mm] cannot be
-#: bridged.
+#: A gap is longer than GAP [mm] and SPACINGS times the spacing; one longer than WIDEST_GAP [mm] cannot be bridged.
 GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
 #: A gap whose ends point along it within this angle [rad] is a straight stretch and may have any length.
 STRAIGHT = 0.02
-#: At a kink the angle changes by more than KINK [rad] and TIMES more than on both sides; it is rounded over
-#: ROUNDED [mm].
+#: At a kink the angle changes by more than KINK [rad] and TIMES more than on both sides; it is rounded over ROUNDED [mm].
 KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
 #: Largest permitted change of angle at a point [rad].
 SPIKE = math.radians(90.0)
-#: Position of the flange tip from the running circle, height of the flange, and distance of the running
-#: circle from the flange's back [mm].
+#: Position of the flange tip from the running circle, height of the flange, and distance of the running circle from the
+#: flange's back [mm].
 TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
 #: A profile that rises by this behind the tip includes the back of the flange [mm].
 ROUND_BACK = 3.0
@@ -77,8 +72,7 @@ OFFSET = 10.0
 
 @dataclass(frozen=True)
 class RepairedPoints:
-    """Points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down, with their ``weight`` and
-    ``noise`` [mm]."""
+    """Points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down, with their ``weight`` and ``noise`` [mm]."""
 
     y: np.ndarray
     z: np.ndarray
@@ -91,8 +85,7 @@ class RepairedPoints:
 
 
 def repair(points, kind, remarks):
-    """The repaired points (:class:`RepairedPoints`) of a file's ``points``; adds to ``remarks``; a Refusal if
-    that is impossible."""
+    """The repaired points (:class:`RepairedPoints`) of a file's ``points``; adds to ``remarks``; a Refusal if that is impossible."""
     found = RepairedPoints(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
     found = in_millimetres(found, kind, remarks)
@@ -150,8 +143,7 @@ def in_millimetres(found, kind, remarks):
 
 
 def in_order(found, free, remarks):
-    """Sort the points: in the file's order or in that of y, whichever path is shorter, starting at the
-    smallest y."""
+    """Sort the points: in the file's order or in that of y, whichever path is shorter, starting at the smallest y."""
     backwards = found.y[0] > found.y[-1]
     if backwards:
         found = found.only(slice(None, None, -1))
@@ -242,8 +234,7 @@ def at_running_circle(found, free, remarks):
 
 
 def outward(found, kind):
-    """Keep the points from the middle outwards until y turns back: without flange back, rail neck and
-    foot."""
+    """Keep the points from the middle outwards until y turns back: without flange back, rail neck and foot."""
     middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
     stop = middle + _farthest(found.y[middle:], kind)
     start = middle - _farthest(-found.y[middle::-1], kind)
@@ -262,8 +253,7 @@ def outward(found, kind):
 
 
 def _farthest(y, kind):
-    """Index of the largest ``y`` before it decreases by TURN for longer than a run of outliers; of a rail,
-    the wall's foot."""
+    """Index of the largest ``y`` before it decreases by TURN for longer than a run of outliers; of a rail, the wall's foot."""
     padded = np.pad(y, LONGEST_RUN, mode="edge")
     calm = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_RUN + 1), axis=1)
     turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)
@@ -274,8 +264,7 @@ def _farthest(y, kind):
 
 
 def without_outliers(found, remarks):
-    """Remove outliers: single points and runs of up to three that deviate from the curve of their
-    neighbours."""
+    """Remove outliers: single points and runs of up to three that deviate from the curve of their neighbours."""
     count, most, taken = len(found.y), 0.0, []
     for _ in range(MOST_PASSES):
         index, length, height = _runs_off(found)
@@ -314,9 +303,8 @@ def _runs_off(found):
 
 
 def _run_errors(y, z, length):
-    """For every run of ``length`` points: the deviation of its closest point from the cubic through its
-    neighbours, and the deviation of the neighbours themselves, both [mm], divided by their expected value for
-    noise of 1."""
+    """For every run of ``length`` points: the deviation of its closest point from the cubic through its neighbours, and the
+    deviation of the neighbours themselves, both [mm], divided by their expected value for noise of 1."""
     near = 2 * SIDE
     if len(y) < near + length:
         return np.zeros(0), np.zeros(0)
@@ -349,8 +337,7 @@ def check_gaps(found, remarks):
 
 
 def straight_over(y, z, i):
-    """Whether the points before ``i`` and after ``i + 1`` have the direction of the chord between these two
-    points."""
+    """Whether the points before ``i`` and after ``i + 1`` have the direction of the chord between these two points."""
     low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
     here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
     turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
@@ -392,8 +379,7 @@ def rounded(found, remarks):
 
 
 def _kinks(y, z):
-    """Kinks: index of a point, 1 for a kink at the point or 2 for one before the next point, change of angle
-    [rad]."""
+    """Kinks: index of a point, 1 for a kink at the point or 2 for one before the next point, change of angle [rad]."""
     chord = np.hypot(np.diff(y), np.diff(z))
     turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
     length = 0.5 * (chord[1:] + chord[:-1])
@@ -410,8 +396,7 @@ def _kinks(y, z):
 
 
 def _corner(y, z, index, width):
-    """Position (y, z) [mm] of the kink: the point itself, or the intersection of the chords before and after
-    two points."""
+    """Position (y, z) [mm] of the kink: the point itself, or the intersection of the chords before and after two points."""
     if width == 1:
         return np.array([y[index], z[index]])
     ahead, back = (np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1)))
