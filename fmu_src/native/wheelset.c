@@ -270,7 +270,7 @@ static int refuse_preparation(wheelset *self, int outcome, const double *report)
     if (outcome == prepare_tables__TABLES_FULL)
         return wheelset_refuse(self, "the profiles %s and %s have too many points for the kernel's tables; permitted are profiles "
                                "with fewer points", wheel, rail);
-    return wheelset_refuse(self, "not enough memory for the kernel's tables");
+    return wheelset_refuse(self, "there is no memory for the kernel's tables");
 }
 
 /* One attempt with room for `room` numbers; the outcome, -1 for no memory. */
@@ -744,7 +744,7 @@ static int new_state(wheelset *self, void **state)
 {
     wheelset_state *made = calloc(1, sizeof *made);
     if (!made)
-        return wheelset_refuse(self, "not enough memory for a saved state");
+        return wheelset_refuse(self, "there is no memory for a saved state");
     made->next = self->states;
     self->states = *state = made;
     return 0;

@@ -20,7 +20,7 @@ typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_
  * MODEL_STATIONS. */
 enum { ROW = MODEL_OUTPUTS + MODEL_OUTLINES };
 
-/* Everything from which a simulation continues, which is what a saved state holds. */
+/* What a simulation goes on from: all that a saved state holds. */
 typedef struct {
     double values[MODEL_FIRST_OUTPUT + ROW];        /* by value reference, and the rest of the row */
     double status;                          /* whose value reference is MODEL_STATUS */
@@ -34,7 +34,7 @@ typedef struct {
     int32_t built;                          /* the tables belong to the parameters as last initialised */
     int32_t locked;                         /* the parameters are fixed */
     int32_t stale;                          /* an input has changed since the last evaluation */
-    int32_t told;                           /* this step's status has been reported */
+    int32_t told;                           /* this step's status has been told */
     int32_t unused;
 } wheelset_core;
 
@@ -57,7 +57,7 @@ typedef void wheelset_tell(void *owner, const char *sentence);
 
 typedef struct {
     wheelset_core core;
-    wheelset_tell *tell;                    /* gets one sentence for every step whose status is not 0 */
+    wheelset_tell *tell;                    /* is told one sentence for every step whose status is not 0 */
     void *owner;
     double *tables;
     int64_t table_size;

@@ -1,10 +1,9 @@
 """From exact profiles to the kernel's table of quintic pieces.
 
-Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones
-are ends of pieces, so a jump of the curvature stays where the standard has it.  Where the printed
-coefficients leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides
-are led to their mean over :data:`REPAIR_WIDTH`.  Otherwise the contact would stay at an edge that no real
-wheel has.
+Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
+pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
+(S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over :data:`REPAIR_WIDTH`.
+Otherwise the contact would stay at an edge that no real wheel has.
 """
 
 import math
@@ -14,16 +13,14 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from ..kernel.surface import profile_table as layout
 
-#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad required of the
-#: roll.
+#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad required of the roll.
 PIECE_ERROR = 1e-9
 #: Permitted error of the second derivative between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
 PIECE_BEND_ERROR = 1e-7
 LONGEST_PIECE = 1.0  # [mm]
 SHORTEST_PIECE = 1e-3  # [mm]; measured profiles have knots this close
-#: Distance from a joint over which a height step of the published coefficients is smoothed [mm].  On UIC60
-#: 1:40 the step at y = -35 mm would hold the contact for 1 um of lateral shift.  Half a millimetre changes
-#: the curvature by at most 2 %.
+#: Distance from a joint over which a height step of the published coefficients is smoothed [mm].  On UIC60 1:40 the step at
+#: y = -35 mm would hold the contact for 1 um of lateral shift.  Half a millimetre changes the curvature by at most 2 %.
 REPAIR_WIDTH = 0.5
 #: Smaller height steps are not repaired [mm].
 REPAIRED_STEP = 1e-6
@@ -41,8 +38,7 @@ def compile_profile(profile):
 
 
 def evaluate_table(table, y):
-    """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at ``y`` [m],
-    three arrays.
+    """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at ``y`` [m], three arrays.
 
     Valid between start and stop; only the kernel extends the end pieces.
     """
@@ -62,8 +58,7 @@ def evaluate_table(table, y):
 
 
 def places(table, step):
-    """Evenly spaced abscissae (n,) over the whole ``table``, both ends included, at most ``step`` apart
-    [m]."""
+    """Evenly spaced abscissae (n,) over the whole ``table``, both ends included, at most ``step`` apart [m]."""
     start, stop = table[layout.START], table[layout.STOP]
     return np.linspace(start, stop, int((stop - start) / step) + 2)
 
@@ -88,8 +83,7 @@ def _zone_pieces(zone, before, after):
 
 
 def _refined(zone, low, high):
-    """Pieces between ``low`` and ``high`` [mm], halved until they follow ``zone`` within the permitted
-    errors."""
+    """Pieces between ``low`` and ``high`` [mm], halved until they follow ``zone`` within the permitted errors."""
     piece = _quintic(low, high, _jet(zone, low), _jet(zone, high))
     y = np.linspace(low, high, 11)[1:-1]
     z, _, bend = zone(y)
@@ -116,8 +110,7 @@ def _mean_jet(before, after, y):
 
 
 def _quintic(low, high, at_low, at_high):
-    """The quintic with given height, slope and second derivative at both ends, as (low, coefficients in y -
-    low)."""
+    """The quintic with given height, slope and second derivative at both ends, as (low, coefficients in y - low)."""
     h = high - low
     c0, c1, c2 = at_low[0], at_low[1], 0.5 * at_low[2]
     rest = at_high[0] - (c0 + h * (c1 + h * c2))

@@ -19,7 +19,7 @@ from .formats import read_points
 from .profile import Profile
 from .reading import Reading
 from .remarks import Refusal, remark
-from .repair import LEAST_POINTS, WIDTHS, repair
+from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
@@ -70,7 +70,7 @@ def read_profile(path, kind, smoothing=None):
         name, extension = os.path.splitext(os.path.basename(path))
         points = read_points(text, extension.lower(), kind)
         remarks = [*points.remarks]
-        profile = _smooth_profile(repair(points, kind, remarks), name, kind, tolerance, remarks)
+        profile = _smooth_profile(mend(points, kind, remarks), name, kind, tolerance, remarks)
     except Refusal as problem:
         raise ValueError(f"{kind} profile {os.fspath(path)} {problem}") from None
     remark(kind, os.path.basename(path), remarks)

@@ -1,6 +1,6 @@
 """Repair of measured points: every repair is reported, and points that cannot be repaired are refused.
 
-The recipe is :func:`repair`.  Each step takes points and returns points, and adds to ``remarks`` what it did, to how many
+The recipe is :func:`mend`.  Each step takes points and returns points, and adds to ``remarks`` what it did, to how many
 points, where and by how much.  The message of a Refusal lacks the file's name, which files.py adds.
 """
 
@@ -71,7 +71,7 @@ OFFSET = 10.0
 
 
 @dataclass(frozen=True)
-class RepairedPoints:
+class Mended:
     """Points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down, with their ``weight`` and ``noise`` [mm]."""
 
     y: np.ndarray
@@ -84,9 +84,9 @@ class RepairedPoints:
         return replace(self, y=self.y[which], z=self.z[which], weight=self.weight[which])
 
 
-def repair(points, kind, remarks):
-    """The repaired points (:class:`RepairedPoints`) of a file's ``points``; adds to ``remarks``; a Refusal if that is impossible."""
-    found = RepairedPoints(points.y, points.z, points.weight)
+def mend(points, kind, remarks):
+    """The repaired points (:class:`Mended`) of a file's ``points``; adds to ``remarks``; a Refusal if that is impossible."""
+    found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
     found = in_millimetres(found, kind, remarks)
     found = in_order(found, points.free, remarks)
@@ -175,7 +175,7 @@ def without_repetition(found, remarks):
         spread = np.max(np.abs(np.diff(found.z))[beside])
         remarks.append(f"{counted(beside.sum(), 'point')} at the same y as others averaged ({stretch(found.y[1:][beside])}, "
                        f"z up to {1e3 * spread:.3g} um apart)")
-        found = RepairedPoints(y, z, weight)
+        found = Mended(y, z, weight)
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
     return found
@@ -375,7 +375,7 @@ def rounded(found, remarks):
     remarks.append(f"{counted(len(places), 'kink')} of up to {sharpest:.3g} deg rounded over {ROUNDED:g} mm "
                    f"({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
     table = np.array(points)
-    return RepairedPoints(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
+    return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
 
 
 def _kinks(y, z):
