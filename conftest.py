@@ -1,11 +1,12 @@
-"""Which wrcontact the tests see, as pytest reads this before any test: the installed one.
+"""Makes the tests use the installed wrcontact; pytest reads this file before any test.
 
-``python -m pytest`` puts this folder in front of ``sys.path``, so that ``wrcontact/`` here would hide the installed package,
-and a file missing from that would not be noticed.  So this folder goes to the end: ``import wrcontact`` finds what pip
-installed (with ``pip install -e .`` that is the source here), and the source here only where nothing is installed.  The
-rest of the repository (build_fmu, benchmarks, tools, ...) is still found.
+``python -m pytest`` puts this folder first in ``sys.path``, so ``wrcontact/`` here would hide the installed
+package, and a file that is missing from it would not be noticed.  So this folder is moved to the end:
+``import wrcontact`` finds what pip installed (with ``pip install -e .`` the source here), and the source here
+only if nothing is installed.  The other parts of the repository (build_fmu, benchmarks, tools, ...) are still
+found.
 
-An installed copy that is not of this source any more would be tested by mistake: that ends the run at once.
+If the installed copy differs from the source here, the test run ends at once.
 """
 
 import importlib.util
@@ -25,7 +26,7 @@ sys.path[:] = [entry for entry in sys.path if not is_root(entry)] + [str(ROOT)]
 
 
 def outdated_file():
-    """A module here that the installed package has not, or has otherwise; None where there is none."""
+    """A module here that is missing or different in the installed package; None if there is none."""
     installed = Path(importlib.util.find_spec("wrcontact").origin).parent
     if installed == ROOT / "wrcontact":
         return None

@@ -1,4 +1,4 @@
-"""How much work a pose is, counted by the kernel itself (STATE_... in wrcontact/kernel/layout/records.py)."""
+"""Work per pose, counted by the kernel itself (STATE_... in wrcontact/kernel/layout/records.py)."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from wrcontact.kernel.search import search
 from . import runs
 from .rows import system
 
-COUNTS = {  # per wheelset; the scan is asked for a smaller gap, one per side and roll
+COUNTS = {  # per wheelset; a scan searches one side at one roll for a smaller gap
     "gap evaluations": layout.STATE_GAP_COUNT,
     "scans": layout.STATE_SCAN_COUNT,
     "roll iterations": layout.STATE_ROLL_COUNT,
@@ -35,7 +35,7 @@ def classes(count):
 
 
 def per_wheelset(model, poses):
-    """Mean counts (6,) of a model's poses, those of :data:`COUNTS`."""
+    """Mean counts (6,) of :data:`COUNTS` over a model's poses."""
     stepper = system(normal_model=model).stepper()
     inputs = runs.rows(poses)
     outputs, status = np.empty((len(inputs), layout.OUTPUT_COUNT)), np.empty(len(inputs))
@@ -46,7 +46,7 @@ def per_wheelset(model, poses):
 
 
 def raster():
-    """Nodes of the wheel's raster: gap evaluations of a scan that knew no bounds."""
+    """Number of nodes on the wheel: gap evaluations of a scan without bounds."""
     tables = system()._tables
     return int(tables[int(tables[layout.SET_SCAN]) + search.SCAN_COUNT])
 

@@ -1,12 +1,13 @@
-"""Contacts with a known answer for the curvature study: gap curve g(s), A(s), force, and the half-space's solution.
+"""Contacts with a known answer for the curvature study: gap curve g(s), A(s), force, and the half-space's
+solution.
 
     positions   S1002 on UIC60 1:40 at 0 ... 6.5 mm, 78.5 kN
     random      three rails, two inclinations, half of them yawed, 3 ... 200 kN
-    noisy       measured-like profiles: sampled, smoothed noise added, read as a file is; two truths, with and without
-                the noise
+    noisy       measured-like profiles: sampled, smoothed noise added, read as a file is; two truths, with and
+                without the noise
 
-The truth is frictionless half-space theory (tests/reference/halfspace_reference.py) for h = A(s) x^2 + g(s), which is what
-ANALYN is given.
+The truth is frictionless half-space theory (tests/reference/halfspace_reference.py) for h = A(s) x^2 + g(s),
+which is what ANALYN is given.
 """
 
 from dataclasses import dataclass
@@ -43,7 +44,8 @@ OUTSIDE = 20e-3  # [m] gap where there is none
 
 @dataclass
 class Case:
-    """One wheel's contact: stations s, gap g and A (n,), force [N], and truth = (penetration, area, peak pressure)."""
+    """One wheel's contact: stations s, gap g and A (n,), force [N], and truth = (penetration, area, peak
+    pressure)."""
 
     name: str
     s: np.ndarray
@@ -80,7 +82,8 @@ def gap_curve(system, shift, yaw, force, name):
 
 
 def normal_gaps(tables, work, state, s):
-    """Gap [m] and A = 1/(2 R_x) [1/m] at stations ``s`` (n,), rising; traced from the contact point outwards."""
+    """Gap [m] and A = 1/(2 R_x) [1/m] at stations ``s`` (n,), rising; traced from the contact point
+    outwards."""
     tables, work, state = (memoryview(array) for array in (tables, work, state))
     g, A = np.full(len(s), contact_plane.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
@@ -150,11 +153,13 @@ def random_cases(count, seed=3):
 
 
 def measured(profile, spacing, noise, cutoff, random):
-    """``profile`` as if measured every ``spacing`` [mm] with ``noise`` [um], less what a smoothing takes out of that.
+    """``profile`` as if measured every ``spacing`` [mm] with ``noise`` [um], less what a smoothing takes out
+    of that.
 
-    The smoothing spline (least squares plus lambda times the integral of z''^2) halves waves of length ``cutoff`` [mm]:
-    lambda = (cutoff / 2 pi)^4 / spacing.  It is linear, so it is applied to the noise alone; what it would do to the
-    profile itself (in y it flattens the gauge corner and moves the gauge point) is another matter than curvature.
+    The smoothing spline (least squares plus lambda times the integral of z''^2) halves waves of length
+    ``cutoff`` [mm]: lambda = (cutoff / 2 pi)^4 / spacing.  It is linear, so it is applied to the noise alone;
+    what it would do to the profile itself (in y it flattens the gauge corner and moves the gauge point) is
+    another matter than curvature.
     """
     y = np.arange(np.ceil(profile.start / MM / spacing) + 1, profile.stop / MM / spacing - 1) * spacing
     error = random.normal(0.0, noise * 1e-3, len(y))

@@ -1,11 +1,11 @@
-"""ANALYN on dense gap curves, with the lateral curvature left open: what the curvature study varies.
+"""ANALYN on dense gap curves, for any lateral curvature; used by the curvature study.
 
 The recipe is that of wrcontact/kernel/normal/normal_contact.py (docs/method.md, section 7)::
 
     force  ->  estimated penetration  ->  regions, their half-widths  ->  curvatures (the scheme)  ->  levels  ->  patch
 
-Here it stands on 800 stations per region and takes three curvatures: B_edge in 1 + beta, B_length in 1 + alpha and
-B_load in n r.  Sichani et al. (2014) use one for all.
+Here it stands on 800 stations per region and takes three curvatures: B_edge in 1 + beta, B_length in 1 +
+alpha and B_load in n r.  Sichani et al. (2014) use one for all.
 """
 
 from dataclasses import dataclass
@@ -67,7 +67,8 @@ class Curve:
 
 @dataclass
 class Region:
-    """A region with its origin; ``rise(t)`` is the gap over its minimum, t (n,) counts from the origin [m]."""
+    """A region with its origin; ``rise(t)`` is the gap over its minimum, t (n,) counts from the origin
+    [m]."""
 
     curve: Curve
     origin: float
@@ -75,7 +76,8 @@ class Region:
     high: float = np.inf
 
     def measure(self, level, share):
-        """Half-widths of the interpenetration at ``share`` times the estimated ``level``, stations, gap and A there."""
+        """Half-widths of the interpenetration at ``share`` times the estimated ``level``, stations, gap and A
+        there."""
         self.level, curve = level, self.curve
         self.gap = float(curve.gap(self.origin))
         self.left = curve.width(self.origin, -1, share * level, self.low)
@@ -114,8 +116,10 @@ def integral(values, t):
 class Model:
     """Everything that the study varies besides the curvature.
 
-    merge : two minima are one region while the hump between them is below this share of the penetration; inf: always one.
-    push : displacement by another region's load: None, "point", "extended" or "station" (extended, felt at each station).
+    merge : two minima are one region while the hump between them is below this share of the penetration; inf:
+        always one.
+    push : displacement by another region's load: None, "point", "extended" or "station" (extended, felt at
+        each station).
     share : of the estimated level at which half-widths are measured.
     """
 
@@ -154,7 +158,8 @@ class Model:
         return brentq(missing, low, high, xtol=1e-13, rtol=1e-9)
 
     def loads(self, regions, penetration):
-        """Loads of the regions at a penetration; level_i = penetration - g_i - sum_j push_ij N_j, by damped repetition."""
+        """Loads of the regions at a penetration; level_i = penetration - g_i - sum_j push_ij N_j, by damped
+        repetition."""
         for region in regions:
             region.solved, region.pushed = penetration - region.gap, 0.0
         loads = np.array([region.load(region.solved) for region in regions])
@@ -178,8 +183,9 @@ class Model:
     def influence(self, region, other, station):
         """What one newton on ``other`` pushes ``region`` down at ``station`` [m/N].
 
-        1 / (pi E* distance) for points.  Patches are long along the track, and x^2 is a^2/5 in the mean over each of them,
-        which stretches the distance: distance^2 + k (a_i^2 + a_j^2) with k = 0.2 near the point limit; 0.3 was measured.
+        1 / (pi E* distance) for points.  Patches are long along the track, and x^2 is a^2/5 in the mean over
+        each of them, which stretches the distance: distance^2 + k (a_i^2 + a_j^2) with k = 0.2 near the point
+        limit; 0.3 was measured.
         """
         square = (station - other.middle) ** 2
         if self.push != "point":
@@ -211,7 +217,8 @@ def estimate_penetration(curve, force):
 
 
 def find_regions(curve, penetration, merge):
-    """The minima that ``penetration`` reaches, joined where the hump between them is low, bounded by it elsewhere."""
+    """The minima that ``penetration`` reaches, joined where the hump between them is low, bounded by it
+    elsewhere."""
     lowest = curve.minima[np.argmin(curve.gap(curve.minima))]
     reached = [at for at in curve.minima if curve.gap(at) < penetration or at == lowest]
     regions = [Region(curve, at) for at in reached]

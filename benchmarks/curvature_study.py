@@ -1,10 +1,12 @@
-"""What lateral curvature?  ANALYN with different ones against the half-space, as a Markdown table and a picture.
+"""Which lateral curvature?  ANALYN with different ones compared with the half-space, as a Markdown table and
+a picture.
 
     python -m benchmarks.curvature_study [--quick] [--picture FILE]
 
-What was found is in docs/method.md, "What lateral curvature?"; cases are in curvature_cases.py, the model that takes any
-curvature in curvature_model.py.  A curvature is a function of a measured region that returns B [1/m] at its stations:
-in 1 + beta (where the patch ends), in 1 + alpha (how long it is) and in n r (what it carries).
+What was found is in docs/method.md, "What lateral curvature?"; cases are in curvature_cases.py, the model
+that takes any curvature in curvature_model.py.  A curvature is a function of a measured region that returns B
+[1/m] at its stations: in 1 + beta (where the patch ends), in 1 + alpha (how long it is) and in n r (what it
+carries).
 """
 
 import sys
@@ -34,14 +36,16 @@ def windowed(region, window):
 
 
 def fitted(region, half):
-    """From a parabola fitted to g over +-``half`` [m]: to first order a circle fitted to wheel and rail each."""
+    """From a parabola fitted to g over +-``half`` [m]: to first order a circle fitted to wheel and rail
+    each."""
     u = np.linspace(-1, 1, 31)
     weights = np.linalg.pinv(np.vander(u, 3))[0] / half**2
     return sum(weight * region.rise(region.t + half * at) for weight, at in zip(weights, u))
 
 
 def secant(region, window):
-    """g/t^2; inside +-``window`` linear between the second difference at the origin and the secant at its edge."""
+    """g/t^2; inside +-``window`` linear between the second difference at the origin and the secant at its
+    edge."""
     t = region.t
     middle = max((region.rise(window) + region.rise(-window)) / (2 * window**2), 0.0)
     edge = np.where(t < 0, region.rise(-window), region.rise(window)) / window**2
@@ -69,7 +73,8 @@ def one(kind):
 
 
 def repaired(region):
-    """Rough curvature, and where that is not positive inside the patch a polynomial through what is around: a cubic."""
+    """Rough curvature, and where that is not positive inside the patch a polynomial through what is around: a
+    cubic."""
     B, inside = windowed(region, 0.05 * region.width), (region.t > -region.left) & (region.t < region.right)
     good = inside & (B > FLOOR * region.A)
     if good.sum() < 8 or not np.any(inside & ~good):
@@ -119,14 +124,16 @@ FAR_BUMP = 0.12  # share of a far bump's own curvature
 
 
 def sides(region, power=2.0):
-    """One B for each side of the origin: the secant to its half-width, times (mean half-width / its own)^2."""
+    """One B for each side of the origin: the secant to its half-width, times (mean half-width / its
+    own)^2."""
     B = [region.rise(at) / at**2 * min(region.width / abs(at), SIDE_LIMIT) ** power
          for at in (-region.left, region.right)]
     return np.where(region.t < 0, *B)
 
 
 def recommended(region, power=2.0):
-    """B of the side where the patch ends, the secant along it, and the mean of secant and window for what it carries."""
+    """B of the side where the patch ends, the secant along it, and the mean of secant and window for what it
+    carries."""
     s = floored(region, share(secant, WINDOW)(region))
     w = np.maximum(share(windowed, WINDOW)(region), LEAST_WINDOWED * s)
     far = np.minimum(np.abs(region.t) / region.width, 1.0)

@@ -1,7 +1,9 @@
-"""What elastic equilibrium costs and how it moves: time and trials of a step, and the largest step of the roll.
+"""What elastic equilibrium costs and how it moves: time and trials of a step, and the largest step of the
+roll.
 
-``python -m benchmarks.elastic_study``, some 20 s.  A step costs the smallest of five runs over a sine of 5 mm and 0.3 deg,
-in microseconds and in ``np.sqrt`` of 2000 doubles; trials are those of random poses and include the rigid search's.
+``python -m benchmarks.elastic_study``, some 20 s.  A step costs the smallest of five runs over a sine of 5 mm
+and 0.3 deg, in microseconds and in ``np.sqrt`` of 2000 doubles; trials are those of random poses and include
+the rigid search's.
 """
 
 import math

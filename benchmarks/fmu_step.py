@@ -1,10 +1,11 @@
-"""What a step of the FMU costs through fmpy's slave object: set five inputs, step, read every output.
+"""Cost of a step of the Python FMU through fmpy's slave object: set five inputs, step, read every output.
 
     python -m benchmarks.fmu_step [FMU]
 
-The unit is ``np.sqrt`` of 2000 doubles, measured in the same run, so that figures of two machines compare.  Without an
-argument the FMU is built into a temporary folder.  ``kernel`` is one evaluation, ``layer`` the FMU's own Python around
-it (measured with a kernel that does nothing), ``importer`` what fmpy and PythonFMU need to hand the values over.
+The unit is ``np.sqrt`` of 2000 doubles, measured in the same run, so that results of two machines can be
+compared.  Without an argument the FMU is built into a temporary folder.  ``kernel`` is one evaluation,
+``layer`` the FMU's own Python around it (measured with a kernel that does nothing), ``importer`` the time
+that fmpy and PythonFMU need to pass the values.
 """
 
 import sys
@@ -20,7 +21,7 @@ from fmpy.fmi2 import FMU2Slave
 from .machine import unit
 
 STEPS, ROUNDS = 2000, 15
-#: What is set in every step; height and roll of compliant contact are not.
+#: Inputs that are set in every step; height and roll of compliant contact are not.
 MOVED = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
 TARGET = 30  # units
 
@@ -43,7 +44,7 @@ def built(folder):
 
 
 def report(unpacked):
-    """Print the cost of a step and where it goes."""
+    """Print the cost of a step and its parts."""
     fmu = Instance(unpacked)
     one = unit()
     print(f"unit: np.sqrt of 2000 doubles = {one * 1e6:.2f} us")
@@ -118,7 +119,7 @@ class Instance:
         return step
 
     def silence_kernel(self):
-        """Let the session's kernel do nothing from now on."""
+        """Replace the session's kernel by one that does nothing."""
         self.session._stepper.step = lambda: 0
 
     def kernel_over(self, inputs):

@@ -1,4 +1,4 @@
-"""How the cost grows with the number of wheelsets and of threads."""
+"""Growth of the cost with the number of wheelsets and of threads."""
 
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -16,14 +16,14 @@ THREADS = (1, 2)
 
 
 def wheelsets(numbers, rounds):
-    """Number, and cost of each wheelset in evaluate_many on so many random poses."""
+    """(number, cost per wheelset) of evaluate_many for each number of random poses."""
     for number in numbers:
         poses, repeats = runs.anywhere(number), max(1, 300 // number)
         yield number, cost(repeated(batch(system(), poses), repeats), number * repeats, rounds)
 
 
 def repeated(work, times):
-    """``work`` so many times."""
+    """A call that runs ``work`` so many times."""
     return lambda: [work() for _ in range(times)]
 
 
@@ -37,7 +37,7 @@ def threads(number, rounds, counts=THREADS):
     for _ in range(rounds):
         for count in counts:
             with ThreadPoolExecutor(count) as pool:
-                list(pool.map(lambda work: None, range(count)))  # threads exist before the clock runs
+                list(pool.map(lambda work: None, range(count)))  # start the threads before timing
                 start = time.perf_counter()
                 list(pool.map(lambda work: work(), steppers[:count]))
                 seconds = (time.perf_counter() - start) / (count * number)
@@ -46,7 +46,7 @@ def threads(number, rounds, counts=THREADS):
 
 
 def batch_of(number, seed):
-    """A call that steps ``number`` poses of the trajectory in one go, with a stepper of its own."""
+    """A call that steps ``number`` poses of the trajectory at once, with a stepper of its own."""
     inputs = runs.rows(runs.trajectory(number))
     outputs, status = np.empty((number, layout.OUTPUT_COUNT)), np.empty(number)
     stepper = system().stepper()

@@ -1,4 +1,5 @@
-"""What a call costs on this machine, in seconds and in a unit that another machine has too: ``np.sqrt`` of 2000 doubles."""
+"""Cost of a call, in seconds and in a unit that can be compared between machines: ``np.sqrt`` of 2000
+doubles."""
 
 import os
 import platform
@@ -13,7 +14,7 @@ _VALUES = np.linspace(1.0, 2.0, 2000)
 
 
 class Cost(NamedTuple):
-    """Of one call."""
+    """Cost of one call."""
 
     seconds: float
     units: float
@@ -33,22 +34,22 @@ def unit():
 
 
 def cost(work, calls, rounds):
-    """:class:`Cost` of one of the ``calls`` that ``work()`` makes: the smallest of ``rounds``, since noise only adds.
+    """:class:`Cost` of one of the ``calls`` that ``work()`` makes: the smallest of several ``rounds``.
 
-    The unit is measured in turn with the work, so that a machine that is busy for a while slows both.
+    The unit is measured alternately with the work, so that a busy machine slows both.
     """
-    work()  # first times are another matter
+    work()  # the first call is slower
     found = [(timeit.timeit(work, number=1) / calls, unit()) for _ in range(rounds)]
     return Cost(min(seconds for seconds, _ in found), min(seconds / one for seconds, one in found))
 
 
 def load_average():
-    """Processes that wanted a core in the last minute; not a number where the system does not tell."""
+    """Load average of the last minute; NaN if the system has none."""
     return os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
 
 
 def description():
-    """One line for below a table."""
+    """One line on the machine, for below a table."""
     kernel = "compiled" if default_kernel().compiled else "UNCOMPILED"
     return (f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}, numpy {np.__version__}, "
             f"kernel {kernel}, load average {load_average():.1f}; the unit, np.sqrt of 2000 doubles, {unit() * 1e6:.2f} µs")

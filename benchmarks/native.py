@@ -1,9 +1,11 @@
-"""What a step of the native FMUs costs from a C host on the hunting run: set five inputs, step, get all Real outputs.
+"""Cost of a step of the native FMUs, from a C host, on the hunting run: set five inputs, step, get all Real
+outputs.
 
     python -m benchmarks.native [FMU ...]
 
-Without an argument the FMUs are built into a temporary folder.  The host is tests/helpers/native_host.c, compiled by the system's
-``cc`` against the archive alone; the errors are those of the same run's values against the half-space.
+Without an argument the FMUs are built into a temporary folder.  The host is tests/helpers/native_host.c,
+compiled by the system's ``cc`` against the archive alone; the errors are those of the same run's values
+against the half-space.
 """
 
 import json
@@ -53,7 +55,7 @@ def cost_of(fmu, folder):
     count = len(run["lateral_shift"])
     file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED} for k in range(count)]))
     best = None
-    for _ in range(ROUNDS):     # the unit in turn with the work
+    for _ in range(ROUNDS):     # the unit is measured alternately
         done = subprocess.run([str(host), "cost", str(file)], text=True, capture_output=True, check=True)
         seconds = 1e-6 * json.loads(done.stdout)["microseconds"]
         best = machine.Cost(seconds, seconds / machine.unit()).least(best)
@@ -66,7 +68,8 @@ def rows_text(rows):
 
 
 def native_host(fmu, version, folder):
-    """The program native_host, compiled with the headers and linked with the library in an FMU, unpacked into ``folder``."""
+    """The program native_host, compiled with the headers and linked with the library in an FMU, unpacked into
+    ``folder``."""
     with zipfile.ZipFile(fmu) as archive:
         archive.extractall(folder)
     place = PLATFORMS[host_platform()]

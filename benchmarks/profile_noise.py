@@ -1,7 +1,8 @@
-"""What noise of measured profiles leaves in ANALYN's contacts after smoothing: ``python -m benchmarks.profile_noise``.
+"""Effect of measurement noise on ANALYN's contacts after smoothing: ``python -m benchmarks.profile_noise``.
 
-S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are read as any
-file is.  Right contacts at lateral shifts of -6 ... 6 mm are held against those of the exact profiles.
+S1002 and UIC60 are sampled at even arc lengths, noise is added to y and z (or to z alone), and the files are
+read as any file is.  Right contacts at lateral shifts of -6 ... 6 mm are compared with those of the exact
+profiles.
 """
 
 import functools
@@ -19,7 +20,7 @@ MM = 1e-3
 NAMES = {"wheel": "S1002", "rail": "UIC60"}
 SHIFTS = np.arange(-6.0, 6.01, 0.5) * MM
 SEEDS = 6
-#: Spacing [mm], noise [mm], and whether y has it too.
+#: Spacing [mm], noise [mm], and whether y has noise too.
 CASES = [(spacing, noise, True) for noise in (1e-3, 1e-2, 5e-2) for spacing in (0.1, 0.2, 0.5)] + [
     (0.2, noise, False) for noise in (1e-3, 1e-2, 5e-2)]
 
@@ -42,14 +43,15 @@ def noisy_points(kind, spacing, noise, seed, both=True):
 
 
 def contacts(**profiles):
-    """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many are not valid."""
+    """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many
+    are not valid."""
     state = wrcontact.ContactSystem(**profiles).evaluate_many(lateral_shift=SHIFTS, side="right", outputs="patches")
     right = state.right
     return np.array([right.contact.y_wheel / MM, right.area, right.max_pressure]), int(np.count_nonzero(state.status))
 
 
 def differences(found, wanted):
-    """Of position [mm], area and pressure (3, n); the last two relative."""
+    """Differences of position [mm], area and pressure (3, n); the last two are relative."""
     return np.abs(np.vstack([found[:1] - wanted[:1], found[1:] / wanted[1:] - 1.0]))
 
 

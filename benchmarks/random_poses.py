@@ -1,9 +1,10 @@
-"""Random poses of random tracks: ANALYN and its strip correction against the complete theory, each wheel by itself.
+"""Random poses on random tracks: ANALYN and its strip correction compared with the complete theory, wheel by
+wheel.
 
     |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or 1:20, up to 2 deg of yaw in half
 
-Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended goes on
-where it was, a larger one only adds, and a changed model is compared anew within a second.
+Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended
+goes on where it was, a larger one only adds, and a changed model is compared anew within a second.
 """
 
 import math
@@ -51,7 +52,7 @@ class Pose(NamedTuple):
 
 
 def pose(index):
-    """Pose ``index`` of the endless list."""
+    """Pose ``index`` of an endless list."""
     random = np.random.default_rng((SEED, index))
     rail, inclination = RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))]
     shift, yaw, force = random.uniform((-SHIFT, -YAW, np.log(FORCE[0])), (SHIFT, YAW, np.log(FORCE[1]))).tolist()
@@ -67,7 +68,8 @@ def system(rail, inclination, **options):
 
 
 def solve(index):
-    """Line of the file: index, pose, penetration, area and peak pressure of both wheels; NaN where it does not converge."""
+    """A line of the file: index, pose, penetration, area and peak pressure of both wheels; NaN without
+    convergence."""
     where = pose(index)
     model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
     state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
@@ -76,12 +78,13 @@ def solve(index):
 
 
 def heading(index):
-    """First cells of a line."""
+    """The first cells of a line."""
     return [str(index), *map(str, pose(index))]
 
 
 def references(count, store=STORE, processes=None):
-    """Half-space answers (count, 6) of the first ``count`` poses; what is not in the file is solved and added to it."""
+    """Half-space results (count, 6) of the first ``count`` poses; those missing from the file are solved and
+    added."""
     store.parent.mkdir(parents=True, exist_ok=True)
     known = {int(row[0]): row for row in stored(store)}
     missing = [index for index in range(count) if index not in known]
@@ -89,7 +92,7 @@ def references(count, store=STORE, processes=None):
         store.write_text("".join(map(line, known.values())), encoding="utf-8")
         with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
                 open(store, "a", newline="", encoding="utf-8") as file:
-            for row in told(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
+            for row in with_progress(pool.imap_unordered(solve, missing, CHUNK), len(missing)):
                 file.write(line(row))
                 file.flush()
                 known[int(row[0])] = row
@@ -101,14 +104,14 @@ def line(row):
 
 
 def stored(store):
-    """Rows of the file; not what an ended run left of a line, and not other poses than these."""
+    """Rows of the file, without incomplete lines of an interrupted run and without other poses."""
     lines = store.read_text(encoding="utf-8").splitlines(keepends=True) if store.exists() else []
     rows = [text.strip().split(",") for text in lines if text.endswith("\n")]
     return [row for row in rows if row[:-6] == heading(int(row[0]))]
 
 
-def told(rows, count):
-    """The rows as they come; now and then a line says how long the rest will take."""
+def with_progress(rows, count):
+    """Yield the rows, and print the remaining time now and then."""
     start = time.perf_counter()
     for done, row in enumerate(rows, 1):
         yield row
@@ -121,7 +124,7 @@ def told(rows, count):
 
 
 def answers(poses, **options):
-    """A model's (n, 6), in the order of the half-space's, and status (n,)."""
+    """Results (n, 6) of a model, in the order of the half-space's, and status (n,)."""
     found, status = np.full((len(poses), 6), np.nan), np.full(len(poses), -1)
     tracks = np.array([(RAILS.index(each.rail), each.inclination) for each in poses])
     for track in np.unique(tracks, axis=0):
@@ -134,7 +137,8 @@ def answers(poses, **options):
 
 
 def compared(count, models=("analyn", "analyn_strip"), store=STORE):
-    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst poses."""
+    """Text: errors of both wheels of ``count`` poses by percentile, what did not converge, and the worst
+    poses."""
     truth, poses = references(count, store), [pose(index) for index in range(count)]
     lost = np.isnan(truth).any(axis=1)
     header = ["", *PATCH_NAMES]
@@ -152,7 +156,7 @@ def compared(count, models=("analyn", "analyn_strip"), store=STORE):
 
 
 def quantiles(shares):
-    """Name and values (3,) of mean and percentiles of shares (n, 2, 3)."""
+    """Yield name and values (3,) of the mean and the percentiles of relative errors (n, 2, 3)."""
     wheels = shares.reshape(-1, 3)
     yield "mean", wheels.mean(axis=0)
     for percentile in PERCENTILES:
@@ -160,7 +164,7 @@ def quantiles(shares):
 
 
 def worst(poses, kept, shares):
-    """Lines on the wheels with the largest error of any kind, one for each."""
+    """Yield one line on each of the wheels with the largest errors."""
     largest = shares.max(axis=2)
     for place in np.argsort(largest, axis=None)[::-1][:WORST]:
         row, side = np.unravel_index(place, largest.shape)
@@ -171,7 +175,8 @@ def worst(poses, kept, shares):
 
 
 def numerics(count):
-    """Text: what each tolerance keeps of the same model resolved as finely as the kernel can, S1002 on UIC60 1:40."""
+    """Text: difference of each tolerance from the finest resolution of the same model, S1002 on UIC60
+    1:40."""
     poses = [pose(index)._replace(rail="UIC60", inclination=1 / 40) for index in range(count)]
     rows = []
     for model, ladder in LADDERS.items():

@@ -1,4 +1,4 @@
-"""Poses that are timed, and stored runs that errors are measured against."""
+"""Poses for timing, and the stored runs for errors."""
 
 import csv
 from functools import cache
@@ -17,13 +17,14 @@ ANY_YAW = 0.035  # [rad] 2 deg
 
 
 def trajectory(count, yaw=YAW):
-    """Lateral shift [m] and yaw [rad]: from flange to flange, about twice in 2000 poses; yaw a quarter cycle apart."""
+    """Lateral shift [m] and yaw [rad]: from flange to flange, about twice in 2000 poses; yaw a quarter cycle
+    apart."""
     turn = 12.0 * np.arange(count) / 2000
     return SHIFT * np.sin(turn), yaw * np.cos(turn)
 
 
 def anywhere(count, yaw=ANY_YAW):
-    """No pose has anything to do with the one before."""
+    """Lateral shift [m] and yaw [rad] (count,) of independent random poses."""
     random = np.random.default_rng(0)
     return random.uniform(-SHIFT, SHIFT, count), yaw * random.uniform(-1, 1, count)
 

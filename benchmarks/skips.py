@@ -1,4 +1,5 @@
-"""What need not be computed: each skip beside the full cost, and what it does to the answer."""
+"""Computations that can be skipped: the cost of each skip beside the full cost, and its effect on the
+result."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,7 +14,8 @@ from .table import percent
 
 @dataclass
 class Skip:
-    """``work`` without what is skipped and ``full`` with it, ``calls`` each; ``answer`` is what becomes of the answer."""
+    """``work`` with the skip and ``full`` without it, ``calls`` evaluations each; ``answer`` is the effect on
+    the result."""
 
     name: str
     work: Callable
@@ -80,13 +82,13 @@ def loaded(poses, transfer):
 
 
 def wrong_start(poses):
-    """Poses whose roll guess is given: nothing is known of the contacts then."""
+    """Poses with a given roll guess, which start the search without known contacts."""
     shift, yaw = poses
     return lambda: system().evaluate_many(shift, yaw, runs.FORCE, roll_guess=1e-3, outputs="geometry")
 
 
 def sunk(poses):
-    """Poses at their own mean penetration instead of their force."""
+    """Poses with their own mean penetration prescribed instead of the force."""
     shift, yaw = poses
     table = system().evaluate_many(shift, yaw, runs.FORCE)
     mean = tuple(float(np.mean(side.penetration)) for side in (table.left, table.right))
@@ -94,6 +96,6 @@ def sunk(poses):
 
 
 def compared(coarse, fine):
-    """Mean errors of two systems on the hunting run, in words."""
+    """Mean errors of two systems on the hunting run, as text."""
     before, after = errors.hunting(coarse), errors.hunting(fine)
     return f"run: {percent(before.mean)} instead of {percent(after.mean)} mean"

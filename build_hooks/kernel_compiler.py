@@ -1,4 +1,4 @@
-"""Compile the kernel's two translation units into the library that the package loads.
+"""Compile the kernel's translation units into the library that the package loads.
 
 Standard library only.  Used by the build backend beside this file, by tools/compile_kernel.py and by tests.
 """
@@ -20,10 +20,12 @@ PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS",
 LIBRARY_NAME = library_name(host_platform())
 write_whole = runpy.run_path(str(KERNEL.parent / "files" / "whole_file.py"))["write_whole"]
 
-#: What steps, what prepares and what differentiates: units of their own, so that no other takes from the optimising of the first.
+#: Steps, preparation and derivatives are separate units, so that the optimisation of the first does not
+#: depend on the others.
 SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
 
-# No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS is not read.
+# No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS
+# is not read.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-shared", "-fPIC")
 ZIG = (sys.executable, "-m", "ziglang", "cc")
@@ -33,14 +35,14 @@ ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64")
 
 
 class CompilerProblem(Exception):
-    """There is no compiler, or it failed; the message says which."""
+    """There is no compiler, or the compiler failed; the message says which."""
 
 
 def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=()):
     """Compile the kernel into ``target_folder`` and return the library's path.
 
-    ``platform`` is a name among PLATFORMS, which ziglang compiles for and keeps a part of its C library, by default this
-    machine; ``compiler`` is a command as a list of words, by default the first that works here.
+    ``platform`` is a name in PLATFORMS, for which ziglang compiles; by default this machine.  ``compiler`` is
+    a command as a list of words; by default the first one that works on this machine.
     """
     if platform:
         chosen = PLATFORMS[platform]
@@ -59,25 +61,26 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
 
 
 def place(library, folder):
-    """Copy a library into ``folder``: there is a whole one, or the one from before."""
+    """Copy a library into ``folder``, atomically."""
     target = Path(folder) / library.name
     write_whole(target, library.read_bytes())
     return target
 
 
 def find_compiler():
-    """Command of a C compiler: of $CC, cc, gcc and clang the first that makes a small library, else ziglang, else None."""
+    """Command of a C compiler: the first of $CC, cc, gcc and clang that compiles a small library; else
+    ziglang; else None."""
     named = shlex.split(os.environ.get("CC", ""), posix=os.name != "nt")
     for command in (named, ["cc"], ["gcc"], ["clang"]):
         if command and shutil.which(command[0]) and makes_library(command):
             return command
     if importlib.util.find_spec("ziglang"):
-        return [*ZIG, "-mcpu=baseline"]      # else zig takes the builder's own processor
+        return [*ZIG, "-mcpu=baseline"]      # without it zig compiles for the builder's own processor
     return None
 
 
 def makes_library(command):
-    """Whether ``command`` compiles and links; a compiler may be there without its headers."""
+    """Whether ``command`` compiles and links; a compiler may be installed without headers."""
     with tempfile.TemporaryDirectory() as scratch:
         source = Path(scratch, "probe.c")
         source.write_text(PROBE)
@@ -85,7 +88,8 @@ def makes_library(command):
 
 
 def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
-    """Run the compiler; unless ``keeps_cache``, zig has its cache beside ``library``, so that nothing is left behind."""
+    """Run the compiler; unless ``keeps_cache``, zig's cache is beside ``library``, so that nothing stays
+    behind."""
     cache = str(library.parent / "cache")
     changed = {} if keeps_cache else {"ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache}
     return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True,
@@ -94,8 +98,8 @@ def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
 
 
 def requirements():
-    """What a build needs from PyPI: ziglang for a chosen platform, and where no compiler works and there is one for this
-    machine."""
+    """Build requirements from PyPI: ziglang for a chosen platform, or if no compiler works on this machine
+    and ziglang is available for it."""
     if not wanted():
         return []
     here = (platform.system(), platform.machine()) in ZIG_PLATFORMS
@@ -103,7 +107,7 @@ def requirements():
 
 
 def wanted():
-    """Whether a library is wanted: WRCONTACT_KERNEL=python at installation says no."""
+    """Whether to compile a library; WRCONTACT_KERNEL=python at installation means no."""
     return os.environ.get("WRCONTACT_KERNEL") != "python"
 
 

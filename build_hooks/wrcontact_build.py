@@ -1,14 +1,16 @@
 """PEP 517 backend: setuptools, and the compiled kernel in the wheel.
 
-* Where no C compiler works, ``ziglang`` (a C compiler as a wheel) is asked for as a build requirement.
-* The library goes into the wheel, whose tag is then ``py3-none-<platform>``, and beside its sources too: an editable
-  installation runs it there, and so does Python started in the checkout (``python -m benchmarks``), which finds the
-  package there before the installed one.  Git ignores it, and the loader refuses it once its sources are edited.
-* ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with ziglang, whatever
-  compilers there are; kernel_compiler.py tells the platforms.
-* The FMU's sources, ``fmu_src`` at the top of the checkout, go into the wheel as ``wrcontact/fmu_src``.
-* Where compiling fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the package then runs
-  its Python source, slowly, and says so.  pip shows the warning with ``-v`` only.
+* If no C compiler works, ``ziglang`` (a C compiler as a wheel) becomes a build requirement.
+* The library is written into the wheel, whose tag is then ``py3-none-<platform>``, and also beside its
+  sources.  There it is used by an editable installation, and by Python started in the checkout (``python -m
+  benchmarks``), which finds this package before the installed one.  Git ignores it, and the loader refuses it
+  when its sources have changed.
+* ``WRCONTACT_PLATFORM=x86_64-windows python -m build --wheel`` makes the wheel for another platform with
+  ziglang, whatever compilers are installed; kernel_compiler.py lists the platforms.
+* The FMU's sources, ``fmu_src`` at the top of the checkout, are part of the wheel as ``wrcontact/fmu_src``.
+* If compilation fails, one warning is printed and the wheel is ``py3-none-any`` without a library: the
+  package then runs its Python source, slowly, with a warning.  pip shows the build's warning only with
+  ``-v``.
 
 ``WRCONTACT_KERNEL=python pip install .`` compiles nothing.
 """
@@ -23,7 +25,7 @@ from pathlib import Path
 from kernel_compiler import (KERNEL, LIBRARY_NAME, PLATFORMS, CompilerProblem, chosen_platform, compile_library, place,
                              requirements, wanted)
 from setuptools import build_meta
-from setuptools.build_meta import *  # noqa: F401,F403  the hooks that stay as they are
+from setuptools.build_meta import *  # noqa: F401,F403  the unchanged hooks
 from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build import build
 from setuptools.command.build_py import build_py
@@ -40,7 +42,7 @@ def get_requires_for_build_editable(config_settings=None):
 
 
 class FreshBuild(build):
-    """``build`` in a folder of its own: setuptools' ``build/`` would bring back modules that were deleted since."""
+    """``build`` in a new folder: setuptools' ``build/`` may contain modules that have been deleted since."""
 
     def initialize_options(self):
         super().initialize_options()
@@ -49,7 +51,7 @@ class FreshBuild(build):
 
 
 class BuildWithKernel(build_py):
-    """``build_py``, and then the library beside the kernel's modules and the FMU's sources inside the package."""
+    """``build_py``, followed by the compiled library and the FMU's sources."""
 
     def run(self):
         super().run()
@@ -60,10 +62,10 @@ class BuildWithKernel(build_py):
 
 
 class PlatformWheel(bdist_wheel):
-    """A wheel that runs with any Python 3 but, with a library in it, on one platform only."""
+    """A wheel for any Python 3; for one platform only if it contains a library."""
 
     def finalize_options(self):
-        self.distribution.has_ext_modules = lambda: True        # setuptools' word for "not the same on every platform"
+        self.distribution.has_ext_modules = lambda: True        # tells setuptools that the wheel depends on the platform
         super().finalize_options()
 
     def get_tag(self):
@@ -73,9 +75,11 @@ class PlatformWheel(bdist_wheel):
 
 
 def compiled_into(folder):
-    """Compile the library into ``folder``, and into the checkout; False, after a warning, where that is not possible.
+    """Compile the library into ``folder`` and into the checkout; returns False, after a warning, if that is
+    not possible.
 
-    For a chosen platform into ``folder`` alone, and an error is one.
+    For a platform chosen by WRCONTACT_PLATFORM it is compiled only into ``folder``, and a failure is an
+    error.
     """
     if chosen_platform():
         return bool(compile_library(folder, platform=chosen_platform()))
@@ -86,6 +90,6 @@ def compiled_into(folder):
               file=sys.stderr)
         return False
     if folder != KERNEL:
-        with contextlib.suppress(OSError):          # a checkout that cannot be written to
+        with contextlib.suppress(OSError):          # a read-only checkout
             place(library, KERNEL)
     return True

@@ -1,4 +1,5 @@
-"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] ...`` writes docs/img/*.png.
+"""Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] ...`` writes
+docs/img/*.png.
 
     frames      frames and signs (docs/conventions.md)
     demo        the picture of ``wrcontact demo`` (README)
@@ -6,7 +7,8 @@
     models      the pressures of examples/compare_models.py (README)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
 
-Wheel and rail are the real S1002 and UIC60 at their real places; roll and yaw of the sketches are exaggerated.
+Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
+exaggerated.
 """
 
 import os
@@ -30,7 +32,7 @@ ARROW = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shr
 
 
 def main(names):
-    """Draw the pictures of these names and print where they are."""
+    """Draw the pictures with these names and print their paths."""
     IMAGES.mkdir(exist_ok=True)
     for name in names:
         print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
@@ -41,7 +43,7 @@ def models():
     example = Path(__file__).resolve().parents[1] / "examples" / "compare_models.py"
     home = Path.cwd()
     with TemporaryDirectory() as folder:
-        os.chdir(folder)  # the example saves its picture where it is run
+        os.chdir(folder)  # the example saves its picture in the working directory
         try:
             return runpy.run_path(str(example))["figure"]
         finally:
@@ -70,7 +72,8 @@ def demo():
 
 @style.styled
 def frames():
-    """Five sketches: the track frame from behind and from above, the profile frames, and the contact plane."""
+    """Five sketches: the track frame from behind and from above, the profile frames, and the contact
+    plane."""
     figure = style.new_figure(10.5, 6.9)
     upper, lower = figure.subfigures(2, 1, height_ratios=(1.25, 1))
     behind, above = upper.subplots(1, 2, width_ratios=(1.75, 1))
@@ -89,7 +92,7 @@ def frames():
 
 
 def source(number):
-    """A figure of the study that wrcontact started from."""
+    """A figure of the degree project that wrcontact started from."""
     from wrcontact.plots.source_figures import source_figure
     from wrcontact.study.figures import Study, compute
 
@@ -165,7 +168,7 @@ def draw_wheel_frame(panel, system):
 
 
 def draw_rail_frame(panel, system):
-    """The right rail's profile frame; the head leans to the track centre."""
+    """The right rail's profile frame; the head is inclined towards the track centre."""
     panel.set_title("Rail profile frame, right rail")
     y, z = rail_outline(system, "right")
     top = y[np.argmin(z)]
@@ -243,7 +246,7 @@ def turn(panel, centre, radius, span, name, shift):
 
 
 def dimension(panel, low, high, height, words):
-    """A measured distance."""
+    """A dimension line."""
     look = {**ARROW, "arrowstyle": "<|-|>", "color": QUIET, "linewidth": 0.8}
     panel.annotate("", (low, height), (high, height), arrowprops=look)
     panel.text(0.56 * low, height + 12, words, color=QUIET, fontsize=8, ha="center", va="bottom")

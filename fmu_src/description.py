@@ -29,8 +29,8 @@ LOG_CATEGORIES = {
 
 
 def model_description(guid, tool, version, starts, units=()):
-    """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C files to compile of
-    a native FMU, which has its sources with it."""
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C
+    files to compile of a native FMU, which has its sources with it."""
     root = Element(
         "fmiModelDescription",
         fmiVersion="2.0",
@@ -104,7 +104,8 @@ def number_text(value):
 
 
 def _structure(parent):
-    """Which inputs each output follows, and what is computed in initialisation from which inputs and parameters."""
+    """Which inputs each output follows, and what is computed in initialisation from which inputs and
+    parameters."""
     known = [reference for reference in select(PARAMETER) if VARIABLES[reference].type != STRING]
     for section, extra in (("Outputs", []), ("InitialUnknowns", known)):
         unknowns = SubElement(parent, section)

@@ -26,10 +26,11 @@ SINGLE = -1                 # run of a variable that is no array
 
 
 def variable_blocks():
-    """(name, first, run) of every FMI 3 variable: where its values begin in the table, and which array it is, or SINGLE.
+    """(name, first, run) of every FMI 3 variable: where its values begin in the table, and which array it is,
+    or SINGLE.
 
-    Its value reference is its place in this list, counted from 1.  Arrays have as many values as there are stations; one of
-    STATION_COUNT lies in the table.
+    Its value reference is its place in this list, counted from 1.  Arrays have as many values as there are
+    stations; one of STATION_COUNT lies in the table.
     """
     blocks, reference, run = [("time", TIME, SINGLE), ("stations", STATIONS, SINGLE)], 0, 0
     while reference < len(VARIABLES):
@@ -41,8 +42,8 @@ def variable_blocks():
 
 
 def model_description(token, tool, version, starts, units=()):
-    """The whole file as bytes; ``starts`` holds start values that differ from the table's; ``units`` stand in the build
-    description here."""
+    """The whole file as bytes; ``starts`` holds start values that differ from the table's; ``units`` stand in
+    the build description here."""
     root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token, description=DESCRIPTION,
                    version=version, generationTool=tool, variableNamingConvention="structured")
     SubElement(root, "CoSimulation", CAPABILITIES)
@@ -107,7 +108,8 @@ def _of_all(variable):
 
 
 def _structure(parent, blocks):
-    """Which inputs each output follows, and what is computed in initialisation from which inputs and parameters."""
+    """Which inputs each output follows, and what is computed in initialisation from which inputs and
+    parameters."""
     known = {name: reference for reference, (name, _, _) in enumerate(blocks, 1)}
     numeric = [known[v.name] for v in VARIABLES if v.causality == PARAMETER and v.type != STRING]
     for section, extra in (("Output", []), ("InitialUnknown", numeric)):

@@ -1,4 +1,5 @@
-"""What the native FMU's C must know, from the one table of variables: sizes, variables, profiles and fixed tables as C text."""
+"""What the native FMU's C must know, from the one table of variables: sizes, variables, profiles and fixed
+tables as C text."""
 
 from ..kernel.binding.hertz_table import hertz_table
 from ..kernel.binding.influence_table import influence_table
@@ -45,8 +46,8 @@ def sizes_header(token, profiles, blocks):
 
 
 def model_code(starts, profiles, blocks):
-    """The text of model.c: ``starts`` holds start values that differ from the table's, ``profiles`` all that can be chosen by
-    their names, ``blocks`` the (first, run) of each FMI 3 variable, as in model.h."""
+    """The text of model.c: ``starts`` holds start values that differ from the table's, ``profiles`` all that
+    can be chosen by their names, ``blocks`` the (first, run) of each FMI 3 variable, as in model.h."""
     parts = [BANNER, '#include "model.h"', ""]
     for variable in VARIABLES:
         if variable.choices:

@@ -8,10 +8,10 @@ from wrcontact.interface.session import Session
 
 
 class WheelsetContact(Fmi2Slave):
-    """Wheelset on track as an FMI 2.0 co-simulation slave: hands values to a Session and takes them back.
+    """Wheelset on track as an FMI 2.0 co-simulation slave: passes values to a Session and back.
 
-    PythonFMU runs this file once more for every instance, so it holds one class and its imports.  A step never raises
-    and always succeeds: what is wrong is told by the output ``status`` and by one line in the log.
+    PythonFMU executes this file for every instance, so it contains only one class and its imports.  A step
+    always succeeds: problems are reported by the output ``status`` and by one line in the log.
     """
 
     def __init__(self, **kwargs):
@@ -67,10 +67,11 @@ class WheelsetContact(Fmi2Slave):
         self.log(sentence, Fmi2Status.warning, "logStatusWarning")
 
     def _do(self, action, *arguments):
-        """Run an action; if it is refused, say why in the log and on the console and fail the FMI call.
+        """Run an action; if it is refused, report the reason in the log and on the console, and let the FMI
+        call fail.
 
-        PythonFMU drops its references to the class, the instance and its log when a call fails, and once more when the
-        instance is freed; each is held once more, so that the instance outlives the refusal.
+        PythonFMU releases its references to the class, the instance and its log when a call fails, and again
+        when the instance is freed.  An additional reference to each keeps the instance alive.
         """
         try:
             return action(*arguments)

@@ -1,7 +1,8 @@
-"""Compile the kernel in place: a developer's ``python tools/compile_kernel.py`` after tools/transpile_kernel.py.
+"""Compile the kernel in place, for developers: ``python tools/compile_kernel.py`` after
+tools/transpile_kernel.py.
 
-    --folder DIR        put the library there instead of wrcontact/kernel
-    --check-bounds      end the program where an index is outside its array, instead of reading what is there
+    --folder DIR        write the library there instead of into wrcontact/kernel
+    --check-bounds      end the program if an index is outside its array
 """
 
 import argparse
@@ -10,7 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "build_hooks"))
 
-from kernel_compiler import KERNEL, CompilerProblem, compile_library  # noqa: E402  found through the line above
+from kernel_compiler import KERNEL, CompilerProblem, compile_library  # noqa: E402  the line above makes it importable
 
 
 def main():

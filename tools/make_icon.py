@@ -1,7 +1,8 @@
-"""Draw the FMU's icon: ``python tools/make_icon.py`` writes fmu_src/icon.svg and fmu_src/icon.png from one list of shapes.
+"""Draw the FMU's icon: ``python tools/make_icon.py`` writes fmu_src/icon.svg and fmu_src/icon.png from one
+list of shapes.
 
-A wheelset on two rails, seen along the track, on a transparent ground of 200 by 200 units; wheels and rails are far thicker
-than they are, so that the icon can be read at 64 pixels.
+A wheelset on two rails, seen along the track, on a transparent background of 200 by 200 units.  Wheels and
+rails are drawn much too thick, so that the icon is clear at 64 pixels.
 """
 
 from pathlib import Path
@@ -13,7 +14,8 @@ ICON = Path(__file__).resolve().parents[1] / "fmu_src" / "icon"
 SIZE = 200      # units of the shapes, and pixels of the PNG
 WHEEL, AXLE, RAIL, CONTACT = "#0072B2", "#004C77", "#6E6E6E", "#D55E00"      # as in the pictures of the documentation
 
-# The right wheel, from its flange's tip at the bottom, and its rail: x from the track centre, y from the bottom.
+# The right wheel, from its flange's tip at the bottom, and its rail: x from the track centre, y from the
+# bottom.
 RIGHT_WHEEL = [(49, 58), (44, 64), (44, 174), (49, 180), (54, 180), (58, 168), (86, 166), (86, 72), (58, 70), (54, 58)]
 RIGHT_RAIL = [(60, 70), (58, 66), (58, 54), (67, 49), (67, 28), (50, 22), (50, 14), (96, 14), (96, 22), (79, 28), (79, 49),
               (88, 54), (88, 66), (86, 70)]
@@ -51,7 +53,7 @@ def svg():
 
 
 def png(path):
-    """Write the icon as PNG with a transparent ground."""
+    """Write the icon as PNG with a transparent background."""
     figure = Figure(figsize=(1, 1), dpi=SIZE)
     panel = figure.add_axes((0, 0, 1, 1), xlim=(0, SIZE), ylim=(0, SIZE))
     panel.set_axis_off()

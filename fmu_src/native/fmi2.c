@@ -77,14 +77,14 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         return refuse_instance(callbacks, name, "fmi2Instantiate: the GUID is not the one of this library, " MODEL_TOKEN);
     instance *self = calloc(1, sizeof *self);
     if (!self)
-        return refuse_instance(callbacks, name, "fmi2Instantiate: there is no memory");
+        return refuse_instance(callbacks, name, "fmi2Instantiate: not enough memory");
     self->callbacks = *callbacks;
     self->name = malloc(strlen(name) + 1);
     self->wheelset = wheelset_new(tell_warning, self);
     if (!self->name || !self->wheelset)
     {
         fmi2FreeInstance(self);
-        return refuse_instance(callbacks, name, "fmi2Instantiate: there is no memory");
+        return refuse_instance(callbacks, name, "fmi2Instantiate: not enough memory");
     }
     memcpy(self->name, name, strlen(name) + 1);
     self->warnings = self->errors = logging != fmi2False;

@@ -72,7 +72,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
     if (!self || !self->wheelset)
     {
         free(self);
-        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there is no memory");
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: not enough memory");
     }
     self->environment = environment;
     self->log = log;

@@ -234,7 +234,7 @@ def test_documentation_names_every_variable(entries):
     for name, variable in variables.documented():
         assert f"<code>{name}</code>" in page
     assert "envelope theorem" in page and "ANALYN" in page
-    assert "contact_mode" in page and "about the wheelset's centre" in page and "close the loop" in page
+    assert "contact_mode" in page and "about the wheelset's centre" in page and "a wheelset with mass" in page
 
 
 def test_equal_sources_give_equal_bytes(fmu, tmp_path):

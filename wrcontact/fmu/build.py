@@ -1,8 +1,8 @@
-"""Pack an FMU with PythonFMU's runtime: one archive from the sources, the same bytes for the same sources.
+"""Pack the Python FMU with PythonFMU's runtime; the same sources give the same bytes.
 
-Two FMUs in one process share Python's modules, and a module that is already there wins over the one in an FMU.  So the
-package goes in under a name that holds a hash of everything packed: an FMU runs its own code, never a neighbour's and
-never the one that the host has installed.
+Two FMUs in one process share Python's modules, and a module that is already loaded is used instead of the one in the FMU.
+Therefore the package in an FMU has a name that contains a hash of everything packed.  So each FMU runs its own code, not that
+of another FMU and not that of an installed wrcontact.
 """
 
 import argparse
@@ -32,7 +32,7 @@ from .terminals import terminals_and_icons
 SLAVE = "wheelset_contact"
 RUNTIME = Path(pythonfmu.__file__).parent
 #: The package's ``__init__`` in an FMU.
-LOADER = b'''"""wrcontact as packed in an FMU, loaded whole: the folder may be gone when the next instance is made."""
+LOADER = b'''"""wrcontact in an FMU, loaded completely: the folder may be deleted before the next instance is created."""
 
 from .interface import session
 from .kernel.binding import library
@@ -40,9 +40,9 @@ from .kernel.wheelset import step
 
 library.default_kernel()
 '''
-#: What FMI 2.0 wants to be told about that.
+#: Text of documentation/externalDependencies.txt, which FMI 2.0 requires.
 DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
-#: Every entry of the archive carries this time, so that the hour of the build does not show.
+#: Time of every entry in the archive, so that the time of the build does not change the bytes.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
@@ -51,14 +51,14 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
 
     Parameters
     ----------
-    output : folder of the FMU; made if it is not there.
+    output : folder of the FMU, created if necessary.
     wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
 
     Raises
     ------
     ValueError
-        when a profile cannot be used; the sentence says why.
+        if a profile cannot be used; the sentence says why.
     """
     starts, profiles = chosen_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
     files = {f"resources/{name}": prepared_text(profile).encode() for name, profile in profiles.items()}
@@ -74,9 +74,9 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
 
 
 def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the profiles of the files among them, each read once, by file name.
+    """Start values of the profile parameters, and the profiles that come from files, by file name; each file is read once.
 
-    Files go in prepared, under their own names: reading points takes scipy, which an FMU must do without.
+    Files are packed as prepared profiles with their own names: reading points needs scipy, which an FMU does not have.
     """
     starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
     given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
@@ -84,12 +84,12 @@ def chosen_profiles(smoothing=None, **chosen):
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
     files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     if len(set(files.values())) < len(files):
-        raise ValueError(f"wheel and rail profile have one file name, {files['wheel_profile']}; rename one")
+        raise ValueError(f"wheel and rail profile have the same file name, {files['wheel_profile']}; rename one of them")
     return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def runtime():
-    """PythonFMU: its Python side, and the libraries that an importer loads."""
+    """Entries of PythonFMU: its Python modules, and the libraries that an importer loads."""
     entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in RUNTIME.glob("*.py")}
     for library in RUNTIME.glob("resources/binaries/*/*"):
         entries[f"binaries/{library.parent.name}/{MODEL}{library.suffix}"] = library.read_bytes()
@@ -97,19 +97,19 @@ def runtime():
 
 
 def runtime_platforms():
-    """Names of the platforms that PythonFMU has libraries for."""
+    """Names of the platforms for which PythonFMU has a library."""
     return [name for name, place in PLATFORMS.items() if RUNTIME.joinpath("resources", "binaries", place.fmi2).is_dir()]
 
 
 def package(starts):
-    """What wrcontact needs online, with the start values of this FMU."""
+    """Entries of wrcontact: the files that an FMU needs, with the start values of this FMU."""
     made = {"__init__.py": LOADER, "interface/starts.py": f"STARTS = {starts!r}\n".encode()}
     files = {**online_files(), **kernel_libraries(runtime_platforms()), **made}
     return {f"resources/wrcontact/{name}": content for name, content in files.items()}
 
 
 def documentation(starts):
-    """The page about the model, the icon and the terminals, what the FMU needs, and the licences."""
+    """Entries of the documentation page, icon, terminals, external dependencies and licences."""
     page = documentation_page(__version__, model_description("", "", __version__, starts), about_python())
     entries = {"documentation/index.html": page.encode(), "documentation/externalDependencies.txt": DEPENDENCIES,
                **terminals_and_icons(2, [variable.name for variable in VARIABLES])}
@@ -118,7 +118,7 @@ def documentation(starts):
 
 
 def licence(name):
-    """Licence text of an installed distribution, or of the checkout; None where there is none."""
+    """Licence text (bytes) of an installed distribution or of the checkout; None if there is none."""
     try:
         files = [Path(str(file.locate())) for file in distribution(name).files or () if file.name.startswith("LICENSE")]
     except PackageNotFoundError:
@@ -129,7 +129,7 @@ def licence(name):
 
 
 def sealed(contents, starts):
-    """The entries under names that no other contents have, with the slave and the model description."""
+    """All entries, renamed with a hash of the contents, with the slave module and the model description."""
     slave = (SOURCES / f"{SLAVE}.py").read_text(encoding="utf-8")
     tool = f"wrcontact {__version__} with PythonFMU {pythonfmu.__version__}"
     seal = fingerprint({**contents, "slave": slave.encode(), "description": model_description("", tool, __version__, starts)})
@@ -150,7 +150,7 @@ def fingerprint(entries):
 
 
 def archive(entries):
-    """The zip archive of the entries as bytes: the same for the same entries."""
+    """The zip archive of the entries as bytes; equal entries give equal bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w") as file:
         for name, content in sorted(entries.items()):
@@ -161,7 +161,7 @@ def archive(entries):
 
 
 def problems_of(data):
-    """What fmpy finds wrong with the archive ``data``; an empty list is a valid FMU."""
+    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU."""
     from fmpy.validation import validate_fmu
 
     return validate_fmu(io.BytesIO(data))
@@ -172,23 +172,23 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="build_fmu.py", description="Pack the FMU of a wheelset on track and print its path.")
     parser.add_argument("--output", metavar="DIR", default="dist", help="folder of the FMU (default: dist)")
     for kind in ("wheel", "rail"):
-        meaning = f"{kind} profile to pack and use by default: a file of points in mm, or a built-in name"
+        meaning = f"{kind} profile to pack and use as the default: a file of points in mm, or a built-in name"
         parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
-    parser.add_argument("--smoothing-um", metavar="NUMBER", type=float, help="how far the curve may keep from measured "
-                        "points, in the mean of squares (default: as far as their noise; 0: through every point)")
+    parser.add_argument("--smoothing-um", metavar="NUMBER", type=float, help="smoothing of measured points: root mean square "
+                        "distance between the curve and the points, in um (default: their estimated noise; 0: no smoothing)")
     parser.add_argument("--native", action="store_true",
-                        help="pack two FMUs that need no Python instead, for FMI 2.0 and FMI 3.0")
+                        help="pack the two native FMUs instead, for FMI 2.0 and FMI 3.0, which need no Python")
     names = ", ".join(PLATFORMS)
-    parser.add_argument("--platforms", metavar="NAME[,NAME]", help="whose libraries go into the native FMUs: this machine's "
-                        f"by default, or any of {names}, or all; others than this machine's take ziglang")
+    parser.add_argument("--platforms", metavar="NAME[,NAME]", help="platforms of the native FMUs: by default this "
+                        f"machine's; or any of {names}; or all. Other platforms than this machine's need ziglang")
     chosen = vars(parser.parse_args(arguments))
     native, platforms = chosen.pop("native"), chosen.pop("platforms")
     if platforms and not native:
-        parser.error("--platforms belongs to --native")
+        parser.error("--platforms is permitted only with --native")
     smoothing = chosen.pop("smoothing_um")
     chosen["smoothing"] = None if smoothing is None else 1e-6 * smoothing
     if has_zig():
-        print("compiling with ziglang; the first time for a platform takes up to two minutes", file=sys.stderr)
+        print("compiling with ziglang; the first build for a platform takes up to two minutes", file=sys.stderr)
     try:
         with remarks_in_lines("build_fmu.py"):
             print(*_built(native, platforms, chosen), sep="\n")
@@ -196,13 +196,13 @@ def main(arguments=None):
         print(f"build_fmu.py: {sentence_of(problem) if isinstance(problem, OSError) else problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("build_fmu.py: interrupted; an FMU is whole, or as it was before", file=sys.stderr)
+        print("build_fmu.py: interrupted; no file is half written", file=sys.stderr)
         return 130
     return 0
 
 
 def _built(native, platforms, chosen):
-    """Paths of the FMUs that were asked for."""
+    """Build the requested FMUs and return their paths."""
     if not native:
         return [build_fmu(**chosen)]
     from .native import build_native_fmus

@@ -1,4 +1,5 @@
-"""Pack native FMUs: libraries from the kernel's generated C and the adapters in fmu_src/native, which need no Python."""
+"""Pack native FMUs: libraries from the kernel's generated C and the adapters in fmu_src/native, which need no
+Python."""
 
 import importlib.util
 import tempfile
@@ -27,7 +28,8 @@ DESCRIPTIONS = {2: description.model_description, 3: description3.model_descript
 
 
 def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None):
-    """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return their paths.
+    """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return
+    their paths.
 
     Parameters
     ----------
@@ -60,7 +62,8 @@ def packed_profiles(smoothing=None, **chosen):
 
 
 def native_fmu(version, starts, profiles, platforms, folder, cache):
-    """The archive of one version of FMI as bytes; ``folder`` is for scratch, ``cache`` for compiled sources."""
+    """The archive of one version of FMI as bytes; ``folder`` is for scratch, ``cache`` for compiled
+    sources."""
     entries = uncompiled(version, starts, profiles, platforms)
     contents = {name.removeprefix("sources/"): content for name, content in entries.items() if name.startswith("sources/")}
     for platform, library in libraries(contents, compiled_units(version), platforms, folder, cache).items():
@@ -146,7 +149,8 @@ def headers_licence(header):
 
 
 def windows_licence(platforms):
-    """The licence of mingw-w64, whose start-up code ziglang links into libraries for Windows; None where there is none."""
+    """The licence of mingw-w64, whose start-up code ziglang links into libraries for Windows; None where
+    there is none."""
     compiler = importlib.util.find_spec("ziglang")
     if "x86_64-windows" not in platforms or not compiler:
         return None

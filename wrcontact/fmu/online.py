@@ -1,4 +1,5 @@
-"""Which files of the package a simulation needs: what the session imports, and the kernel with its compiled libraries."""
+"""Which files of the package a simulation needs: what the session imports, and the kernel with its compiled
+libraries."""
 
 import ast
 import sys
@@ -21,8 +22,8 @@ def online_files():
 
 
 def kernel_libraries(platforms):
-    """Contents of the kernel's libraries by their path in the package: where ziglang is installed for each of ``platforms``,
-    and for this machine; with a warning where there are none."""
+    """Contents of the kernel's libraries by their path in the package: where ziglang is installed for each of
+    ``platforms``, and for this machine; with a warning where there are none."""
     made = {}
     try:
         if has_zig():
@@ -50,7 +51,8 @@ def imported_from(file):
 
 
 def imports_of(module):
-    """Files of the package that one module needs: the ``__init__`` of its folders, and what it imports anywhere in it."""
+    """Files of the package that one module needs: the ``__init__`` of its folders, and what it imports
+    anywhere in it."""
     yield from (folder / "__init__.py" for folder in module.parents if PACKAGE in folder.parents)
     for node in ast.walk(ast.parse(module.read_bytes())):
         if isinstance(node, ast.ImportFrom) and node.level:
@@ -60,7 +62,8 @@ def imports_of(module):
 
 
 def files_of(folder, node):
-    """Files that ``from <node.module> import <node.names>`` reads, with ``folder`` as the place it starts from."""
+    """Files that ``from <node.module> import <node.names>`` reads, with ``folder`` as the place it starts
+    from."""
     folder = folder.joinpath(*(node.module or "").split("."))
     for target in (folder, *(folder / alias.name for alias in node.names)):
         if target != PACKAGE and OFFLINE.isdisjoint(target.relative_to(PACKAGE).parts):

@@ -1,6 +1,6 @@
-"""The life cycle of one simulated wheelset, free of FMI.
+"""The life cycle of one simulated wheelset, independent of FMI.
 
-Set values, initialise, step, read; values go by value reference, their place in the one table of variables::
+Set values, initialise, step, read.  Values are addressed by value reference, the index in the table of variables::
 
     session = Session()
     session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
@@ -26,26 +26,27 @@ PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
 START = np.array([v.start if v.type == REAL and v.start is not None else 0.0 for v in VARIABLES])
 INVALID_INPUT = 4
 
-#: Opens every saved state; the number rises when the format changes.
+#: First bytes of every saved state; the number changes with the format.
 STATE_FORMAT = b"wrcontact state 1\n"
 STATE_BODY = len(STATE_FORMAT) + hashlib.sha256().digest_size
-#: A saved state belongs to one build: inside an FMU the package's name holds a hash of its contents.
+#: A saved state belongs to one build: inside an FMU the package's name contains a hash of its contents.
 BUILD = __name__.split(".")[0]
 
 
 class Refused(ValueError):
-    """A value that cannot be accepted; the sentence says which one and what is permitted."""
+    """A value is not accepted; the sentence names it and says what is permitted."""
 
 
 class Session:
     """One wheelset from its parameters to its outputs.
 
-    Outputs are computed when they are first asked for after an input has changed, and then kept: a step with unchanged
-    inputs costs nothing.  Stepping never raises; ``status`` and one line to ``tell`` say what is wrong.
+    Outputs are computed when they are first read after a change of the inputs, and then kept: a step with
+    unchanged inputs costs nothing.  Stepping never raises; problems are reported by ``status`` and by one
+    call of ``tell``.
 
     Parameters
     ----------
-    resources : folder in which profile files are looked for by their name; None for none.
+    resources : folder with profile files, or None.
     tell : called with one sentence for every step whose status is not 0.
     """
 
@@ -63,9 +64,9 @@ class Session:
         self._stepper = None
         self._values = START.copy()  # by value reference; strings live in ``parameters``
         self._stale = True  # an input has changed since the last evaluation
-        self._told = False  # this step's status has been told
-        self._asked = self._places = None  # the last request for Reals, and where it was found
-        self._asked_integers = self._integer_places = None  # and for Integers
+        self._told = False  # this step's status has been reported
+        self._asked = self._places = None  # the references of the last request for Reals, and their indices
+        self._asked_integers = self._integer_places = None  # the same for Integers
 
     # --- parameters ------------------------------------------------------------------------------
 
@@ -79,7 +80,7 @@ class Session:
         return [self.parameters[_variable(reference, STRING).name] for reference in references]
 
     def _set_parameter(self, variable, value):
-        """Note a parameter; once the simulation runs, only the value that it has is accepted."""
+        """Store a parameter; after initialisation only its present value is accepted."""
         if variable.causality != PARAMETER:
             raise Refused(f"{variable.name} is an {variable.causality} and cannot be set")
         present = self.parameters[variable.name]
@@ -91,7 +92,7 @@ class Session:
         self._stale = True
 
     def initialise(self):
-        """Build the contact system for the present parameters; a wrong one raises :class:`Refused`."""
+        """Build the contact system for the present parameters; :class:`Refused` if one is wrong."""
         if self._built_with != self.parameters:
             self._stepper = self._build(self.parameters)
             self._built_with = dict(self.parameters)
@@ -126,7 +127,7 @@ class Session:
     # --- inputs, outputs, steps ------------------------------------------------------------------
 
     def set_reals(self, references, values):
-        """Set inputs; before the simulation runs also parameters."""
+        """Set inputs and, before initialisation, parameters."""
         present = self._values
         for reference, value in zip(references, values, strict=True):
             if not 0 <= reference < INPUTS:
@@ -144,7 +145,7 @@ class Session:
         return self._values[self._places].tolist()
 
     def set_integers(self, references, values):
-        """Refuse: no Integer can be set."""
+        """Always :class:`Refused`: no Integer can be set."""
         for reference, value in zip(references, values, strict=True):
             self._set_parameter(_variable(reference, INTEGER), value)
 
@@ -158,7 +159,7 @@ class Session:
         return [int(values[place]) for place in self._integer_places]
 
     def step(self):
-        """Bring the outputs up to date; a status other than 0 is told once per step."""
+        """Update the outputs; a status other than 0 is reported once per step."""
         self._refresh()
         if self._stepper is None:
             self._values[STATUS] = INVALID_INPUT
@@ -173,7 +174,8 @@ class Session:
         return int(self._values[STATUS])
 
     def _refresh(self):
-        """Evaluate if an input has changed since the last time; before initialisation there is nothing to evaluate."""
+        """Evaluate if an input has changed since the last time; before initialisation there is nothing to
+        evaluate."""
         if self._stale and self._stepper is not None:
             if not self.locked:
                 self.initialise()
@@ -198,7 +200,7 @@ class Session:
     # --- saved states ----------------------------------------------------------------------------
 
     def snapshot(self):
-        """Everything that decides how the simulation goes on, as bytes."""
+        """The complete state of the simulation as bytes."""
         stepper = self._stepper
         header = {
             "build": BUILD,
@@ -213,7 +215,7 @@ class Session:
         return STATE_FORMAT + hashlib.sha256(body).digest() + body
 
     def restore(self, saved):
-        """Go on from a snapshot; bytes that are not one raise :class:`Refused` and change nothing."""
+        """Restore a snapshot; :class:`Refused`, without any change, if ``saved`` is not one."""
         header, numbers = _read_snapshot(saved)
         stepper = self._stepper_for(header)
         arrays = [self._values] if stepper is None else [self._values, stepper.inputs, stepper.outputs, stepper.state]
@@ -227,7 +229,7 @@ class Session:
         self.locked, self._stale, self._told = header["locked"], header["stale"], header["told"]
 
     def _stepper_for(self, header):
-        """The stepper that a snapshot needs: the present one if the parameters agree."""
+        """The stepper for a snapshot: the present one if the parameters are equal, otherwise a new one."""
         if not header["built"]:
             return None
         if header["parameters"] == self._built_with:
@@ -252,7 +254,7 @@ def _place(reference, type):
 
 
 def _as_slice(places):
-    """``places`` as an index: a slice where they are neighbours in order, which is read faster."""
+    """``places`` as an index of an array; consecutive places become a slice, which is faster."""
     if places and places == list(range(places[0], places[0] + len(places))):
         return slice(places[0], places[0] + len(places))
     return np.array(places, dtype=np.intp)

@@ -1,4 +1,4 @@
-"""Pictures: contacts over the lateral shift, one pose with its patches, the check of a pair, and the run of the demo.
+"""Pictures: contacts against the lateral shift, one pose with its patches, the check of a pair, and the demo.
 
 >>> import wrcontact, wrcontact.plots
 >>> system = wrcontact.ContactSystem()

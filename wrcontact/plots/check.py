@@ -1,4 +1,5 @@
-"""The picture of ``wrcontact check``: where contacts are, what they do to rolling radii, and how well that is conditioned."""
+"""The picture of ``wrcontact check``: contact positions, rolling radii, conicity, sensitivities and conformal
+zones."""
 
 import numpy as np
 
@@ -10,9 +11,9 @@ from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, SIDE_COLOUR,
 from .sweep import BAND
 
 SHOWN = 8e-3  # [m] lateral shifts shown, the largest amplitude
-JOINED = 0.25e-3  # [m] lateral shift from one joined pair of places to the next
-APART = 14e-3  # [m] drawn between wheel and rail
-STEP = 0.2e-3  # [m] from point to point of a drawn profile
+JOINED = 0.25e-3  # [m] lateral shift between two joined pairs of contact points
+APART = 14e-3  # [m] distance between the drawn wheel and rail
+STEP = 0.2e-3  # [m] spacing of the points of a drawn profile
 MARGIN = 8e-3  # [m] of the profiles beside the outermost contacts
 FINE_AMPLITUDES = np.arange(5, 81) * 1e-4  # [m] of the drawn conicity
 SHIFT_COLOURS = "viridis"
@@ -22,7 +23,7 @@ BROKEN = {"linestyle": ":", "linewidth": 1.2}
 
 @styled
 def check_figure(report):
-    """What ``report``, a :class:`~wrcontact.conditioning.Conditioning`, says of a pair, in seven panels."""
+    """Draw ``report``, a :class:`~wrcontact.conditioning.Conditioning`, in seven panels."""
     figure = new_figure(10, 12.2)
     grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
     figure.suptitle(_headline(report), x=0.01, ha="left")
@@ -44,11 +45,11 @@ def _headline(report):
 
 
 def draw_places(figure, panel, report):
-    """Wheel above rail, with the places that touch joined, coloured by the lateral shift; jumps are dotted."""
+    """Wheel above rail, contact points joined by lines coloured by the lateral shift; jumps are dotted."""
     panel.set_label("places")
-    panel.set_title("Places of right wheel and rail that touch; dotted beside a jump")
+    panel.set_title("Contact points of right wheel and rail; dotted beside a jump")
     wheel, rail, y_top = report.system.profile_tables()
-    aside = y_top - report.system.parameters["running_circle_distance"] / 2  # of the rail's frame from the wheel's, centred
+    aside = y_top - report.system.parameters["running_circle_distance"] / 2  # lateral distance of the rail's frame from the wheel's in the centred position
     side, colours = report.curves.right, _shift_colours()
     _draw_profile(panel, wheel, report.wheel.visited, 0.0, APART / MM, WHEEL_COLOUR, up=True)
     _draw_profile(panel, rail, report.rail.visited, aside, 0.0, RAIL_COLOUR, up=False)
@@ -90,7 +91,7 @@ def _draw_profile(panel, table, visited, aside, height, colour, up):
 
 
 def _join(panel, wheel, rail, aside, y_wheel, y_rail, **look):
-    """A line from a place on the wheel to one on the rail; its upper end [mm]."""
+    """Draw a line from a point on the wheel to one on the rail; return its upper end [mm]."""
     top = y_wheel / MM, (APART - evaluate_table(wheel, y_wheel)[0]) / MM
     panel.plot([top[0], (y_rail + aside) / MM], [top[1], -evaluate_table(rail, y_rail)[0] / MM], **look)
     return top
@@ -104,9 +105,9 @@ def _shown_jumps(report, side):
 
 
 def draw_radii(panel, report):
-    """Rolling radius difference [mm] over the lateral shift, with roll and without."""
+    """Rolling radius difference [mm] against the lateral shift, with and without roll."""
     panel.set_label("radii")
-    panel.set_title("Rolling radius difference, right less left")
+    panel.set_title("Rolling radius difference, right minus left")
     for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"), ("level", LEVEL_COLOUR, "without roll")):
         if report.conicity_curves[name] is not None:
             shift, difference = report.conicity_curves[name]
@@ -118,7 +119,7 @@ def draw_radii(panel, report):
 
 
 def draw_conicity(panel, report):
-    """Equivalent conicity over the amplitude, with roll and without; the values of the report as dots."""
+    """Equivalent conicity against the amplitude, with and without roll; dots are the values in the report."""
     panel.set_label("conicity")
     panel.set_title("Equivalent conicity (EN 15302: without roll)")
     top = 0.1
@@ -145,9 +146,9 @@ def _legend(panel, place):
 
 
 def draw_moves(panel, report):
-    """How far the right contact moves per lateral shift, on wheel and rail; logarithmic."""
+    """Rate of the right contact position on wheel and rail, per lateral shift; logarithmic."""
     panel.set_label("moves")
-    panel.set_title("Move of the right contact per lateral shift")
+    panel.set_title("Rate of the right contact per lateral shift")
     shift, side = report.curves.lateral_shift / MM, report.curves.right
     rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
     for rate, colour, words in rates:
@@ -159,7 +160,7 @@ def draw_moves(panel, report):
 
 
 def draw_roll_rate(panel, report):
-    """How far the wheelset rolls per lateral shift; logarithmic."""
+    """Rate of the roll, per lateral shift; logarithmic."""
     panel.set_label("roll rate")
     panel.set_title("Roll per lateral shift")
     shift, rate = report.curves.lateral_shift / MM, np.abs(report.curves.roll_rate)
@@ -172,7 +173,7 @@ def draw_roll_rate(panel, report):
 
 
 def draw_distance(panel, report):
-    """Lateral shift to the nearest jump of either contact."""
+    """Distance in lateral shift to the nearest jump of either contact."""
     panel.set_label("distance")
     panel.set_title("Distance to the nearest jump of either contact")
     distance = np.where(np.isfinite(report.curves.jump_distance), report.curves.jump_distance, np.nan)
@@ -189,7 +190,7 @@ def draw_distance(panel, report):
 
 
 def draw_near(panel, report):
-    """How long the stretch within NEAR of the rail is, on the right wheel; conformal shifts are shaded."""
+    """Length of the close stretch on the right wheel; conformal shifts are shaded."""
     panel.set_label("near")
     panel.set_title(f"Length of the right wheel within {NEAR / MM:g} mm of the rail")
     shift, side = report.curves.lateral_shift / MM, report.curves.right
@@ -198,7 +199,7 @@ def draw_near(panel, report):
             panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal")
     panel.plot(*_broken(report, shift, side.near_width / MM, "right"), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
-    panel.text(0.01, WIDE / MM, f"shaded: longer, or turns by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left",
+    panel.text(0.01, WIDE / MM, f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left",
                va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
     _shift_axis(panel, "mm")
     panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0),
@@ -206,7 +207,7 @@ def draw_near(panel, report):
 
 
 def _broken(report, shift, values, side):
-    """The curve, with a hole at each jump of ``side``."""
+    """The curve, interrupted at each jump of ``side``."""
     at = np.array([jump.lateral_shift / MM for jump in report.jumps if jump.side == side])
     order = np.argsort(np.concatenate([shift, at]), kind="stable")
     return np.concatenate([shift, at])[order], np.concatenate([values, np.full(len(at), np.nan)])[order]
@@ -225,7 +226,7 @@ def _shift_axis(panel, unit):
 
 
 def _scale_to_shown(panel):
-    """Let the height of ``panel`` fit what its curves have within the shown shifts."""
+    """Fit the vertical range of ``panel`` to its curves within the shown shifts."""
     shown = [np.asarray(line.get_ydata(), dtype=float)[np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM]
              for line in panel.lines if len(line.get_xdata()) > 2]
     values = np.concatenate([*shown, [np.nan]])

@@ -1,4 +1,4 @@
-"""The picture of ``wrcontact demo``: where wheels touch, what the patches look like, and the run of the FMU."""
+"""The picture of ``wrcontact demo``: contact positions, patches, and the run of the FMU."""
 
 from matplotlib.ticker import MultipleLocator
 
@@ -8,9 +8,11 @@ from .patch import draw_patch, frame_patch, pressure_scale, window_size
 from .style import DEGREE, INK, KILONEWTON, MEGAPASCAL, MM, SIDE_COLOUR, new_figure, styled
 from .sweep import draw_sweep, draw_zones, sweep
 
-#: Lateral shifts [m] at which the right wheel's patch is drawn: two on the tread, two at the flange root, one on the flange.
+#: Lateral shifts [m] at which the right wheel's patch is drawn: two on the tread, two at the flange root, one
+#: on the flange.
 SHOWN_SHIFTS = (0.0, 3e-3, 5e-3, 6e-3, 7e-3)
-#: Panels of the run, by rows: title, name of the variable (after the side, where a wheel has it), display unit and its name.
+#: Panels of the run, by rows: title, name of the variable (after the side, where a wheel has it), display
+#: unit and its name.
 RUN_PANELS = (
     ("Lateral shift", "lateral_shift", MM, "mm"),
     ("Yaw", "yaw", DEGREE, "deg"),
@@ -23,16 +25,18 @@ RUN_PANELS = (
 
 @styled
 def demo_figure(system, run, stored):
-    """Three rows: contacts and roll over the lateral shift, patches from tread to flange, and the run over time.
+    """Three rows: contacts and roll against the lateral shift, patches from tread to flange, and the run over
+    time.
 
-    ``run`` and ``stored`` hold arrays (n,) by FMU name in SI: what the FMU answered, and the stored run with its inputs.
+    ``run`` and ``stored`` have arrays (n,) in SI by FMU name: the outputs of the FMU, and the stored run with
+    its inputs.
     """
     figure = new_figure(10, 10.6)
     rows = figure.subfigures(3, 1, height_ratios=(3.4, 3.4, 3.9), hspace=0.02)
     title = f"Where {system.wheel.name} touches {system.rail.name} without yaw: three jumps lead from the tread to the flange"
     draw_sweep(_titled(rows[0], title).subplots(1, 3), sweep(system))
-    draw_patches(_titled(rows[1], "The patch of the right wheel from tread to flange at 78.5 kN, all drawn to one scale"), system)
-    title = "The FMU steps through growing hunting: lines are its answers, circles the stored reference"
+    draw_patches(_titled(rows[1], "The patch of the right wheel from tread to flange at 78.5 kN, with a common scale"), system)
+    title = "The FMU steps through growing hunting: lines are its outputs, circles the stored reference"
     draw_run(_titled(rows[2], title).subplots(2, 3, sharex=True), run, stored)
     return figure
 
@@ -43,7 +47,7 @@ def _titled(row, title):
 
 
 def draw_patches(row, system):
-    """The right wheel's patch at :data:`SHOWN_SHIFTS` in panels of one scale, with one colour bar."""
+    """The right wheel's patch at :data:`SHOWN_SHIFTS`, in panels with a common scale and a colour bar."""
     states = [system.evaluate(lateral_shift=shift) for shift in SHOWN_SHIFTS]
     outlines = [state.right.outline for state in states]
     panels = row.subplots(1, len(states), sharey=True)
@@ -65,7 +69,7 @@ def _describe(shift, side):
 
 
 def draw_run(panels, run, stored):
-    """Inputs, contact positions, forces, pressures and areas of the run over time into panels (2, 3)."""
+    """Draw inputs, contact positions, forces, pressures and areas of the run over time into panels (2, 3)."""
     for panel, (title, name, unit, unit_name) in zip(panels.flat, RUN_PANELS):
         panel.set_label(f"run {name}")
         panel.set_title(title)
@@ -83,7 +87,7 @@ def draw_run(panels, run, stored):
 
 
 def _compare(panel, run, stored, name, unit):
-    """The FMU's answer for both wheels as lines, the stored values as circles."""
+    """Outputs of the FMU for both wheels as lines, stored values as circles."""
     time = stored["time"]
     for side in SIDES:
         look = {"color": SIDE_COLOUR[side], "linewidth": 1}

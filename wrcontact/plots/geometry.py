@@ -1,4 +1,5 @@
-"""What pictures need and a simulation does not: outlines of wheel and rail on the track, and names of a wheel's parts."""
+"""Geometry that only pictures need: outlines of wheel and rail on the track, and names of the parts of a
+wheel."""
 
 import numpy as np
 
@@ -7,16 +8,19 @@ from ..kernel.layout import PLACE_SIZE, Place
 from ..kernel.surface.locus import outline_point, place_wheelset
 from ..profiles.placement import place_rail, readable_wheel
 
-#: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C and D/E).
+#: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C
+#: and D/E).
 WHEEL_ZONES = {"flange": (-70e-3, -38.426669071e-3), "flange root": (-38.426669071e-3, -26e-3), "tread": (-26e-3, 60e-3)}
 
 POINTS = 1200  # of a drawn outline
 
 
 def wheel_outline(system, state, side):
-    """The wheel's outline at a pose as seen along the track: track coordinates y, z (down) [m], two arrays (n,).
+    """The wheel's outline at a pose as seen along the track: track coordinates y, z (down) [m], two arrays
+    (n,).
 
-    It is the curve of the points that can touch the rail (wrcontact/kernel/surface/locus.py); without yaw, the profile.
+    It is the curve of the points that can touch the rail (wrcontact/kernel/surface/locus.py); without yaw,
+    the profile.
     """
     profile = readable_wheel(system.wheel)
     y = np.linspace(profile.start, profile.stop, POINTS)[1:-1]
@@ -31,7 +35,8 @@ def wheel_outline(system, state, side):
 
 
 def rail_outline(system, side):
-    """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays (n,)."""
+    """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays
+    (n,)."""
     chosen = system.parameters
     placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
                         gauge_depth=chosen["gauge_depth"])
@@ -45,7 +50,7 @@ def rail_outline(system, side):
 
 
 def _turned(profile, y, angle):
-    """Points (2, n) of a profile turned by ``angle`` [rad] from y to z."""
+    """Points (2, n) of a profile rotated by ``angle`` [rad] from y to z."""
     z = profile.height(y)
     return np.array([np.cos(angle) * y - np.sin(angle) * z, np.sin(angle) * y + np.cos(angle) * z])
 

@@ -1,4 +1,5 @@
-"""The contact patch: its outline in the contact plane, filled by pressure, and the pressure along its middle."""
+"""Pictures of a contact patch: its outline in the contact plane, its pressure in colour, and the pressure on
+its centre line."""
 
 import numpy as np
 from matplotlib.colors import Normalize
@@ -14,7 +15,8 @@ MARGIN = 1.2e-3  # [m] around a patch
 def fine_outline(outline):
     """Station [m], half-length [m] and pressure [Pa] of one pose at many stations, three arrays (n,).
 
-    Between the stored stations the squares are interpolated: near an edge they run straight, and an ellipse stays round.
+    Between the stored stations the squares are interpolated: they are linear near an edge, so an ellipse
+    stays smooth.
     """
     stored = np.arange(len(outline.station))
     place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
@@ -24,7 +26,8 @@ def fine_outline(outline):
 
 
 def draw_patch(panel, outline, scale):
-    """Fill the patch of one pose by pressure: lateral position to the right, rolling direction up, both in mm.
+    """Fill the patch of one pose by pressure: lateral position to the right, rolling direction up, both in
+    mm.
 
     ``scale`` is a matplotlib norm in MPa, so that several patches share one colour scale.
     """
@@ -40,13 +43,13 @@ def draw_patch(panel, outline, scale):
 
 
 def _between_patches(half_length):
-    """Where neither a point nor its neighbours are loaded."""
+    """Mask of the points that are not loaded and have no loaded neighbour."""
     bare = np.concatenate([[False], half_length <= 0, [False]])
     return bare[1:-1] & bare[:-2] & bare[2:]
 
 
 def draw_pressure(panel, outline, colour):
-    """Pressure along the middle of the patch [MPa] over the lateral position [mm]."""
+    """Pressure on the centre line of the patch [MPa] against the lateral position [mm]."""
     station, _, pressure = fine_outline(outline)
     panel.fill_between(station / MM, pressure / MEGAPASCAL, color=colour, alpha=0.25, linewidth=0)
     return panel.plot(station / MM, pressure / MEGAPASCAL, color=colour)[0]
@@ -59,14 +62,16 @@ def pressure_scale(outlines):
 
 
 def window_size(outlines):
-    """Half width and half length [m] of the window that holds each of several patches, so that all are drawn to one scale."""
+    """Half width and half length [m] of a window that fits each of several patches, so that they share one
+    scale."""
     across = max(float(np.ptp(outline.station)) for outline in outlines) / 2
     along = max(float(np.max(outline.half_length)) for outline in outlines)
     return across + MARGIN, along + MARGIN
 
 
 def frame_patch(panel, outline, across, along):
-    """Let ``panel`` show ``across`` [m] to both sides of the patch's middle and ``along`` [m] ahead and behind."""
+    """Set the limits of ``panel`` to ``across`` [m] on both sides of the patch's middle and ``along`` [m]
+    ahead and behind."""
     middle = 0.5 * (outline.station[0] + outline.station[-1])
     panel.set_xlim((middle - across) / MM, (middle + across) / MM)
     panel.set_ylim(-along / MM, along / MM)
@@ -82,7 +87,7 @@ def outline_figure(state):
 
 
 def draw_outlines(figure, panels, state):
-    """Patch and pressure of the left and the right wheel into ``panels`` (2, 2), with one scale for both."""
+    """Draw patch and pressure of the left and right wheel into ``panels`` (2, 2), with a common scale."""
     sides = {"left": state.left, "right": state.right}
     loaded = [side.outline for side in sides.values() if side.patch_count]
     for (name, side), upper, lower in zip(sides.items(), *panels):
@@ -98,7 +103,7 @@ def draw_outlines(figure, panels, state):
 
 
 def _draw_side(upper, lower, name, outline, loaded):
-    """Patch and pressure of one wheel, at the scale of all that are loaded."""
+    """Patch and pressure of one wheel, with the common scale."""
     scale = pressure_scale(loaded)
     mesh = draw_patch(upper, outline, scale)
     half = max(window_size(loaded))
@@ -111,7 +116,7 @@ def _draw_side(upper, lower, name, outline, loaded):
 
 
 def _headline(name, side):
-    """What one sees of one wheel's contact, in two lines."""
+    """Title of one wheel's contact, in two lines."""
     if not side.patch_count:
         return f"{name.capitalize()} wheel: no load,\nno patch"
     regions = {1: "one patch"}.get(side.patch_count, f"{side.patch_count} patches")

@@ -1,4 +1,4 @@
-"""One pose: wheel and rail of both sides as they touch, with the contact plane, and their patches."""
+"""Picture of one pose: wheels on rails with contact point and contact plane, and the patches."""
 
 import numpy as np
 
@@ -11,12 +11,13 @@ from .style import CONTACT_COLOUR, DEGREE, KILONEWTON, MM, RAIL_COLOUR, RAIL_LAB
 INSIDE, OUTSIDE = 78e-3, 54e-3  # [m] shown from the rail's highest point to the track centre and to the field side
 ABOVE, BELOW = 18e-3, 38e-3  # [m] shown above and below top of rail
 PLANE = 32e-3  # [m] drawn length of the contact plane
-HIGH = 0.1  # [m] where a drawn wheel ends upwards, out of sight
+HIGH = 0.1  # [m] upper end of a drawn wheel, outside the picture
 
 
 @styled
 def pose_figure(system, state):
-    """Both wheels on their rails at one pose, seen in the direction of travel, above patches and pressures."""
+    """Both wheels on their rails at one pose, seen in the direction of travel, above patches and
+    pressures."""
     figure = new_figure(9, 9.6)
     panels = figure.subplots(3, 2, height_ratios=(2, 3.9, 1.6))
     draw_contacts(figure, panels[0], system, state)
@@ -33,7 +34,7 @@ def contact_figure(system, state):
 
 
 def draw_contacts(figure, panels, system, state):
-    """Left and right contact into ``panels`` (2,), the pose above them."""
+    """Draw left and right contact into ``panels`` (2,), with the pose as title."""
     figure.suptitle(_headline(system, state), x=0.01, ha="left")
     for panel, side in zip(panels, SIDES):
         draw_contact(panel, system, state, side)
@@ -42,7 +43,8 @@ def draw_contacts(figure, panels, system, state):
 
 
 def draw_contact(panel, system, state, side):
-    """Wheel and rail of one side in track coordinates [mm], height up, with contact point and contact plane."""
+    """Wheel and rail of one side in track coordinates [mm], height up, with contact point and contact
+    plane."""
     panel.set_label(f"{side} contact")
     y_rail, z_rail = rail_outline(system, side)
     panel.fill(y_rail / MM, -z_rail / MM, color=RAIL_COLOUR, alpha=0.3, linewidth=0)
@@ -70,7 +72,8 @@ def draw_plane(panel, contact, side):
 
 
 def _frame(panel, top, side):
-    """Show the flange on the inner side and the tread on the outer one; ``top`` is the rail's highest point [m]."""
+    """Show the flange on the inner side and the tread on the outer one; ``top`` is the rail's highest point
+    [m]."""
     low, high = (-INSIDE, OUTSIDE) if side == "right" else (-OUTSIDE, INSIDE)
     panel.set(xlim=((top + low) / MM, (top + high) / MM), ylim=(-BELOW / MM, ABOVE / MM), aspect="equal",
               xlabel="across the track, right + [mm]", ylabel="above top of rail [mm]", yticks=(-30, -20, -10, 0, 10))
@@ -89,7 +92,7 @@ def _headline(system, state):
 
 
 def _load(system, state):
-    """How the wheels are loaded: by forces, or by the height of the wheelset."""
+    """Text on the load: forces, or the height of the wheelset."""
     if system.parameters["contact_mode"] == "compliant":
         return f"{number(state.vertical_shift / MM, 3)} mm down"
     force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]

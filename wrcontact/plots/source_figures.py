@@ -1,4 +1,5 @@
-"""The source's figures as pictures, each drawn from nothing but its table: what is seen stands in the CSV.
+"""The figures of the degree project as pictures, each drawn only from its table, which is also written as
+CSV.
 
 Lines are exact, dots are the source's searches, broken lines are elastic contact or the complete theory.
 """
@@ -13,7 +14,7 @@ from .sweep import WHEEL_ZONES
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito
 THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
-LEAP = 3.0  # [mm] a line breaks where its value leaps by more from point to point
+JUMP = 3.0  # [mm] a line is interrupted where its value jumps by more between two points
 UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
 WIDE = 10.5  # [in]
 
@@ -50,8 +51,8 @@ def over_shift(panel, figure, wanted, *, span=None, legend=True):
     for name in filter(wanted, curves_of(figure)):
         rows = rows_of(figure.columns, curve=name)
         shift, values = rows["lateral shift [mm]"].astype(float), rows[value].astype(float)
-        leap = np.flatnonzero(np.abs(np.diff(values)) > LEAP) + 1
-        panel.plot(np.insert(shift, leap, np.nan), np.insert(values, leap, np.nan), label=name, **look_of(name))
+        jump = np.flatnonzero(np.abs(np.diff(values)) > JUMP) + 1
+        panel.plot(np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name, **look_of(name))
     panel.set(xlabel="lateral shift of the wheelset, right + [mm]", ylabel=AXES[value])
     if span:
         seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])] for line in panel.lines]
@@ -242,7 +243,8 @@ def draw_separation(picture, figure):
 
 
 def closed_outline(panel, station, half_length, *, fine=False, label=None, **look):
-    """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they stand for."""
+    """The edge of a patch over its stations [mm]; ``fine`` draws stored stations as the round curve they
+    stand for."""
     if fine:
         station, half_length = rounded_edge(station, half_length)
     loaded = half_length > 0
@@ -338,7 +340,8 @@ def draw_patches(picture, figure):
 
 
 def draw_torn(picture, figure):
-    """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete theory's patch."""
+    """Loaded nodes as strips, one panel for each way to take the lateral curvature, before the complete
+    theory's patch."""
     names = [name for name in curves_of(figure) if name != "complete theory"]
     theory = rows_of(figure.columns, curve="complete theory")
     true = theory["station [mm]"].astype(float), theory["half length [mm]"].astype(float)

@@ -1,7 +1,7 @@
-"""How the pictures look: one set of fonts, lines and colours; millimetres, degrees, kilonewtons and megapascals.
+"""Style of the pictures: fonts, lines and colours; units mm, deg, kN and MPa.
 
-The colours are those of Okabe and Ito, which people tell apart whatever their colour vision.  Figures are made without
-pyplot: no window, no display, no state that a caller would have to clean up.
+The colours are those of Okabe and Ito, which can be distinguished with any colour vision.  Figures are made
+without pyplot: they need no display and leave no global state.
 """
 
 from functools import wraps
@@ -18,7 +18,7 @@ DEGREE = radians(1)
 KILONEWTON = 1e3  #: [N]
 MEGAPASCAL = 1e6  #: [Pa]
 
-#: Colours of the two wheels, of the rail, and of what is said about them.
+#: Colours of the two wheels, of the rail, and of text.
 SIDE_COLOUR = {"left": "#0072B2", "right": "#D55E00"}
 WHEEL_COLOUR, RAIL_COLOUR, RAIL_LABEL, CONTACT_COLOUR = "#0072B2", "#6E6E6E", "#4A4A4A", "#D55E00"
 INK, QUIET = "#222222", "#767676"
@@ -59,7 +59,7 @@ RESOLUTION = 130  #: dots per inch of a saved picture
 
 
 def styled(draw):
-    """The function ``draw`` with this look, whatever the caller's matplotlib settings are."""
+    """Decorator: ``draw`` uses this style, independent of the caller's matplotlib settings."""
 
     @wraps(draw)
     def drawing(*arguments, **options):
@@ -77,7 +77,7 @@ def number(value, digits):
 
 
 def new_figure(width, height):
-    """An empty figure of this size in inches that arranges its panels by itself."""
+    """An empty figure of this size [in] with automatic layout of its panels."""
     return Figure(figsize=(width, height), dpi=RESOLUTION, layout="constrained", facecolor="white")
 
 

@@ -1,4 +1,4 @@
-"""Contacts and roll over the lateral shift: tread, flange root and flange, and the shifts at which the contact jumps."""
+"""Contacts and roll against the lateral shift, with the parts of the wheel and the jumps of the contact."""
 
 from dataclasses import dataclass
 
@@ -19,7 +19,7 @@ BAND = {"boxstyle": "square,pad=0.15", "facecolor": "white", "edgecolor": "none"
 
 @dataclass(frozen=True)
 class Sweep:
-    """Wheelset states at rising lateral shifts [m], and where their contacts jump."""
+    """Wheelset states at rising lateral shifts [m], and the jumps of their contacts."""
 
     lateral_shift: np.ndarray
     state: object
@@ -27,7 +27,8 @@ class Sweep:
 
 
 def sweep(system, lateral_shift=None, yaw=0.0):
-    """Evaluate ``system`` over rising ``lateral_shift`` [m] (n,), by default from -8 to 8 mm, at one yaw [rad]."""
+    """Evaluate ``system`` over rising ``lateral_shift`` [m] (n,), by default from -8 to 8 mm, at one yaw
+    [rad]."""
     if lateral_shift is None:
         lateral_shift = np.linspace(-LARGEST, LARGEST, round(2 * LARGEST / STEP) + 1)
     lateral_shift = np.asarray(lateral_shift, dtype=float)
@@ -37,7 +38,7 @@ def sweep(system, lateral_shift=None, yaw=0.0):
 
 @styled
 def sweep_figure(swept):
-    """Contact position of both wheels and roll of the wheelset over the lateral shift."""
+    """Contact position of both wheels and roll of the wheelset against the lateral shift."""
     figure = new_figure(10, 3.6)
     draw_sweep(figure.subplots(1, 3), swept)
     return figure
@@ -51,7 +52,8 @@ def draw_sweep(panels, swept):
 
 
 def draw_position(panel, swept, side):
-    """Lateral position of one contact on its wheel [mm] over the lateral shift [mm], with the zones of the S1002."""
+    """Lateral position of one contact on its wheel [mm] over the lateral shift [mm], with the zones of the
+    S1002."""
     panel.set_label(f"{side} position")
     draw_zones(panel, 0.03 if side == "right" else 0.97)
     panel.plot(*broken_curve(swept, side), color=SIDE_COLOUR[side], gid="position")
@@ -64,7 +66,8 @@ def draw_position(panel, swept, side):
 
 
 def draw_zones(panel, edge):
-    """Bands of tread, flange root and flange, named at ``edge``: 0 left, 1 right in the panel, more beside it."""
+    """Bands of tread, flange root and flange, named at ``edge``: 0 left, 1 right in the panel, more beside
+    it."""
     for name, (low, high) in WHEEL_ZONES.items():
         low, high = max(low, SHOWN[0]) / MM, min(high, SHOWN[1]) / MM
         panel.axhspan(low, high, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
@@ -74,7 +77,7 @@ def draw_zones(panel, edge):
 
 
 def broken_curve(swept, side):
-    """Lateral shift and contact position [mm], two arrays, that end at every jump and begin anew behind it."""
+    """Lateral shift and contact position [mm], two arrays, interrupted at every jump."""
     jumps = [jump for jump in swept.jumps if jump.side == side]
     shift = np.concatenate([swept.lateral_shift, *([jump.lateral_shift] * 3 for jump in jumps)])
     place = np.concatenate([getattr(swept.state, side).contact.y_wheel,
@@ -84,7 +87,8 @@ def broken_curve(swept, side):
 
 
 def told_jumps(swept, side):
-    """(lateral shift, before, after) [m] of the jumps of one contact; close neighbours are one, at the largest of them."""
+    """(lateral shift, before, after) [m] of the jumps of one contact; close neighbours are one, at the
+    largest of them."""
     return [(jump.lateral_shift, jump.before, jump.after) for jump in merged_jumps(swept.jumps, side)]
 
 

@@ -1,9 +1,9 @@
-"""Profiles from files and by name; the only place that opens a profile file.
+"""Profiles from files and by name; the only module that opens a profile file.
 
-A file of points is text in one of the formats of formats.py.  Its points are put right where that is certain enough
-(repair.py), smoothed where they are noisy (smoothing.py), and read as a smooth curve; a :class:`ProfileWarning` says what
-was done.  A prepared file (.json) holds the pieces themselves and needs nothing but numpy; an FMU carries its profiles
-that way.
+A file of points is text in one of the formats of formats.py.  The points are repaired where the repair is certain enough
+(repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve.  A :class:`ProfileWarning` reports what
+was done.  A prepared file (.json) contains the pieces themselves and needs only numpy; an FMU contains its profiles in this
+form.
 """
 
 import json
@@ -23,19 +23,19 @@ from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
-#: A larger file is no profile [bytes].
+#: Largest permitted file [bytes].
 LARGEST_FILE = 4_000_000
 #: Permitted smoothing [m].
 SMOOTHING = (0.0, 0.5e-3)
-#: Points of a rail as high as this are as high as its highest [mm].
+#: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
 
 def find_profile(source, kind, smoothing=None):
-    """The profile meant by ``source``: a :class:`Profile`, a standard name, or the path of a file.
+    """The profile for ``source``: a :class:`Profile`, a standard name, or the path of a file.
 
-    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] as for :func:`read_profile`.  ValueError in one sentence where it is
-    none of these.
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :func:`read_profile`.  ValueError, in one sentence, if
+    ``source`` is none of these.
     """
     _checked_smoothing(smoothing)
     if isinstance(source, Profile):
@@ -47,20 +47,20 @@ def find_profile(source, kind, smoothing=None):
         return standard_profile(source)
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return read_profile(source, kind, smoothing)
-    other = " (that is the name of the other kind)" if source in BUILDERS else ""
+    other = " (a profile of the other kind)" if source in BUILDERS else ""
     raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a profile file, "
                      f"or a Profile")
 
 
 def read_profile(path, kind, smoothing=None):
-    """The profile in the file at ``path``; ValueError in one sentence where it cannot be one.
+    """The profile in the file at ``path``; ValueError, in one sentence, if the file cannot be used.
 
     Parameters
     ----------
     path : file of points in a format of formats.py, or a prepared file.
     kind : "wheel" or "rail".
-    smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points; 0 is through every
-        point; None is the noise that the points show, and nothing where that is below 0.01 um.
+    smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through every point; None is
+        the estimated noise of the points, and no smoothing if that is below 0.01 um.
     """
     tolerance = _checked_smoothing(smoothing)
     try:
@@ -78,7 +78,7 @@ def read_profile(path, kind, smoothing=None):
 
 
 def _checked_smoothing(smoothing):
-    """The tolerance in mm, None where the noise decides."""
+    """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside SMOOTHING."""
     if smoothing is None:
         return None
     try:
@@ -91,7 +91,7 @@ def _checked_smoothing(smoothing):
 
 
 def _text(path):
-    """The text of a file in UTF-8, UTF-16 or Latin-1, whatever its line ends."""
+    """The text of a file in UTF-8, UTF-16 or Latin-1; a Refusal if it is too large or changes while it is read."""
     with open(path, "rb") as file:
         before = os.fstat(file.fileno())
         content = file.read(LARGEST_FILE + 1)
@@ -99,7 +99,7 @@ def _text(path):
     if len(content) > LARGEST_FILE:
         raise Refusal(f"has more than {LARGEST_FILE / 1e6:g} MB; permitted are files of at most that")
     if len(content) != after.st_size or (before.st_size, before.st_mtime_ns) != (after.st_size, after.st_mtime_ns):
-        raise Refusal("changed while it was read; permitted are files that nobody writes")
+        raise Refusal("changed while it was read; permitted are files that are not being written")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", errors="replace")
     try:
@@ -109,7 +109,7 @@ def _text(path):
 
 
 def _smooth_profile(found, name, kind, tolerance, remarks):
-    """The profile through ``found`` points; smoothed where ``tolerance`` [mm] or their noise asks for it."""
+    """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is None."""
     if found.noise > SMOOTHING[1] / MM:
         raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
     asked = tolerance is not None
@@ -119,30 +119,30 @@ def _smooth_profile(found, name, kind, tolerance, remarks):
     except Refusal:
         raise
     except ValueError as problem:
-        raise Refusal(f"has points that no smooth curve goes through ({problem})") from None
+        raise Refusal(f"has points through which no smooth curve can be drawn ({problem})") from None
     return replace(profile, reading=_reading(found, tolerance, remarks))
 
 
 def _reading(found, tolerance, remarks):
-    """What is known of ``found`` points that were smoothed to ``tolerance`` [mm]."""
+    """The :class:`Reading` of ``found`` points that were smoothed to ``tolerance`` [mm]."""
     chords = np.hypot(np.diff(found.y), np.diff(found.z)) * MM
     return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM, tolerance * MM,
                    tuple(remarks))
 
 
 def _curve_through(found, name, kind, tolerance, asked, remarks):
-    """The profile through or, to ``tolerance`` [mm], along ``found`` points."""
+    """The profile through the ``found`` points, or within ``tolerance`` [mm] of them; adds to ``remarks``."""
     if tolerance == 0.0 and np.all(np.diff(found.y) > 0.0):
         return profile_from_points(found.y, found.z, name=name, kind=kind)
     curve = Curve(found.y, found.z, found.weight, tolerance)
     if tolerance > 0.0:
-        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed away"
+        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed"
         remarks.append(f"{done}, points moved by up to {1e3 * curve.moved:.3g} um")
     top = curve.highest() if kind == "rail" else curve.nearest(0.0)
     zones, smooth = pieces_of(curve, top, walls=kind == "rail")
     if zones[-1].stop - zones[0].start < WIDTHS[0]:
-        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted are "
-                         f"{WIDTHS[0]:g} mm or more between")
+        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted is a "
+                      f"distance of {WIDTHS[0]:g} mm or more between")
     return Profile(name, kind, zones, smooth)
 
 
@@ -154,9 +154,9 @@ def profile_from_points(y, z, *, name, kind):
     Raises
     ------
     ValueError
-        when the points are too few, not finite, not rising in y, or not of a profile's size.
+        if the points are too few, not finite, not rising in y, or do not have the size of a profile.
     """
-    from scipy.interpolate import CubicSpline  # not needed where profiles come prepared
+    from scipy.interpolate import CubicSpline  # not needed for prepared profiles
 
     y, z = np.asarray(y, dtype=float), np.asarray(z, dtype=float)
     if len(y) < LEAST_POINTS or len(y) != len(z):
@@ -183,7 +183,7 @@ def profile_from_points(y, z, *, name, kind):
 
 
 def _top(spline):
-    """Where ``spline`` is highest, its z smallest; the middle of what is level there."""
+    """Abscissa [mm] of the highest point of ``spline`` (smallest z); the middle of a flat top."""
     extrema = spline.derivative().roots(extrapolate=False)
     tops = np.concatenate([extrema[np.isfinite(extrema)], spline.x[[0, -1]]])
     heights = spline(tops)
@@ -193,7 +193,7 @@ def _top(spline):
 
 
 def prepared_text(profile):
-    """The text of a prepared file that :func:`read_profile` gives ``profile`` back from, bit for bit."""
+    """The text of a prepared file, from which :func:`read_profile` restores ``profile`` bit by bit."""
     zones = [{"family": type(zone).__name__.lower(), **vars(zone)} for zone in profile.zones]
     return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1)
 
@@ -213,7 +213,7 @@ def _zone(entry):
     family = {"arc": Arc, "polynomial": Polynomial}[entry.pop("family")]
     numbers = [value for value in entry.values() if not isinstance(value, list)] + entry.get("coefficients", [])
     if not all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers):
-        raise ValueError("a zone has values that are no finite numbers")
+        raise ValueError("a zone has values that are not finite numbers")
     if "coefficients" in entry:
         entry["coefficients"] = tuple(entry["coefficients"])
     zone = family(**entry)

@@ -1,7 +1,8 @@
 """The rail on the track: inclination about the head, and the gauge.
 
-The rail leans to the track centre, so its field side rises and the highest point moves to the field side.  The
-inclined profile is expressed in track-parallel axes with the origin at its highest point.
+The rail is inclined towards the track centre, so its field side rises and its highest point moves to the
+field side.  The inclined profile is expressed in axes parallel to the track's, with the origin at its highest
+point.
 """
 
 import math
@@ -11,8 +12,8 @@ from ..conventions import MILLIMETRE as MM
 from .profile import Profile
 from .zones import Arc, Moved, move_zone
 
-#: The head is read as a function of y; it ends where it is steeper than this [rad].  Wheels are less steep (75 deg at
-#: most on flanges in use), so no contact lies beyond.
+#: The head is read as a function of y; it ends where it is steeper than this [rad].  Wheels are less steep
+#: (75 deg at most on flanges in use), so no contact lies beyond.
 STEEPEST = math.radians(80.0)
 
 
@@ -30,7 +31,7 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
     Parameters
     ----------
     rail : Profile of an upright rail.
-    inclination : tangent of the angle by which it leans to the track centre (1/40 = 0.025).
+    inclination : tangent of its inclination towards the track centre (1/40 = 0.025).
     gauge : distance of the two inner faces [m], measured ``gauge_depth`` [m] below the highest point.
 
     Raises
@@ -46,7 +47,8 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
 
 
 def readable_wheel(wheel):
-    """``wheel`` without the parts steeper than :data:`STEEPEST` at its ends (the flange back's vertical start)."""
+    """``wheel`` without the parts steeper than :data:`STEEPEST` at its ends (the flange back's vertical
+    start)."""
     kept = [part for part in (_readable(zone, 0.0, 0.0, 0.0) for zone in wheel.zones) if part is not None]
     return Profile(wheel.name, "wheel", _around_top(kept), wheel.smooth)
 
@@ -102,7 +104,7 @@ def _readable(zone, angle, y_shift, z_shift):
 
 
 def _around_top(zones):
-    """The unbroken run of ``zones`` that holds y = 0."""
+    """The run of connected ``zones`` that contains y = 0."""
     top = next(index for index, zone in enumerate(zones) if zone.start <= 0.0 <= zone.stop)
     first = last = top
     while first > 0 and abs(zones[first - 1].stop - zones[first].start) < 1e-9:

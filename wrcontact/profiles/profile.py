@@ -1,4 +1,4 @@
-"""A wheel or rail profile: height, slope and curvature over the lateral coordinate."""
+"""A wheel or rail profile: height, slope and curvature as functions of the lateral coordinate."""
 
 from dataclasses import dataclass, field
 
@@ -7,7 +7,8 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from .reading import Reading
 
-#: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by rounding.
+#: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
+#: rounding.
 JOINT_HEIGHT = 2e-4
 #: Largest slope step at a joint of a tangent chain [-]; S1002 as printed has 1.1e-5.
 JOINT_SLOPE = 3e-5
@@ -15,7 +16,8 @@ JOINT_SLOPE = 3e-5
 
 @dataclass(frozen=True)
 class Joint:
-    """Where two zones meet: position [m] and the steps in height [m], slope [-] and second derivative [1/m]."""
+    """Where two zones meet: position [m] and the steps in height [m], slope [-] and second derivative
+    [1/m]."""
 
     y: float
     height_step: float
@@ -27,15 +29,16 @@ class Joint:
 class Profile:
     """A profile made of ``zones`` (in mm, by rising y), read in metres.
 
-    ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or "rail"
-    (origin at the highest point of the head).  Height is positive down for both.  When it is built, a profile checks
-    that its zones follow each other without a hole and meet in height and slope; ``smooth=False`` allows corners, for
-    measured profiles.  ``reading`` is what a file of points said of itself; it changes nothing.
+    ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or
+    "rail" (origin at the highest point of the head).  Height is positive down for both.  The constructor
+    checks that consecutive zones have no hole between them and agree in height and slope; ``smooth=False``
+    permits corners, for measured profiles.  ``reading`` describes the file of points that the profile comes
+    from, if any; it has no effect.
 
     Raises
     ------
     ValueError
-        when a zone does not meet its neighbour.
+        if a zone does not meet its neighbour.
     """
 
     name: str
@@ -73,13 +76,13 @@ class Profile:
         ----------
         path : text columns in mm, Simpack's .prw or .prr, MiniProf's .whl or .ban, or a prepared .json.
         kind : "wheel" or "rail".
-        smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points, 0 ... 0.5e-3;
-            0 is none; None is the noise that the points show.
+        smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0 is no smoothing;
+            None is the estimated noise of the points.
 
         Raises
         ------
         ValueError
-            when it cannot be used; what could be put right is told by a :class:`~wrcontact.ProfileWarning`.
+            if the file cannot be used.  Repairs are reported by a :class:`~wrcontact.ProfileWarning`.
         """
         from .files import read_profile
 
@@ -98,7 +101,8 @@ class Profile:
         return self.zones[-1].stop * MM
 
     def evaluate(self, y):
-        """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN outside."""
+        """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN
+        outside."""
         y = np.asarray(y, dtype=float)
         # ``start`` and ``stop`` in metres need not come back to the same millimetres
         y_mm = np.where((y >= self.start) & (y <= self.stop), np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)
@@ -118,6 +122,6 @@ class Profile:
         return self.evaluate(y)[1]
 
     def curvature(self, y):
-        """Curvature z'' / (1 + z'^2)^(3/2) [1/m] at ``y`` [m]; positive where the curve bends downward-convex (z'' > 0)."""
+        """Curvature z'' / (1 + z'^2)^(3/2) [1/m] at ``y`` [m]; positive where z'' > 0."""
         _, slope, bend = self.evaluate(y)
         return bend / (1 + slope**2) ** 1.5
