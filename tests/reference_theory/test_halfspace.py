@@ -431,7 +431,7 @@ def test_tolerance_decides_the_grid(system):
     assert FINEST["halfspace"] == halfspace.TOLERANCE_RANGE[0]
     coarse = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.03)
     fine = wrcontact.ContactSystem(normal_model="halfspace", tolerance=2e-3)
-    assert pickle.loads(pickle.dumps(coarse)).stepper().tolerance == 0.03
+    assert pickle.loads(pickle.dumps(coarse)).stepper()._bound.tolerance == 0.03
     for shift in (2e-3, 6e-3):
         truth = fine.evaluate(shift).right
         for given, allowed in ((coarse, 0.03), (system, halfspace.TOLERANCE)):
@@ -499,7 +499,7 @@ def test_no_patch_is_missed(name, monkeypatch):
 def analyn_in_one_plane(monkeypatch, **parameters):
     """ANALYN, uncompiled, whose regions lie in the contact point's plane however far they lean away from it."""
     monkeypatch.setattr(planes, "SPLIT", 2.0)                                     # no sine is that large
-    monkeypatch.setattr(wrcontact.system, "default_kernel", Kernel)
+    monkeypatch.setattr(wrcontact.stepper, "default_kernel", Kernel)
     return wrcontact.ContactSystem(**parameters)
 
 

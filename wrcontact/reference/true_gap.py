@@ -20,11 +20,7 @@ from . import halfspace
 from ..conventions import MIRROR
 from ..kernel import layout
 from ..kernel.surface import profile_table
-from ..kernel.binding.library import default_kernel
 from ..profiles.compiled import evaluate_table
-from ..state import outline_of
-from ..status import Status
-from ..system import Stepper
 
 NEWTON_LIMIT = 15
 NEWTON_STEP = 1e-8       # [m]; the step after one this small is below 1e-14 m
@@ -318,65 +314,3 @@ def resultant(plane, contact, index):
         force = load * np.array([0.0, -math.sin(angle), -math.cos(angle)])
         total += np.concatenate([force, np.cross(place, force)])
     return total if index == 1 else total * MIRRORED_RESULTANT
-
-
-# --- a wheelset moved in time -----------------------------------------------------------------------------------------------
-
-
-class HalfspaceStepper(Stepper):
-    """As :class:`~wrcontact.system.Stepper`, with the half-space contact of both wheels; a few hundredths of a second a step.
-
-    The kernel finds roll and rigid contacts; each loaded wheel is then solved on its true gap.  A step in which a wheel does
-    not converge has status 3 and leaves the outputs as they are.
-    """
-
-    def __init__(self, tables, tolerance=None):
-        super().__init__(tables)
-        self.tolerance = halfspace.TOLERANCE if tolerance is None else tolerance
-        self._rigid = np.zeros_like(self.outputs)
-        self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self._rigid)
-        self.step = self._step
-        self._answer, self._status = None, None
-
-    def _step(self):
-        known = (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
-                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self.inputs))
-        if known:
-            self.outputs[:] = self._answer
-            return self._status
-        self._answer = None
-        status = self._bound.step()
-        if status > Status.UNLOADED:
-            return status
-        answer, total = self._rigid.copy(), np.zeros(len(MIRRORED_RESULTANT))
-        try:
-            for index, first in enumerate((layout.OUT_LEFT, layout.OUT_RIGHT)):
-                side = answer[first:first + layout.SIDE_SIZE]
-                if side[layout.SIDE_NORMAL_FORCE] > 0.0:
-                    total += self._solve(index, side, outline_of(answer, first))
-        except ArithmeticError:
-            return int(Status.NOT_CONVERGED)
-        if math.isfinite(answer[layout.OUT_FORCE]):     # both sides are wanted
-            answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
-        self.outputs[:] = answer
-        self._answer, self._status = answer, status
-        return status
-
-    def _solve(self, index, side, outline):
-        """Replace the normal contact and outline of one loaded side by the half-space's; its part of the resultant (6,)."""
-        plane = contact_plane(self._tables, self._rigid, self.inputs, index)
-        penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
-        load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
-        contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S), tolerance=self.tolerance,
-                                          contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
-        side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
-        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
-        return resultant(plane, contact, index)
-
-    def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,)."""
-        for row, values in enumerate(inputs):
-            self.inputs[:] = values
-            status[row] = self.step()
-            if status[row] <= Status.UNLOADED:
-                outputs[row] = self.outputs
