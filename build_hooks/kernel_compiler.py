@@ -18,7 +18,7 @@ KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 _NAMES = runpy.run_path(str(KERNEL / "binding" / "platforms.py"))
 PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
 LIBRARY_NAME = library_name(host_platform())
-write_whole = runpy.run_path(str(KERNEL.parent / "files" / "whole_file.py"))["write_whole"]
+write_atomically = runpy.run_path(str(KERNEL.parent / "storage" / "atomic.py"))["write_atomically"]
 
 #: What steps, what prepares and what differentiates: units of their own, so that no other takes from the optimising of the first.
 SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
@@ -61,7 +61,7 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
 def place(library, folder):
     """Copy a library into ``folder``: there is a whole one, or the one from before."""
     target = Path(folder) / library.name
-    write_whole(target, library.read_bytes())
+    write_atomically(target, library.read_bytes())
     return target
 
 

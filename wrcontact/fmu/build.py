@@ -21,7 +21,7 @@ from ..kernel.binding.platforms import PLATFORMS
 from ..profiles.catalogue import BUILDERS
 from ..profiles.files import prepared_text
 from ..profiles.remarks import remarks_in_lines
-from ..files.whole_file import sentence_of, write_whole
+from ..storage.atomic import sentence_of, write_atomically
 from . import SOURCES
 from .compilers import has_zig
 from .description import MODEL, model_description
@@ -69,7 +69,7 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
         raise ValueError("the FMU would not be valid: " + " ".join(problems))
     target = Path(output, f"{MODEL}.fmu")
     target.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(target, data)
+    write_atomically(target, data)
     return target
 
 

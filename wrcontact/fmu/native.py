@@ -10,7 +10,7 @@ from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.binding.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
-from ..files.whole_file import write_whole
+from ..storage.atomic import write_atomically
 from . import SOURCES, description, description3, native_model
 from .build import archive, chosen_profiles, fingerprint, licence, problems_of
 from .compilers import compile_platform
@@ -49,7 +49,7 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     Path(output).mkdir(parents=True, exist_ok=True)
     targets = {Path(output, f"{MODEL}_native_fmi{version}.fmu"): data for version, data in made.items()}
     for target, data in targets.items():
-        write_whole(target, data)
+        write_atomically(target, data)
     return list(targets)
 
 

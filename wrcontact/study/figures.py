@@ -24,7 +24,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..system import ContactSystem
-from ..files.whole_file import whole_file
+from ..storage.atomic import open_atomically
 from .sections import Section
 
 FORCE = 78.5e3      #: normal force of every figure [N]
@@ -58,7 +58,7 @@ class SourceFigure:
 
     def write(self, path):
         """Write the columns to a CSV file, numbers with seven digits."""
-        with whole_file(path, "w", newline="", encoding="utf-8") as file:
+        with open_atomically(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.columns)
             writer.writerows([_cell(value) for value in row] for row in zip(*self.columns.values(), strict=True))
