@@ -18,7 +18,7 @@ from .kernel import layout
 from .kernel.binding.setup import prepare_tables_of
 from .methods.choices import check_choice
 from .methods.resolution import resolve
-from .profiles.files import find_profile
+from .profiles.find import find_profile
 from .state import WheelsetState
 from .status import Status
 from .stepper import Stepper

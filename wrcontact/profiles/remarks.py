@@ -16,7 +16,7 @@ class Refusal(ValueError):
 def remark(kind, name, remarks):
     """Warn of all ``remarks`` on one profile at once; nothing where there are none."""
     if remarks:
-        warnings.warn(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning, stacklevel=3)
+        warnings.warn(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning, stacklevel=4)
 
 
 @contextmanager
