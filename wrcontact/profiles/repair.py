@@ -1,16 +1,19 @@
-"""Measured points put right: what is repaired is said, what cannot be is refused.
+"""Measured points are repaired: every repair is reported, and what cannot be repaired is refused.
 
-The recipe is :func:`mend`; every step takes points and gives points, and adds to ``remarks`` what it did, to how many
-points, where and by how much.  A Refusal lacks the file's name, which files.py puts in front.
+The recipe is :func:`mend`.  Every step takes points and returns points, and adds to ``remarks`` what it did, to how many
+points, where and by how much.  Outliers are found in outliers.py, gaps and kinks in kinks.py.  A Refusal has no file name;
+files.py adds it.
 """
 
-import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from .kinks import check_gaps, rounded
+from .mended import Mended
+from .outliers import LONGEST_RUN, without_outliers
 from .remarks import Refusal, counted, stretch
-from .smoothing import LEAST_NOISE, in_chords, noise_of, pseudo_inverse
+from .smoothing import LEAST_NOISE, noise_of
 
 LEAST_POINTS = 10
 #: A profile's width in millimetres.
@@ -37,29 +40,6 @@ FAR = 5.0
 SAME = 1e-6
 #: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
-#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are
-#: this close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
-OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
-#: ... and so many times more than its neighbours are themselves off the curve that they agree on; 7 times is a kink.
-AGREED = 8.0
-#: Outliers are taken in passes, one from each neighbourhood.
-MOST_PASSES = 50
-#: Neighbours on either side that say it, and the longest run of outliers.
-SIDE, LONGEST_RUN = 5, 3
-#: So many points at either end have no neighbours to judge them by.
-ENDS = 2
-#: Neighbours that may be outliers themselves and are not heard.
-TRIMMED = 2
-#: Largest share of outliers.
-MOST_OUTLIERS = 0.1
-#: A gap is as long as this [mm] and this many spacings; over longer ones than WIDEST_GAP [mm] nothing is known.
-GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
-#: A gap whose ends both point along it within this [rad] is a straight stretch, and may be of any length.
-STRAIGHT = 0.02
-#: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
-KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
-#: What turns by more is no profile [rad].
-SPIKE = math.radians(90.0)
 #: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from
 #: the flange's back [mm].
 TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
@@ -67,20 +47,6 @@ TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
 ROUND_BACK = 3.0
 #: How far the running circle's z may be from zero: wear, not another origin [mm].
 OFFSET = 10.0
-
-
-@dataclass(frozen=True)
-class Mended:
-    """Points (n,) in order of the curve, y rising on the whole, z down [mm], their ``weight`` and ``noise`` [mm]."""
-
-    y: np.ndarray
-    z: np.ndarray
-    weight: np.ndarray
-    noise: float = 0.0
-
-    def only(self, which):
-        """The points that ``which``, a mask or indices, picks."""
-        return replace(self, y=self.y[which], z=self.z[which], weight=self.weight[which])
 
 
 def mend(points, kind, remarks):
@@ -260,150 +226,3 @@ def _farthest(y, kind):
     if kind == "rail":
         return int(np.flatnonzero(ahead >= ahead.max() - UPRIGHT)[-1])
     return int(np.flatnonzero(ahead >= ahead.max() - SAME)[0])
-
-
-def without_outliers(found, remarks):
-    """Without single points, and runs of up to three, that are off the curve which their neighbours agree on."""
-    count, most, taken = len(found.y), 0.0, []
-    for _ in range(MOST_PASSES):
-        index, length, height = _runs_off(found)
-        if not len(index):
-            break
-        most = max(most, height.max())
-        gone = np.unique(np.concatenate([np.arange(i, i + n) for i, n in zip(index, length)]))
-        taken += found.y[gone].tolist()
-        if len(taken) > MOST_OUTLIERS * count:
-            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at most "
-                          f"{MOST_OUTLIERS:.0%}")
-        found = found.only(np.delete(np.arange(len(found.y)), gone))
-    if taken:
-        remarks.append(f"{counted(len(taken), 'outlier')} of up to {most:.3g} mm left out ({stretch(taken)})")
-    return found
-
-
-def _runs_off(found):
-    """Runs of outliers that do not disturb each other: first indices, lengths, and how far they are off [mm]."""
-    runs = [_run_errors(found.y, found.z, length) for length in range(1, LONGEST_RUN + 1)]
-    index = np.concatenate([np.arange(len(error)) for error, _ in runs])
-    length = np.repeat(np.arange(1, LONGEST_RUN + 1), [len(error) for error, _ in runs])
-    error, quarrel = (np.concatenate(part) for part in zip(*runs))
-    spacing = np.median(np.hypot(np.diff(found.y), np.diff(found.z)))
-    least = LEAST_OUTLIER * max(1.0, spacing / CLOSE) ** 2
-    between = (index >= ENDS) & (index + length <= len(found.y) - ENDS)
-    off = between & (error > max(OUTLIER * found.noise, least)) & (error > AGREED * quarrel)
-    order = np.flatnonzero(off)[np.argsort(-(error / length)[off], kind="stable")]
-    free, picked = np.ones(len(found.y), dtype=bool), []
-    for k in order:
-        around = slice(max(index[k] - SIDE, 0), index[k] + length[k] + SIDE)
-        if free[around].all():
-            free[around] = False
-            picked.append(k)
-    return index[picked], length[picked], error[picked]
-
-
-def _run_errors(y, z, length):
-    """For every run of ``length`` points: how far its nearest one is off the cubic through its neighbours, and how far these
-    are off it themselves, both [mm] and over their expectation for noise."""
-    near = 2 * SIDE
-    if len(y) < near + length:
-        return np.zeros(0), np.zeros(0)
-    start = np.arange(len(y) - length + 1)
-    left = np.clip(start - SIDE, 0, len(y) - near - length)
-    others = left[:, None] + np.arange(near)
-    others += length * (others >= start[:, None])
-    run = start[:, None] + np.arange(length)
-    along, across = in_chords(y[others], z[others], y[run], z[run])
-    powers = (along / np.abs(along).max(axis=1, keepdims=True))[:, :, None] ** np.arange(4)
-    heard = np.ones((len(start), near, 1))
-    for _ in range(TRIMMED + 1):
-        solved = pseudo_inverse(powers[:, :near] * heard)
-        misses = across - np.einsum("ijk,ikl,il->ij", powers, solved, across[:, :near] * heard[:, :, 0])
-        quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1) / (heard.sum(axis=(1, 2)) - 4))
-        heard[np.arange(len(start)), np.argmax(np.abs(misses[:, :near]) * heard[:, :, 0], axis=1)] = 0.0
-    lever = np.sum(np.einsum("ijk,ikl->ijl", powers[:, near:], solved) ** 2, axis=2)
-    return np.min(np.abs(misses[:, near:]) / np.sqrt(1.0 + lever), axis=1), quarrel
-
-
-def check_gaps(found, remarks):
-    """Say which gaps are bridged; ValueError where one is too wide and not a straight stretch."""
-    y, z = found.y, found.z
-    chord = np.hypot(np.diff(y), np.diff(z))
-    for i in np.flatnonzero((chord > GAP) & (chord > SPACINGS * np.median(chord))):
-        if chord[i] > WIDEST_GAP and not straight_over(y, z, i):
-            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of {chord[i]:.3g} mm; "
-                          f"permitted are {WIDEST_GAP:g} mm or a straight stretch")
-        remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i:i + 2])})")
-
-
-def straight_over(y, z, i):
-    """Whether the points before ``i`` and those after ``i + 1`` point along the chord between the two."""
-    low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
-    here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
-    turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
-    return all(abs(turn) <= STRAIGHT for turn in turns)
-
-
-def rounded(found, remarks):
-    """The points with arcs in place of kinks, which have no curvature to press on."""
-    y, z = found.y, found.z
-    heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
-    turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
-    if turned.max() > SPIKE:
-        worst = int(np.argmax(turned))
-        raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike or a fold; "
-                      f"permitted are {math.degrees(SPIKE):.3g} deg")
-    places = _kinks(y, z)
-    if not places:
-        return found
-    if len(places) > MOST_KINKS:
-        raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at most {MOST_KINKS}")
-    spots = np.array([_corner(y, z, index, width) for index, width, _ in places])
-    points, deepest = list(zip(y, z)), 0.0
-    for (index, width, _), spot in zip(places, spots):
-        others = np.hypot(*(spots - spot).T)
-        reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf), 0.9 * math.dist(spot, (y[0], z[0])),
-                    0.9 * math.dist(spot, (y[-1], z[-1])))
-        beyond = max(index - 2, 0), min(index + width + 1, len(y) - 1)
-        arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in beyond]
-        share = np.linspace(0.0, 1.0, 9)[:, None]
-        bow = (1 - share) ** 2 * arms[0] + 2 * share * (1 - share) * spot + share**2 * arms[1]
-        deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
-        points = [p for p in points if math.dist(p, spot) > 1.05 * reach] + [tuple(p) for p in bow]
-        points.sort()
-    sharpest = math.degrees(max(abs(turn) for *_, turn in places))
-    remarks.append(f"{counted(len(places), 'kink')} of up to {sharpest:.3g} deg rounded over {ROUNDED:g} mm "
-                   f"({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
-    table = np.array(points)
-    return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
-
-
-def _kinks(y, z):
-    """Where the chords turn suddenly: index of a point, there (1) or from there to the next (2), and by how much [rad]."""
-    chord = np.hypot(np.diff(y), np.diff(z))
-    turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
-    length = 0.5 * (chord[1:] + chord[:-1])
-    sizes = [np.pad(size, 3) for size in (np.abs(turn), np.abs(turn) / length)]
-    count, found = len(turn), []
-    for width in (1, 2):
-        total, reach = (np.convolve(part, np.ones(width))[width - 1:count] for part in (turn, length))
-        beside = [np.max([size[k:k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0) for size in sizes]
-        sudden = np.flatnonzero((np.abs(total) > KINK) & (np.abs(total) > TIMES * width * beside[0])
-                                & (np.abs(total) > TIMES * reach * beside[1]))
-        found += [(int(i) + 1, width, float(total[i])) for i in sudden
-                  if not any(i < k + more and k < i + 1 + width for k, more, _ in found)]
-    return sorted(found)
-
-
-def _corner(y, z, index, width):
-    """The kink itself (y, z): the point there, or where the chords before and after two points meet."""
-    if width == 1:
-        return np.array([y[index], z[index]])
-    ahead, back = (np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1)))
-    start, stop = np.array([y[index], z[index]]), np.array([y[index + 1], z[index + 1]])
-    cross = ahead[0] * back[1] - ahead[1] * back[0]
-    return start + ahead * (((stop - start)[0] * back[1] - (stop - start)[1] * back[0]) / cross)
-
-
-def _towards(start, end, length):
-    """The point ``length`` from ``start`` on the way to ``end``."""
-    return start + (end - start) * (length / np.hypot(*(end - start)))
