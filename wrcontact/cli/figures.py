@@ -5,7 +5,8 @@ from pathlib import Path
 from rich import box
 from rich.table import Table
 
-from ..study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
+from ..study.figure import FAILS, HOLDS, PARTLY, Study
+from ..study.figures import chosen, compute
 from ..storage.atomic import write_atomically
 from .report import console
 
