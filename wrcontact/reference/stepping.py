@@ -6,12 +6,13 @@ from functools import partial
 
 import numpy as np
 
-from . import halfspace
-from .true_gap import REACH_S, REACH_X, contact_plane, resultant, write_side
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..state import outline_of
 from ..status import Status
+from . import halfspace
+from .outputs import resultant, write_side
+from .true_gap import REACH_S, REACH_X, contact_plane
 
 
 def halfspace_solver(tolerance=None):
