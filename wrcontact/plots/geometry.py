@@ -3,7 +3,8 @@
 import numpy as np
 
 from ..conventions import MIRROR
-from ..kernel.surface.locus import PLACE_SIZE, outline_point, place_wheelset
+from ..kernel.layout import Place, size
+from ..kernel.surface.locus import outline_point, place_wheelset
 from ..profiles.placement import place_rail, readable_wheel
 
 #: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C and D/E).
@@ -22,10 +23,10 @@ def wheel_outline(system, state, side):
     z, slope, _ = profile.evaluate(y)
     pose = np.array([state.inputs[0], state.inputs[1], state.roll])
     sign = 1.0 if side == "right" else MIRROR[0]
-    place = [0.0] * PLACE_SIZE
-    chosen = system.parameters
-    place_wheelset(place, 0, *(sign * pose), chosen["nominal_radius"], chosen["running_circle_distance"] / 2)
-    points = np.array([outline_point(place, 0, *point)[:2] for point in zip(y.tolist(), z.tolist(), slope.tolist())])
+    work = np.zeros(size(Place))
+    place, chosen = Place.at(work), system.parameters
+    place_wheelset(work, place, *(sign * pose), chosen["nominal_radius"], chosen["running_circle_distance"] / 2)
+    points = np.array([outline_point(work, place, *point)[:2] for point in zip(y.tolist(), z.tolist(), slope.tolist())])
     return sign * points[:, 0], points[:, 1] + state.vertical_shift
 
 
