@@ -1,7 +1,7 @@
 """Pack the FMU and print its path: ``python build_fmu.py [--native] [--output DIR] [--wheel FILE] [--rail FILE]``.
 
-The door to ``wrcontact.fmu``.  Where an installed wrcontact is the one of this folder it is taken, because it has the
-compiled kernel; otherwise the source here, compiled or not.
+This calls ``wrcontact.fmu``.  If an installed wrcontact has the same source as this folder, it is used, because it contains the
+compiled kernel; otherwise the source in this folder is used.
 """
 
 import sys
@@ -12,7 +12,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def use_installed():
-    """Put this folder to the end of sys.path, where that finds an installed wrcontact of the same source."""
+    """Move this folder to the end of sys.path if an installed wrcontact has the same source."""
     elsewhere = [entry for entry in sys.path if Path(entry or ".").resolve() != HERE]
     sys.path[:] = [*elsewhere, str(HERE)]
     package = Path(find_spec("wrcontact").origin).parent
@@ -21,7 +21,7 @@ def use_installed():
 
 
 def same(source, copy):
-    """Whether every module of ``source`` is in ``copy`` too."""
+    """Whether ``copy`` contains every module of ``source``, unchanged."""
     files = {file: copy / file.relative_to(source) for file in source.rglob("*.py")}
     return all(twin.is_file() and twin.read_bytes() == file.read_bytes() for file, twin in files.items())
 

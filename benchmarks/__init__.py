@@ -1,1 +1,1 @@
-"""Run time beside error; ``python -m benchmarks`` prints the table that the README shows."""
+"""Run time and error; ``python -m benchmarks --readme`` prints the table in the README."""

@@ -2,8 +2,9 @@
 
     python -m benchmarks [--quick] [--readme] [--picture PATH] [--random N]
 
-What is measured and what came out is in docs/benchmarks.md.  The unit is ``np.sqrt`` of 2000 doubles, timed in turn with
-each row, so that figures of two machines compare; a row is the smallest of several rounds, since noise only adds.
+docs/benchmarks.md explains what is measured and has the results.  The unit is the time of ``np.sqrt`` of 2000 doubles,
+timed alternately with each row, so that results of two machines can be compared.  A row is the fastest of several rounds,
+since disturbances only add time.
 """
 
 import argparse
@@ -16,7 +17,7 @@ from wrcontact.study.compare import search_rows
 
 from . import counts, growth, machine, picture, random_poses, rows, skips
 from .peers import PEERS, SOURCE
-from .table import figure, markdown, percent
+from .table import figure, line, markdown, percent, rule
 
 HEADER = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean", "worst"]
 RANDOM = 2000  # poses of a full run
@@ -43,17 +44,17 @@ def main(arguments=None):
 
 def parsed(arguments):
     parser = argparse.ArgumentParser("python -m benchmarks", description="Run time beside error; see docs/benchmarks.md.")
-    parser.add_argument("--quick", action="store_true", help="few poses and rounds: does everything run? (half a minute)")
-    parser.add_argument("--readme", action="store_true", help="only the README's table")
+    parser.add_argument("--quick", action="store_true", help="few poses and rounds, to test that everything runs (half a minute)")
+    parser.add_argument("--readme", action="store_true", help="print only the README's table")
     parser.add_argument("--picture", metavar="PATH", help="draw run time against error")
-    parser.add_argument("--random", metavar="N", type=int, default=None, help="random poses against the half-space, about "
-                        f"0.1 s each with two free cores ({RANDOM}); kept in {random_poses.STORE}, so that a run that was "
-                        "ended goes on")
+    parser.add_argument("--random", metavar="N", type=int, default=None, help="compare N random poses with the half-space, "
+                        f"about 0.1 s each on two free cores (default {RANDOM}); results are kept in {random_poses.STORE}, so "
+                        "that an interrupted run can be continued")
     return parser.parse_args(arguments)
 
 
 def measure(chosen, effort, short=False):
-    """Rows with their figures, the FMU's the last one."""
+    """The chosen rows, measured, and the FMU's row at the end; with ``short`` only those of the README."""
     measured = [row for row in chosen if row.short or not short]
     for row in measured * effort.passes:
         print(f"{row.measure().name}: {row.cost.microseconds:.1f} µs", file=sys.stderr, flush=True)
@@ -65,7 +66,7 @@ def measure(chosen, effort, short=False):
 
 
 def full_table(measured, effort):
-    """Every row, and what other programs tell."""
+    """All rows, and the quoted results of other programs."""
     text = markdown("Run time and error", HEADER, [cells(row) for row in measured] + [peer_cells(peer) for peer in PEERS])
     notes = ["Errors in % of penetration / area / peak pressure, mean and worst."]
     if effort.every > 1:
@@ -74,13 +75,13 @@ def full_table(measured, effort):
 
 
 def search_table(effort):
-    """The searches of the study that the project started from, geometry alone; see docs/source_study.md."""
+    """The contact searches of the degree project that wrcontact started from, geometry only (docs/source_study.md)."""
     found = []
     for name, work, calls, error in search_rows(quick=effort is rows.QUICK):
         took = machine.cost(work, calls, 1)
         found.append([name, figure(took.units), figure(took.microseconds), error])
-    return markdown("Other searches: roll and rigid contacts alone", ["one wheelset", "units", "µs", "worst, where it does not fail"],
-                    found) + "\n"
+    header = ["one wheelset", "units", "µs", "worst error where it does not fail"]
+    return markdown("Other searches: roll and rigid contacts only", header, found) + "\n"
 
 
 def cells(row):
@@ -91,28 +92,29 @@ def cells(row):
 
 
 def peer_cells(peer):
-    time = " … ".join(figure(time) for time in peer.microseconds) if peer.milliseconds else "not told"
+    time = " … ".join(figure(time) for time in peer.microseconds) if peer.milliseconds else "not reported"
     errors = ("0 by definition", "") if not peer.mean.any() else (percent(peer.mean), percent(peer.worst))
     return [f"{peer.name} ({SOURCE})", "", time, *errors, "", ""]
 
 
 def readme(effort):
-    """The README's rows: errors as one figure for each quantity, on the positions and, at worst, on the run."""
+    """The table of the README, and a line on the machine."""
     measured = measure(rows.all_rows(effort), effort, short=True)
-    return markdown("Run time and error", HEADER, [cells(row) for row in measured] + [peer_cells(peer) for peer in PEERS])
+    lines = [line(HEADER), rule(HEADER), *map(line, map(cells, measured)), *map(line, map(peer_cells, PEERS))]
+    return "\n".join([*lines, "", machine.description()])
 
 
 def skip_table(effort):
     found = list(skips.all_skips(effort))
     for skip in found * effort.passes:
         skip.measure(effort.rounds)
-    return markdown("What is not wanted is not computed", ["skipped", "units", "full cost", "share", "answer"],
+    return markdown("What is not requested is not computed", ["skipped", "units", "full cost", "share", "answer"],
                     [[skip.name, figure(skip.less.units), figure(skip.more.units),
                       f"{100 * skip.less.units / skip.more.units:.0f} %", skip.answer] for skip in found])
 
 
 def count_table(effort):
-    return markdown("How much work a pose is", *counts.table(effort.count))
+    return markdown("Work per pose", *counts.table(effort.count))
 
 
 def growth_table(effort):

@@ -1,8 +1,8 @@
-"""Errors against independent references: mean and worst in penetration, area and peak pressure.
+"""Errors against independent references: mean and worst error of penetration, area and peak pressure.
 
-Positions are the right wheel from tread to flange (tests/reference/positions.csv), the run is both wheels of growing
-hunting with yaw and load transfer (tests/trajectories/hunting.csv).  Both are a half-space solver's answers on the true
-three-dimensional gap; its own errors are 0.004, 0.9 and 0.6 %.
+*Positions*: the right wheel from tread to flange (tests/reference/positions.csv).  *Hunting run*: both wheels during growing
+hunting with yaw and load transfer (tests/trajectories/hunting.csv).  Both are results of a half-space solver on the true
+three-dimensional gap, whose own errors are 0.004, 0.9 and 0.6 %.
 """
 
 from functools import cache
@@ -18,7 +18,7 @@ SIDES = ("left", "right")
 
 
 class Errors(NamedTuple):
-    """Shares of penetration, area and peak pressure (3,)."""
+    """Relative errors of penetration, area and peak pressure (3,)."""
 
     mean: np.ndarray
     worst: np.ndarray
@@ -35,13 +35,14 @@ def positions(system):
 
 @cache
 def hunting(system, every=1, yawed=True):
-    """:class:`Errors` on each ``every``-th row of the hunting run; ``yawed`` = False leaves its yaw out."""
+    """:class:`Errors` at each ``every``-th row of the hunting run; ``yawed=False`` sets the yaw to zero."""
     run = {name: column[::every] for name, column in runs.stored(runs.HUNTING).items()}
     table = system.evaluate_many(run["lateral_shift"], run["yaw"] * yawed, run["normal_force"], run["load_transfer"])
     return compared(table, run, SIDES)
 
 
 def compared(table, run, sides):
+    """:class:`Errors` of a table of states against a stored run; ArithmeticError if a pose is not solved."""
     if np.any(table.status != 0):
         raise ArithmeticError(f"{np.sum(table.status != 0)} of the stored poses are not solved: {set(table.status.tolist())}")
     shares = np.array([np.concatenate([getattr(getattr(table, side), name) / run[f"{side}.{name}"] - 1 for side in sides])
@@ -50,13 +51,13 @@ def compared(table, run, sides):
 
 
 def summary(shares):
-    """:class:`Errors` of signed shares (3, n)."""
+    """:class:`Errors` from signed relative errors (3, n)."""
     size = np.abs(shares)
     return Errors(size.mean(axis=1), size.max(axis=1), size.shape[1])
 
 
 def rigid(system):
-    """Worst error of the rigid contact in the hunting run, in words: roll [rad] and contact position [mm]."""
+    """Largest errors of the rigid contact in the hunting run, as text: roll [rad] and contact position [mm]."""
     run = runs.stored(runs.HUNTING)
     table = system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"], run["load_transfer"])
     roll = np.max(np.abs(table.roll - run["roll"]))

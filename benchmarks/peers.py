@@ -1,7 +1,7 @@
-"""Figures of other programs, quoted: CONTACT v25.2 (Vollebregt), timed on another machine.
+"""Quoted results of another program: CONTACT v25.2 (Vollebregt), timed on another machine.
 
-Errors of its approximations are against its own complete theory on ten of the positions, 0 ... 6.5 mm at 78.5 kN.  Times
-there are for one wheel with prescribed force, search included; a wheelset has two.  None was told for Kik-Piotrowski.
+Errors of its approximations refer to its own complete theory at ten of the positions, 0 ... 6.5 mm at 78.5 kN.  Its times are
+for one wheel with prescribed force, search included; a wheelset has two wheels.  No time was reported for Kik-Piotrowski.
 """
 
 from typing import NamedTuple
@@ -13,7 +13,7 @@ WHEELS = 2
 
 
 class Peer(NamedTuple):
-    """Milliseconds of one wheel, from and to, or None; errors as shares (3,)."""
+    """One program: shortest and longest time of one wheel [ms], or None; errors as shares (3,)."""
 
     name: str
     milliseconds: tuple | None
@@ -22,7 +22,7 @@ class Peer(NamedTuple):
 
     @property
     def microseconds(self):
-        """Of a wheelset, from and to; None."""
+        """Shortest and longest time of a wheelset [us], or None."""
         return self.milliseconds and tuple(1e3 * WHEELS * time for time in self.milliseconds)
 
 

@@ -1,4 +1,4 @@
-"""Run time against error, one point for each row; quoted programs as bars from their shortest to their longest time."""
+"""Picture of run time against error: one point per row; quoted programs as bars from shortest to longest time."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ FASTEST, SLOWEST = 1.0, 3e6  # [us]
 
 @style.styled
 def figure(rows):
-    """The picture of measured rows."""
+    """The picture (a matplotlib Figure) of measured ``rows``."""
     picture = style.new_figure(8.6, 5.4)
     axes = picture.subplots()
     axes.set(xscale="log", yscale="log", xlim=(FASTEST, SLOWEST), ylim=(LOWEST, HIGHEST),
@@ -52,7 +52,7 @@ def draw_units(axes):
 
 
 def draw_strips(axes, rows):
-    """A line for each number of sweeps, its points the numbers of strips."""
+    """A line for each number of sweeps, with one point per number of strips."""
     for sweeps in SWEEPS:
         chosen = [row for row in rows if row.setting == f"× {sweeps}"]
         axes.plot(*places(chosen), ".-", color=STRIP_COLOUR, linewidth=0.8,
@@ -61,7 +61,7 @@ def draw_strips(axes, rows):
 
 
 def draw_ladder(axes, kind, rows):
-    """The rows of a kind as a line; its first and last tolerance in figures."""
+    """The rows of one kind as a line; the first and the last tolerance are printed beside it."""
     label, marker, colour = LADDERS[kind]
     axes.plot(*places(rows), marker=marker, linewidth=1, color=colour, label=label, linestyle="-" if len(rows) > 1 else "none")
     if len(rows) > 1:
@@ -79,12 +79,12 @@ def annotate(axes, row, colour, offset, side):
 
 
 def draw_peers(axes):
-    """Bars; the one without error stands on the lower edge, the one without a time is a mark at the right edge."""
+    """Quoted programs as bars; one without error lies on the lower edge, one without time is a mark at the right edge."""
     for peer in PEERS:
         error = max(100 * float(np.mean(peer.mean)), LOWEST * 1.07)
         if peer.milliseconds is None:
             axes.plot(SLOWEST, error, "<", color=PEER_COLOUR, clip_on=False)
-            axes.annotate(f"{peer.name}\n(no time told)", (SLOWEST, error), (-10, 0), textcoords="offset points", fontsize=8,
+            axes.annotate(f"{peer.name}\n(time not reported)", (SLOWEST, error), (-10, 0), textcoords="offset points", fontsize=8,
                           color=INK, ha="right", va="center")
             continue
         axes.plot(peer.microseconds, (error, error), color=PEER_COLOUR, linewidth=5, solid_capstyle="butt")

@@ -1,7 +1,7 @@
-"""What is timed, each with its errors: models by tolerance, strips and sweeps, the ways to call them.
+"""The rows that are timed, each with its errors: models by tolerance, strips and sweeps, the ways to call them.
 
-A row is one wheelset: search, roll, both wheels' patches.  Where nothing else is said, poses come in the order of a
-trajectory without yaw and are evaluated by evaluate_many.
+A row is one wheelset: search, roll, and both wheels' patches.  Unless a row says otherwise, the poses follow a trajectory
+without yaw and are evaluated by evaluate_many.
 """
 
 from collections.abc import Callable
@@ -11,6 +11,7 @@ from functools import cache
 import numpy as np
 
 import wrcontact
+from wrcontact.interface.variables import OUTPUT, select
 from wrcontact.methods.resolution import LADDERS
 
 from . import errors, runs
@@ -18,19 +19,20 @@ from .machine import Cost, cost
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
-EVERY = 10  # row of the hunting run that the half-space solves in a quick run
+EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
+FMU_ROW = f"analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all {len(select(OUTPUT))} outputs"
 
 
 @dataclass(frozen=True)
 class Effort:
-    """How much is spent on measuring."""
+    """How much time a run spends on measuring."""
 
     count: int  # poses of a timed run
     rounds: int
-    passes: int  # over all rows, so that what slows a machine for seconds does not slow all rounds of a row
+    passes: int  # over all rows, so that a disturbance of some seconds does not slow all rounds of a row
     halfspace: tuple  # tolerances
-    every: int  # row of the hunting run that the half-space solves
+    every: int  # the half-space solves each ``every``-th row of the hunting run
 
 
 FULL = Effort(2000, 5, 3, HALFSPACE, 1)
@@ -39,7 +41,7 @@ QUICK = Effort(300, 3, 1, HALFSPACE[:2], EVERY)
 
 @dataclass
 class Row:
-    """One line of the table: ``work`` makes ``calls``; ``kind`` is its group, and its marker in the picture."""
+    """One line of the table: ``work()`` makes ``calls`` evaluations; ``kind`` is its group and marker in the picture."""
 
     name: str
     kind: str
@@ -53,10 +55,10 @@ class Row:
     positions: errors.Errors = None
     hunting: errors.Errors = None
     rigid: str = ""
-    setting: str = ""  # in the picture
+    setting: str = ""  # label in the picture
 
     def measure(self):
-        """Fill in cost and errors; once more, and a smaller cost is kept."""
+        """Measure cost and errors, and return the row; measured again, it keeps the smaller cost."""
         self.cost = cost(self.work, self.calls, self.rounds).least(self.cost)
         if self.kind == "geometry":
             self.rigid = errors.rigid(self.system)
@@ -91,7 +93,7 @@ def formulas(effort):
 
 
 def ladders(effort):
-    """ANALYN and the strip correction at each tolerance that they know, and ANALYN's other choice of A(s)."""
+    """ANALYN and the strip correction at each of their tolerances, and ANALYN with the other longitudinal curvature."""
     poses = runs.trajectory(effort.count, yaw=0.0)
     for model, ladder in LADDERS.items():
         for tolerance, resolution in ladder.items():
@@ -105,7 +107,7 @@ def ladders(effort):
 
 
 def halfspace(effort):
-    """The complete theory by tolerance, timed on the 20 positions."""
+    """The half-space at each tolerance, timed on the 20 positions."""
     shift = runs.stored(runs.POSITIONS)["lateral_shift"]
     for tolerance in effort.halfspace:
         of = system(normal_model="halfspace", tolerance=tolerance)
@@ -124,7 +126,7 @@ def strips(effort):
 
 
 def orders(effort):
-    """The order of the poses, and yaw."""
+    """Trajectory and random order of the poses, with and without yaw."""
     for of, short in ((system(), True), (system(normal_model="analyn_strip"), False)):
         model = of.parameters["normal_model"]
         for name, poses in (("trajectory with yaw", runs.trajectory(effort.count)),
@@ -135,7 +137,7 @@ def orders(effort):
 
 
 def doors(effort):
-    """evaluate() and stepper; the FMU is in :func:`fmu_row`."""
+    """Ways to call: ``evaluate()`` and the stepper; :func:`fmu_row` has the FMU."""
     shift, yaw = runs.trajectory(effort.count)
     poses = list(zip(shift.tolist(), yaw.tolist()))
     stepper = system().stepper()
@@ -151,16 +153,15 @@ def doors(effort):
 
 
 def fmu_row(folder, effort):
-    """The FMU's step through fmpy's slave object, measured."""
+    """The step of the Python FMU through fmpy, built in ``folder`` and measured."""
     from . import fmu_step
 
-    row = Row("analyn, hunting with yaw, FMU step through fmpy: 5 inputs in, all outputs out", "FMU", None, 0, system(), 0,
-              short=True)
+    row = Row(FMU_ROW, "FMU", None, 0, system(), 0, short=True)
     row.cost = Cost(*fmu_step.whole_step(folder, effort.passes * effort.rounds))
     row.positions, row.hunting = errors.positions(system()), errors.hunting(system())
     return row
 
 
 def mean_error(found):
-    """One figure of three: the mean of the means, a share."""
+    """Mean over penetration, area and peak pressure of the mean errors, as a share."""
     return float(np.mean(found.mean))

@@ -2,17 +2,23 @@
 
 
 def markdown(title, header, rows):
-    """A titled table as text; the first column is words, the others are figures."""
-    lines = [f"### {title}", "", line(header), line(["---"] + ["---:"] * (len(header) - 1))]
+    """A table with a title; the first column holds words, the others numbers."""
+    lines = [f"### {title}", "", line(header), rule(header)]
     return "\n".join(lines + [line(row) for row in rows]) + "\n"
 
 
+def rule(header):
+    """The second line of a table with this header."""
+    return line(["---"] + ["---:"] * (len(header) - 1))
+
+
 def line(cells):
+    """One line of a table."""
     return f"| {' | '.join(str(cell) for cell in cells)} |"
 
 
 def figure(value):
-    """Two or three digits, no powers of ten."""
+    """A number with at most one decimal, without powers of ten."""
     return f"{value:,.0f}" if abs(value) >= 99.5 else f"{value:.1f}"
 
 

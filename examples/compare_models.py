@@ -1,4 +1,4 @@
-"""One pose with two patches, four models: pressure across the right wheel's contact.  Draws compare_models.png."""
+"""Four normal models at one pose with two patches: pressure across the right contact.  Draws compare_models.png."""
 
 import matplotlib.pyplot as plt
 
@@ -24,5 +24,5 @@ axes.set(xlabel="across the rail, in the contact plane [mm]", ylabel="pressure [
 axes.legend()
 figure.savefig("compare_models.png", dpi=150)
 
-# the strip correction against the complete theory, at a thousandth of its cost
+# the strip correction agrees with the complete theory within 1 %, at about a thousandth of its cost
 assert abs(right["analyn_strip"].penetration / right["halfspace"].penetration - 1) < 0.01

@@ -1,4 +1,4 @@
-"""The wheelset moves across the track: where the right wheel touches, and how hard.  Draws lateral_sweep.png."""
+"""A wheelset moves across the track: contact position and largest pressure of the right wheel.  Draws lateral_sweep.png."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -9,7 +9,7 @@ shift = np.linspace(-8e-3, 8e-3, 3201)  # [m]
 table = wrcontact.ContactSystem().evaluate_many(lateral_shift=shift, yaw=0.0, normal_force=78.5e3)
 place = table.right.contact.y_wheel
 
-# the contact leaves the tread for the flange root where two minima of the gap change rank
+# the contact jumps from the tread to the flange root where two minima of the gap are equal
 first = int(np.argmax(place < -26e-3))  # the flange root of the S1002 begins at y = -26 mm
 print(f"tread to flange root at {shift[first] * 1e3:.3f} mm: y_wheel {place[first - 1] * 1e3:.1f} -> {place[first] * 1e3:.1f} mm")
 

@@ -1,4 +1,4 @@
-"""One pose: wheelset 1 mm to the right.  Prints the right contact, draws both wheels on their rails: one_pose.png."""
+"""One pose, 1 mm to the right.  Prints the right contact and draws both wheels on their rails: one_pose.png."""
 
 import wrcontact
 from wrcontact.plots import pose_figure, save
@@ -12,5 +12,5 @@ print(f"contact on the right wheel at y = {right.contact.y_wheel * 1e3:.4f} mm, 
 print(f"patch {right.area * 1e6:.1f} mm2, largest pressure {right.max_pressure / 1e6:.0f} MPa")
 save(pose_figure(system, state), "one_pose.png")
 
-# an independent brute-force search finds the same place (tests/reference/rigid_positions.csv)
+# an independent brute-force search finds the same position (tests/reference/rigid_positions.csv)
 assert abs(right.contact.y_wheel - -9.3566677e-3) < 1e-9  # [m]

@@ -1,4 +1,4 @@
-"""Build the FMU and step it with fmpy, as a vehicle simulation does.  Draws step_the_fmu.png."""
+"""Build the FMU and step it with fmpy, as a vehicle simulation would.  Draws step_the_fmu.png."""
 
 import fmpy
 import matplotlib.pyplot as plt

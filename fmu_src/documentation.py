@@ -1,4 +1,4 @@
-"""The FMU's documentation/index.html: the method's equations, conventions, and the table of variables."""
+"""The FMU's documentation/index.html: use, conventions, equations, and tables of all variables."""
 
 from html import escape
 from pathlib import Path
@@ -23,19 +23,19 @@ h1 svg { width: 1.6em; height: 1.6em; vertical-align: middle; margin-right: .4em
 
 USE = """
 <h2>How to use it</h2>
-<p>Set the inputs, step, read the outputs. They follow the inputs at once: the model has no dynamics of its own, any
-step size is right, and outputs are valid before the first step. A step with unchanged inputs costs nothing.
-<code>status</code> tells the outcome of a step; other than 0 it comes with one line in the log that names the variable,
-its value and the limit. The step itself succeeds then too, and the next valid input gives a valid result.</p>
+<p>Set the inputs, step, read the outputs. The model has no dynamics of its own: outputs follow the inputs immediately, any
+step size is correct, and outputs are valid before the first step. A step with unchanged inputs costs nothing.
+<code>status</code> is the outcome of a step. If it is not 0, one line in the log names the variable, its value and the
+limit. The step itself still succeeds, and the next valid input gives a valid result.</p>
 <table>
 <tr><th>status</th><th>meaning</th><th>outputs</th></tr>
 <tr><td>0</td><td>valid</td><td>valid</td></tr>
 <tr><td>1</td><td>unloaded: a wheel has no normal force, or is lifted in compliant contact</td>
 <td>valid; the patch of that wheel is empty</td></tr>
-<tr><td>2</td><td>off the profile: no contact point within wheel and rail profile, or deeper than 2 mm in it</td>
+<tr><td>2</td><td>off the profile: no contact inside both profiles, or a wheel more than 2 mm deep in its rail</td>
 <td>last valid values</td></tr>
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
-<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1</td>
+<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, or a load transfer beyond &plusmn;1</td>
 <td>last valid values</td></tr>
 </table>
 """
@@ -47,22 +47,21 @@ to the right, z down, origin on the track centre line at top of rail. Yaw &psi; 
 roll &theta; positive with the right wheel down; the attitude of the wheelset is R = R<sub>z</sub>(&psi;)
 R<sub>x</sub>(&theta;). Wheel and rail profile frames have y to the field side and z down, on both sides (the left side
 is the mirror image of the right one): the flange is at negative y, and <code>y_wheel</code>, <code>y_rail</code>,
-stations and centroids of both wheels compare directly. Only <code>y_track</code> is not mirrored. The contact angle is
+stations and centroids of both wheels can be compared directly. Only <code>y_track</code> is not mirrored. The contact angle is
 positive towards the flange.</p>
 <p><code>force</code> and <code>moment</code> are the resultant of the contact forces of both rails on the wheelset, in
 the axes of the track frame; the moment is about the wheelset's centre, which is at (0, <code>lateral_shift</code>,
-<code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: each patch pushes along its own
-normal.</p>
+<code>vertical_shift</code> &minus; <code>nominal_radius</code>). There is no friction: the force of each patch has the direction of its normal.</p>
 
 <h2>Contact modes</h2>
 <p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each
-wheel is pressed along its normal there. Elastic: the wheels sink in until each carries its load, which gives height and
-roll; under a small load that is the rigid pose. Compliant: height and roll are the inputs
-<code>vertical_shift_input</code> and <code>roll_input</code>, and the loads follow from how deep each wheel stands;
-<code>normal_force</code> and <code>load_transfer</code> are not read, and the outputs <code>force</code> and
-<code>moment</code> close the loop to a wheelset with mass. Inputs that a mode does not read may have any permitted
-value. <code>load</code> says what <code>normal_force</code> prescribes: the total over the patches of a wheel, or the
-vertical component of their resultant.</p>
+wheel is pressed along its normal there. Elastic: the wheels approach the rails until each carries its load, which gives
+height and roll; for a small load this is the rigid pose. Compliant: height and roll are the inputs
+<code>vertical_shift_input</code> and <code>roll_input</code>, and the loads follow from the penetration of each wheel;
+<code>normal_force</code> and <code>load_transfer</code> are not used, and a wheelset with mass can be driven by the outputs
+<code>force</code> and <code>moment</code>. Inputs that a mode does not use may have any permitted value.
+<code>load</code> says what <code>normal_force</code> is: the sum over the patches of a wheel, or the vertical component of
+their resultant.</p>
 
 <h2>Contact geometry</h2>
 <p>The wheel is a surface of revolution with radius r(y), the rail a cylinder along x: at a contact the common normal
@@ -72,16 +71,14 @@ locus</em>:</p>
 w = &plusmn; tan &psi; cos &theta; r&prime;(y) / &radic;(1 + t&sup2;) &nbsp; (+ right wheel, &minus; left wheel)</p>
 <p>Along it the vertical gap between wheel and rail is a function of one coordinate,</p>
 <p class="equation">g(y) = z<sub>rail</sub>(Y(y)) &minus; Z(y),</p>
-<p>with (Y, Z) the outline of the wheel seen along the track. The contact point is where the gap is smallest; every
-local minimum close to the smallest one is refined, so that the contact does not depend on where the wheelset was
-before.</p>
-<p>Rigid wheelsets roll until the smallest gaps are equal left and right:</p>
+<p>with (Y, Z) the outline of the wheel seen along the track. The contact point is where the gap is smallest. Bounds of the
+gap prove that no smaller minimum exists, so the contact does not depend on earlier positions of the wheelset.</p>
+<p>The roll of a rigid wheelset makes the smallest gaps equal left and right:</p>
 <p class="equation">G(&theta;) = min g<sub>right</sub> &minus; min g<sub>left</sub> = 0.</p>
-<p>The derivative of a minimum is the partial derivative at the fixed place of the minimum (envelope theorem),</p>
+<p>The derivative of a minimum is the partial derivative at its fixed place on the wheel (envelope theorem),</p>
 <p class="equation">d(min g) / d&theta; = z&prime;<sub>rail</sub> &part;Y/&part;&theta; &minus;
 &part;Z/&part;&theta;,</p>
-<p>so that Newton's method inside a bracket finds the roll in a few steps. The vertical shift is the gap that is
-left.</p>
+<p>so Newton's method, inside a bracket, finds the roll in a few steps. The vertical shift is the remaining gap.</p>
 
 <h2>Normal contact</h2>
 <p>Hertz: with the relative curvatures of the undeformed distance z = A x&sup2; + B s&sup2; (x rolling direction, s in
@@ -90,9 +87,9 @@ the contact plane), the normal force N and 1/E* = 2 (1 &minus; &nu;&sup2;) / E,<
 &delta; = r ((3 N / (4 E*))&sup2; (A + B))<sup>1/3</sup>, &nbsp; p<sub>0</sub> = 3 N / (2 &pi; a b)</p>
 <p>where m, n, r follow from the complete elliptic integrals K(e) and E(e) of the ellipse with the ratio q of its
 semi-axes and e&sup2; = 1 &minus; q&sup2;: with L = (2 E(e) / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and
-the other q L, r = 2 K(e) / (&pi; L), and the smaller curvature is to the larger as (K(e) &minus; E(e)) to (E(e) /
+the other is q L, r = 2 K(e) / (&pi; L), and the ratio of the smaller to the larger curvature is (K(e) &minus; E(e)) / (E(e) /
 q&sup2; &minus; K(e)).</p>
-<p>ANALYN (Sichani, Enblom and Berg) takes the undeformed distance g(s) and the local curvature B(s) across the
+<p>ANALYN (Sichani, Enblom and Berg 2014) uses the undeformed distance g(s) and the local curvature B(s) across the
 patch:</p>
 <p class="equation">&alpha; = (r / m&sup2;)(1 + B / A) &minus; 1, &nbsp; &beta; = (r / n&sup2;)(1 + A / B) &minus; 1</p>
 <p class="equation">d(s) = &delta;<sub>0</sub> &minus; (1 + &beta;) g(s), &nbsp;
@@ -100,7 +97,7 @@ a(s) = &radic;(d / ((1 + &alpha;) A)), &nbsp; p<sub>0</sub>(s) = (2 E* / &pi;) d
 <p class="equation">p(x, s) = p<sub>0</sub>(s) &radic;(1 &minus; (x / a(s))&sup2;), &nbsp;
 N = &int; (&pi; / 2) a(s) p<sub>0</sub>(s) ds</p>
 <p>&delta;<sub>0</sub> is found from the prescribed N. The factor of p<sub>0</sub> is 2 E*/&pi;; with constant A and B
-the result is that of Hertz. Separate loaded regions are reported as patches, by falling load.</p>
+the result is that of Hertz. Separate loaded regions are patches, sorted by decreasing load.</p>
 """
 
 
@@ -111,7 +108,7 @@ def documentation_page(version, description, about):
     ----------
     version : of wrcontact.
     description : the FMU's modelDescription.xml, whose variables are listed.
-    about : what holds for this kind of FMU only, as HTML: ``about_python`` or ``about_native``.
+    about : HTML on this kind of FMU only, from ``about_python`` or ``about_native``.
     """
     root = fromstring(description)
     versions = f"FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}"
@@ -129,52 +126,52 @@ def documentation_page(version, description, about):
 
 
 def about_python():
-    """Of the FMU that runs in Python."""
+    """HTML on the FMU that runs in Python."""
     return """
 <h2>This FMU</h2>
-<p>It carries its program as Python source and runs it inside the host: a Python of 3.10 or newer with numpy must be
-there. On a platform for which it has no compiled kernel it runs that as Python too, about 100 times slower with the
-same results. <code>wheel_profile</code> and <code>rail_profile</code> take a built-in name (S1002; UIC60, 60E1, 54E1)
-or the name of a file in the FMU's <code>resources</code>.</p>
+<p>It contains its program as Python source and runs it inside the host, which needs Python 3.10 or newer with numpy. On a
+platform without a compiled kernel in this FMU, the kernel also runs as Python, about 100 times slower, with the same
+results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002; UIC60, 60E1, 54E1) or the name
+of a file in the FMU's <code>resources</code>.</p>
 """
 
 
 def about_native(version, platforms, profiles):
-    """Of a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by name."""
+    """HTML on a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by name."""
     names = {kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
              for kind in ("wheel", "rail")}
     return f"""
 <h2>This FMU</h2>
-<p>It is compiled and needs no Python, no file and no other program. Libraries are in it for {", ".join(platforms)}. For
-other machines its <code>sources</code> compile with any C11 compiler; {LISTS[version]} lists the files. They tell gcc and
-clang to fuse no multiplication with an addition; another compiler, or another mathematical library, may change results
-by rounding.</p>
+<p>It is compiled and needs no Python, no file and no other program. It contains libraries for {", ".join(platforms)}. For
+other machines, compile its <code>sources</code> with any C11 compiler; {LISTS[version]} lists the files. The sources tell gcc
+and clang not to fuse a multiplication with an addition; another compiler, or another mathematical library, may change
+results by rounding.</p>
 <p>{OUTLINES[version]}</p>
-<p>Profiles are packed: <code>wheel_profile</code> chooses among {names["wheel"]}, <code>rail_profile</code> among
-{names["rail"]}. These and all other parameters are fixed once initialisation mode is left.</p>
-<p>A call that cannot be done (an unknown value reference, a wrong type, a parameter set after initialisation, a call
-out of order) returns an error with one sentence in the log, and the instance goes on. An input that is not a number or
-off the profile is no error but a <code>status</code>.</p>
-<p>It has directional derivatives of all continuous outputs against all inputs{ADJOINT[version]}. At a jump they are those of
-the side on which the pose stands; with status 1 the unloaded wheel's patch has none, and with status 2 and more, where
-outputs are held, all are zero.</p>
-<p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is made and
-initialised, never in a step; a saved state is one block more. Instances share nothing that changes, so each may run in
-a thread of its own; one instance is for one thread at a time.</p>
-<p>A saved state holds inputs, parameters, outputs, the time and what the search remembers. Going on from it gives the
-same bits as going on without it. Its bytes can be read by any instance of this very FMU (same {TOKENS[version]}) on the
-same kind of machine; others refuse them.</p>
+<p>Profiles are packed: <code>wheel_profile</code> is one of {names["wheel"]}, <code>rail_profile</code> one of
+{names["rail"]}. These and all other parameters are fixed when initialisation mode is left.</p>
+<p>A wrong call (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of order) returns
+an error with one sentence in the log, and the instance continues. An input that is not a number, or a contact off the
+profile, is not an error but a <code>status</code>.</p>
+<p>It has directional derivatives of all continuous outputs with respect to all inputs{ADJOINT[version]}. At a jump they are
+those of the side on which the pose lies. With status 1 the derivatives of the unloaded wheel's patch are zero; with status 2
+and higher, where outputs are held, all are zero.</p>
+<p>A step with new inputs takes about 0.02 ms, all outputs read. Memory is allocated when an instance is created and
+initialised, and for saved states, never in a step. Instances share constant data only, so each may run in a thread of its
+own; one instance is for one thread at a time.</p>
+<p>A saved state holds inputs, parameters, outputs, the time and the start values of the search. A simulation that continues
+from it gives the same bits as one that was not interrupted. Its bytes can be read by any instance of the same FMU (same
+{TOKENS[version]}) on the same kind of machine; other instances refuse them.</p>
 """
 
 
 OUTLINES = {
     2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> and "
-       "<code>pressure</code>; the FMU of FMI 3.0 has arrays in their place.",
+       "<code>pressure</code>; the FMU of FMI 3.0 has arrays instead.",
     3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and "
        "<code>pressure</code>, evenly spaced from the first loaded place to the last. Their length is the structural parameter "
        "<code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between fmi3EnterConfigurationMode and "
        "fmi3ExitConfigurationMode, before the initialisation; no other output depends on it. An array has one value reference, "
-       "and a call needs room for all its values. Value references count from 1, and differ from those of the FMU of FMI 2.0.",
+       "and a call needs room for all its values. Value references start at 1 and differ from those of the FMU of FMI 2.0.",
 }
 LISTS = {2: "<code>SourceFiles</code> in the model description", 3: "<code>sources/buildDescription.xml</code>"}
 ADJOINT = {2: "", 3: ", and adjoint ones"}
@@ -188,7 +185,7 @@ TABLES = {
     "input": "Inputs",
     "structuralParameter": "Structural parameters (sizes of arrays)",
     "parameter": "Parameters (fixed after initialisation)",
-    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 as a rule)",
+    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 by default)",
     "independent": "Time",
 }
 
@@ -205,7 +202,7 @@ def _abilities(root):
 
 
 def _table(title, causality, root):
-    """All variables of one causality as a table: left and right, patches and stations in one row, no empty columns."""
+    """A table of all variables of one causality, without empty columns; left and right, patches and stations share a row."""
     groups = {}
     for variable in root.find("ModelVariables"):
         if variable.get("causality") == causality:
@@ -222,7 +219,7 @@ HEADINGS = ("name", "reference", "unit", "shown in", "start", "permitted", "mean
 
 
 def _row(name, members, root):
-    """The cells of variables that differ by their places only."""
+    """The cells of one row; ``members`` are variables that differ only by side, patch or station."""
     first = members[0]
     attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}     # nested in FMI 2
     start = attributes.get("start") or next((element.get("value") for element in first.iter("Start")), "")
@@ -239,7 +236,7 @@ def _row(name, members, root):
 
 
 def _size(variable, root):
-    """How many values an array has: a number, or the variable that says so."""
+    """The size of an array: a number, or the name of the variable that defines it; "" for a scalar."""
     sizes = []
     for dimension in variable.iter("Dimension"):
         reference = dimension.get("valueReference")
@@ -256,7 +253,7 @@ def _limits(low, high):
 
 
 def _short(number):
-    """A number in its fewest digits; other text as it is."""
+    """A number with as few digits as possible; other text unchanged."""
     try:
         return f"{float(number):.10g}"
     except ValueError:
@@ -273,7 +270,7 @@ def _references(members):
 
 
 def _runs(numbers):
-    """Rising numbers, neighbours joined: "1, 5 &hellip; 9"."""
+    """Rising numbers as text, with consecutive ones joined: "1, 5 &hellip; 9"."""
     runs = []
     for number in numbers:
         if runs and number == runs[-1][1] + 1:

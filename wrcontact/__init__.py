@@ -1,4 +1,4 @@
-"""Wheel-rail contact of a wheelset on its track: positions, roll, and contact patches after ANALYN."""
+"""Wheel-rail contact of a wheelset on its track: contact positions, roll, and contact patches."""
 
 from .profiles import Profile, ProfileWarning
 from .state import WheelsetState
@@ -11,11 +11,11 @@ __all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "W
 
 
 def check(system):
-    """What one ought to know of the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
+    """Check the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
 
-    Where its contacts jump, how fast they move, conformal zones, quality of the profiles, equivalent conicity
-    (docs/check.md); the arguments and results are those of :func:`wrcontact.conditioning.check`.
+    It reports jumps of the contact, sensitivities, conformal zones, quality of the profiles and equivalent conicity
+    (docs/check.md); see :func:`wrcontact.conditioning.check`.
     """
-    from . import conditioning  # an FMU does not carry it
+    from . import conditioning  # not part of an FMU
 
     return conditioning.check(system)

@@ -11,15 +11,15 @@ Wheel profile frame
 Rail profile frame
     track-parallel axes, y to the field side, z down; origin at the highest point of the inclined head.
 Left
-    is the mirror image of right in the plane y = 0: :data:`MIRROR` turns a pose of the left wheel into a pose of a
-    right one, and the resulting y in the track frame back.  Longitudinal and vertical components do not change.
+    The left side is the mirror image of the right side in the plane y = 0: :data:`MIRROR` turns a pose of the left wheel into
+    one of a right wheel, and the resulting y in the track frame back.  Longitudinal and vertical components stay.
 
-Everything inside is in m, N, Pa and rad.  Millimetres and degrees exist in files and plots only.
+All values inside are in m, N, Pa and rad.  Millimetres and degrees are used only in files and plots.
 """
 
 MILLIMETRE = 1e-3  #: [m]
 
-#: Signs that turn (lateral_shift, yaw, roll) of a left wheel into those of the equivalent right wheel; its own inverse.
+#: Signs that turn (lateral_shift, yaw, roll) of a left wheel into those of the equivalent right wheel, and back.
 MIRROR = (-1.0, -1.0, -1.0)
 
 SIDES = ("left", "right")

@@ -1,4 +1,4 @@
-"""What an evaluation returns: names over the kernel's output array, for one pose or for a table of them."""
+"""Results of an evaluation: names for the kernel's output array, for one pose or for a table of poses."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from .kernel import layout
 
 
 class _View:
-    """Named places of an output array (276,) or (n, 276), longer with outlines behind, from ``offset`` on."""
+    """Named values of an output array (276,) or (n, 276), longer if outlines follow, starting at ``offset``."""
 
     __slots__ = ("_values", "_offset")
 
@@ -20,12 +20,12 @@ class _View:
 
 
 def _number(value):
-    """A float of one pose, (n,) of a table."""
+    """A float for one pose, an array (n,) for a table."""
     return float(value) if value.ndim == 0 else value
 
 
 def _place(offset, unit, text):
-    """A property that reads one number (a float, or (n,) of a table) at ``offset``."""
+    """A property for one value at ``offset``: a float, or (n,) for a table."""
 
     def read(self):
         return _number(self._values[..., self._offset + offset])
@@ -34,14 +34,14 @@ def _place(offset, unit, text):
 
 
 def _run(number, unit, text):
-    """A property that reads run ``number`` of an outline: (stations,), or (n, stations) of a table."""
+    """A property for array ``number`` of an outline: (stations,), or (n, stations) for a table."""
 
     def read(self):
         stations = station_count(self._values)
         start = self._offset + number * stations
         return self._values[..., start:start + stations]
 
-    return property(read, doc=f"{text} [{unit}], one number a station.")
+    return property(read, doc=f"{text} [{unit}], one value per station.")
 
 
 def station_count(values):
@@ -57,7 +57,7 @@ def outline_of(values, first):
 
 
 def outline_offset(values, first):
-    """Where the outline of the side whose outputs begin at ``first`` lies, as told in kernel/patch/outline.py."""
+    """Offset of the outline of the side whose outputs begin at ``first``; kernel/patch/outline.py defines the layout."""
     if values.shape[-1] == layout.OUTPUT_COUNT:
         return first + layout.SIDE_STATION
     return layout.OUTPUT_COUNT + (3 * station_count(values) if first == layout.OUT_RIGHT else 0)
@@ -87,7 +87,7 @@ class Contact(_View):
 
 
 class Patch(_View):
-    """One loaded region."""
+    """One contact patch."""
 
     __slots__ = ()
     normal_force = _place(layout.PATCH_NORMAL_FORCE, "N", "its share of the wheel's normal force")
@@ -101,7 +101,7 @@ class Patch(_View):
 
 
 class Outline(_View):
-    """The patch over the loaded width: evenly spaced stations across, from the first loaded one to the last."""
+    """Outline and pressure at evenly spaced stations across, from the first loaded place to the last."""
 
     __slots__ = ()
     station = _run(0, "m", "lateral coordinate in the contact plane, positive to the field side")
@@ -127,7 +127,7 @@ class Side(_View):
 
     @property
     def patch_count(self):
-        """Number of loaded regions; of which the three with the largest load are in ``patches``."""
+        """Number of patches; ``patches`` has the three with the largest load."""
         count = self._values[..., self._offset + layout.SIDE_PATCH_COUNT]
         if count.ndim:
             return count
@@ -140,7 +140,7 @@ class Side(_View):
 
     @property
     def patches(self):
-        """Loaded regions by falling load; always three in a table, with zeros where absent."""
+        """Patches by decreasing load; in a table always three, with zeros for missing ones."""
         start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_SIZE
         count = layout.PATCH_LIMIT if self._values.ndim > 1 else min(self.patch_count, layout.PATCH_LIMIT)
         return tuple(Patch(self._values, start + size * k) for k in range(count))
@@ -154,8 +154,8 @@ class Side(_View):
 class WheelsetState:
     """Result of an evaluation: ``status``, ``roll`` [rad], ``vertical_shift`` [m, positive down], ``left``, ``right``.
 
-    ``force`` [N] and ``moment`` [N m], about the wheelset's centre, are the resultant of the contact forces on the wheelset.
-    ``inputs`` are the seven inputs, ``values`` the kernel's outputs; (n, ...) for a table.
+    ``force`` [N] and ``moment`` about the wheelset's centre [N m] are the resultant of the contact forces on the wheelset.
+    ``inputs`` are the seven inputs and ``values`` the kernel's outputs; all are (n, ...) for a table.
     """
 
     __slots__ = ("values", "status", "inputs")

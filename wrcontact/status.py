@@ -1,4 +1,4 @@
-"""Every outcome of a step, each with its sentence."""
+"""The status of a step, and the sentence that explains it."""
 
 import math
 from enum import IntEnum
@@ -10,10 +10,10 @@ from .kernel.prepare.tables import LATERAL_LIMIT, YAW_LIMIT
 
 
 class Status(IntEnum):
-    """What became of a step; the FMU's ``status``."""
+    """Outcome of a step; the FMU's ``status``."""
 
     VALID = layout.VALID
-    UNLOADED = layout.UNLOADED            #: a wheel carries nothing: geometry valid, its patch empty
+    UNLOADED = layout.UNLOADED            #: a wheel carries no load; geometry valid, its patch empty
     OFF_PROFILE = layout.OFF_PROFILE      #: contact beyond the profiles; outputs keep the last valid values
     NOT_CONVERGED = layout.NOT_CONVERGED  #: likewise
     INVALID_INPUT = layout.INVALID_INPUT  #: likewise
@@ -29,7 +29,7 @@ INPUT_UNITS = ("m", "rad", "rad", "N", "1", "m", "rad")
 def explain(status, inputs, compliant=False):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
-    ``inputs`` are the seven inputs in the order of :data:`INPUT_NAMES`; ``compliant`` whether height and roll are given.
+    ``inputs`` are the seven inputs in the order of :data:`INPUT_NAMES`; ``compliant`` says whether the contact mode is compliant.
     """
     shift, yaw, _, force, transfer, height, roll = (float(value) for value in inputs)
     kept = "the outputs keep their last valid values"
@@ -39,7 +39,7 @@ def explain(status, inputs, compliant=False):
         return f"{_invalid_input(inputs)}; {kept}"
     if status == Status.UNLOADED and compliant:
         return (f"vertical_shift_input is {height:g} m at roll_input {roll:g} rad, so a wheel is lifted and carries no load; its "
-                "patch is empty (a load needs a height below the rail's)")
+                "patch is empty (a larger vertical_shift_input lowers the wheelset)")
     if status == Status.UNLOADED:
         name, value = ("normal_force", f"{force:g} N") if force == 0.0 else ("load_transfer", f"{transfer:g}")
         return (f"{name} is {value}, so a wheel carries no load; its patch is empty "
@@ -53,18 +53,17 @@ def explain(status, inputs, compliant=False):
         if compliant and abs(roll) > ROLL_LIMIT:
             return f"roll_input is {roll:g} rad; permitted is |roll_input| <= {ROLL_LIMIT:g} rad; {kept}"
         if compliant:
-            return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift {shift:g} m: a wheel is "
-                    f"off its rail or deeper in it than {DEEPEST:g} m; {kept}")
-        return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a profile, where "
-                "there is no contact; permitted are shifts that keep the contact on both profiles; or in elastic contact "
-                f"normal_force {force:g} N with load_transfer {transfer:g} would press a wheel deeper into its rail than "
-                f"{DEEPEST:g} m; {kept}")
+            return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift {shift:g} m: the "
+                    f"contact leaves a profile, or a wheel is deeper in its rail than {DEEPEST:g} m; {kept}")
+        return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a profile, so there "
+                f"is no contact; or, in elastic contact, normal_force {force:g} N with load_transfer {transfer:g} presses a wheel "
+                f"deeper into its rail than {DEEPEST:g} m; permitted are poses with the contact inside both profiles; {kept}")
     return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, load_transfer "
             f"{transfer:g} within the iteration limit; {kept}")
 
 
 def _invalid_input(inputs):
-    """The first input that is not permitted, in a clause."""
+    """A clause on the first input that is not permitted."""
     for name, unit, value in zip(INPUT_NAMES, INPUT_UNITS, inputs):
         if not math.isfinite(value):
             return f"{name} is {value} {unit}; permitted are finite numbers"

@@ -120,7 +120,7 @@ static void explain(int status, const double *inputs, bool compliant, char *text
     }
     else if (status == layout__UNLOADED && compliant)
         snprintf(text, size, "vertical_shift_input is %s m at roll_input %s rad, so a wheel is lifted and carries no load; its "
-                 "patch is empty (a load needs a height below the rail's)", height, roll);
+                 "patch is empty (a larger vertical_shift_input lowers the wheelset)", height, roll);
     else if (status == layout__UNLOADED && inputs[layout__IN_NORMAL_FORCE] == 0.0)
         snprintf(text, size, "normal_force is %s N, so a wheel carries no load; its patch is empty (a load needs normal_force > "
                  "0 N and |load_transfer| < 1)", force);
@@ -140,12 +140,12 @@ static void explain(int status, const double *inputs, bool compliant, char *text
         snprintf(text, size, "roll_input is %s rad; permitted is |roll_input| <= %s rad; %s", roll,
                  SIX_DIGITS(MODEL_ROLL_LIMIT), KEPT);
     else if (compliant)
-        snprintf(text, size, "vertical_shift_input is %s m and roll_input %s rad at lateral_shift %s m: a wheel is off its rail "
-                 "or deeper in it than %s m; %s", height, roll, shift, SIX_DIGITS(MODEL_DEEPEST), KEPT);
+        snprintf(text, size, "vertical_shift_input is %s m and roll_input %s rad at lateral_shift %s m: the contact leaves a "
+                 "profile, or a wheel is deeper in its rail than %s m; %s", height, roll, shift, SIX_DIGITS(MODEL_DEEPEST), KEPT);
     else
-        snprintf(text, size, "lateral_shift is %s m at yaw %s rad: the smallest gap lies at the end of a profile, where there is "
-                 "no contact; permitted are shifts that keep the contact on both profiles; or in elastic contact normal_force %s N "
-                 "with load_transfer %s would press a wheel deeper into its rail than %s m; %s", shift, yaw, force, transfer,
+        snprintf(text, size, "lateral_shift is %s m at yaw %s rad: the smallest gap lies at the end of a profile, so there is no "
+                 "contact; or, in elastic contact, normal_force %s N with load_transfer %s presses a wheel deeper into its rail than "
+                 "%s m; permitted are poses with the contact inside both profiles; %s", shift, yaw, force, transfer,
                  SIX_DIGITS(MODEL_DEEPEST), KEPT);
 }
 
@@ -238,7 +238,7 @@ static int find_profile(wheelset *self, const char *kind, int slot, array_double
         if (strcmp(profile->kind, kind) != 0)
         {
             if (named)
-                other = " (that is the name of the other kind)";
+                other = " (a profile of the other kind)";
             continue;
         }
         if (named)
@@ -266,7 +266,7 @@ static int refuse_preparation(wheelset *self, int outcome, const double *report)
                                FOUR_DIGITS(report[prepare_tables__REPORT_WIDTH]), FOUR_DIGITS(MODEL_WIDEST));
     if (outcome == prepare_tables__WITHOUT_HEAD)
         return wheelset_refuse(self, "the profiles %s and %s are too steep at y = 0 m, the running circle and the rail's highest "
-                               "point; permitted are profiles that can be read there", wheel, rail);
+                               "point; permitted are profiles with less slope there", wheel, rail);
     if (outcome == prepare_tables__TABLES_FULL)
         return wheelset_refuse(self, "the profiles %s and %s have too many points for the kernel's tables; permitted are profiles "
                                "with fewer points", wheel, rail);
@@ -407,11 +407,11 @@ int wheelset_experiment(wheelset *self, double start, bool stops, double stop)
 {
     char first[40], last[40];
     if (self->core.phase != PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "initialisation comes once, with startTime and stopTime, after instantiation or a "
+        return wheelset_refuse(self, "initialisation is permitted once, with startTime and stopTime, after instantiation or a "
                                "reset");
     if (!isfinite(start) || (stops && !(stop >= start)))
-        return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite start and a stop not "
-                               "before it", shortest(start, first, sizeof first),
+        return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite startTime and a stopTime "
+                               "not before it", shortest(start, first, sizeof first),
                                shortest(stops ? stop : INFINITY, last, sizeof last));
     self->core.time = start;
     self->core.stop = stops ? stop : INFINITY;
@@ -429,7 +429,7 @@ int wheelset_configure(wheelset *self)
 int wheelset_configured(wheelset *self)
 {
     if (self->core.phase != PHASE_CONFIGURING)
-        return wheelset_refuse(self, "configuration mode can be left only where it was entered");
+        return wheelset_refuse(self, "configuration mode can be left only after it was entered");
     self->core.phase = PHASE_INSTANTIATED;
     return 0;
 }
@@ -437,7 +437,7 @@ int wheelset_configured(wheelset *self)
 int wheelset_enter(wheelset *self)
 {
     if (self->core.phase == PHASE_CONFIGURING)
-        return wheelset_refuse(self, "configuration mode has to be left before initialisation mode is entered");
+        return wheelset_refuse(self, "configuration mode must be left before initialisation mode is entered");
     if (self->core.phase != PHASE_INSTANTIATED)
         return wheelset_refuse(self, "initialisation mode can be entered once, after instantiation or a reset");
     if (initialise(self))
@@ -449,7 +449,7 @@ int wheelset_enter(wheelset *self)
 int wheelset_exit(wheelset *self)
 {
     if (self->core.phase != PHASE_INITIALISING)
-        return wheelset_refuse(self, "initialisation mode can be left only where it was entered");
+        return wheelset_refuse(self, "initialisation mode can be left only after it was entered");
     if (initialise(self))
         return 1;
     self->core.locked = 1;
@@ -462,7 +462,7 @@ int wheelset_exit(wheelset *self)
 int wheelset_terminate(wheelset *self)
 {
     if (self->core.phase != PHASE_RUNNING)
-        return wheelset_refuse(self, "only a simulation that runs can be terminated");
+        return wheelset_refuse(self, "only a running simulation can be terminated");
     self->core.phase = PHASE_TERMINATED;
     return 0;
 }

@@ -19,6 +19,7 @@ from benchmarks import (
     skips,
 )
 from benchmarks.table import figure, markdown
+from tests.helpers.paths import ROOT
 from wrcontact.plots import style
 from wrcontact.methods.resolution import LADDERS
 
@@ -56,6 +57,15 @@ def test_the_readme_is_shorter():
     short = [row for row in rows.all_rows(rows.FULL) if row.short]
     assert 8 <= len(short) + 1 <= 12                                  # the FMU's comes on top
     assert {row.kind for row in short} == {"geometry", "Hertz", "analyn", "analyn_strip", "halfspace", "order", "door"}
+
+
+def test_the_readme_has_these_rows():
+    """Its table is one that ``--readme`` printed: the same header, and the same rows in the same order."""
+    page = (ROOT / "README.md").read_text(encoding="utf-8")
+    expected = [row.name for row in rows.all_rows(rows.FULL) if row.short] + [rows.FMU_ROW]
+    expected += [f"{peer.name} ({peers.SOURCE})" for peer in peers.PEERS]
+    table = page.split(__main__.line(__main__.HEADER))[1].split("\n\n")[0].splitlines()
+    assert [text.split("|")[1].strip() for text in table[2:]] == expected
 
 
 def test_costs_are_measured(measured):

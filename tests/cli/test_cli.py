@@ -82,7 +82,7 @@ def test_demo_says_what_it_checked(demo):
     assert done.returncode == (1 if "FAILED" in verdicts.values() else 0)
     for quantity in ("steps not valid", "roll", "vertical shift", "contact positions", "rolling radius"):
         assert verdicts[quantity] == "ok", done.stdout
-    assert re.search(r"160 steps, \d+\.\d+ ms each", done.stdout)
+    assert re.search(r"160 steps, median \d+\.\d+ ms \(", done.stdout)
     assert "Traceback" not in done.stderr
 
 
@@ -284,7 +284,7 @@ def test_solve_at_a_given_height_and_roll(run):
     assert seen["left"]["normal_force"] == state.left.normal_force > 1e4
     code, out, _ = run("solve", *pose, "--vertical-shift-mm", -1)
     assert code == 0 and "status 1 (unloaded)" in out and "vertical_shift_input is -0.001 m" in out and "lifted" in out
-    assert "height and roll as given" in out
+    assert "height and roll prescribed" in out
     code, out, err = run("sweep", "--contact-mode", "compliant", "--vertical-shift-mm", 4, "--from-mm", 0, "--to-mm", 1)
     assert code == 2 and "vertical_shift_input is 0.004 m" in err
 

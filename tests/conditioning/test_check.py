@@ -412,7 +412,7 @@ def test_command(run, tmp_path, standard):
     picture, content = tmp_path / "pair.png", tmp_path / "pair.json"
     code, out, err = run("--rail", "60E1", "--output", picture, "--json", content)
     assert code == 0 and err == ""
-    for text in ("S1002 on 60E1: gauge 1435 mm, inclination 1:40", "contact from -15.00 to 15.00 mm", "0.174", "0.2259",
+    for text in ("S1002 on 60E1: gauge 1435 mm, inclination 1:40", "contact at lateral shifts from -15.00 to 15.00 mm", "0.174", "0.2259",
                  "contact jumps 0.23 mm from the centred position", f"picture written to {picture}"):
         assert text in out
     assert picture.stat().st_size > 50_000

@@ -1,4 +1,4 @@
-"""The README tells the truth: its example runs, its files exist, its counts are today's."""
+"""README and documentation: examples run, linked files exist, counts and tables agree with the package."""
 
 import re
 
@@ -10,6 +10,7 @@ from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES, select
 from wrcontact.profiles.catalogue import BUILDERS
 
+DOCS = ROOT / "docs"
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -20,11 +21,21 @@ def test_the_example_runs(capsys):
     assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)            # the S1002's 70 deg flank, and the roll
 
 
-@pytest.mark.parametrize("name", ["README.md", "docs/fmu.md"])
-def test_linked_files_exist(name):
-    page = ROOT / name
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+def test_linked_files_exist(page):
     for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
         assert (page.parent / link).exists(), link
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+def test_files_that_are_named_exist(page):
+    """Paths in backticks, from the top of the repository or of the package, and names of tests."""
+    words = set(re.findall(r"`([^`\s]+)`", page.read_text(encoding="utf-8")))
+    paths = {word.split("::")[0] for word in words if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
+    missing = {path for path in paths if not ((ROOT / path).exists() or (ROOT / "wrcontact" / path).exists())}
+    assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
+    tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
+    assert {word.split("::")[0] for word in words if re.match(r"test_\w+\.py", word)} <= tests
 
 
 #: A word that a test has if it runs the tool.
@@ -34,10 +45,11 @@ TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmuco
 
 def test_tools_that_are_said_to_run_are_run():
     """Every row with a "yes" names the tests that run the tool."""
-    rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", README, re.MULTILINE)
+    page = (DOCS / "fmu.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", page, re.MULTILINE)
     assert len(rows) >= len(TOOLS)
     for tool, _, tests in rows:
-        sources = [(ROOT / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
+        sources = [(DOCS / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
         word = next((word for name, word in TOOLS.items() if tool.startswith(name)), tool.split(",")[0])
         assert sources and all(word in source for source in sources), tool
 
@@ -60,9 +72,10 @@ def test_counts():
 
 def test_every_input_and_parameter_is_in_a_table():
     """And every choice of every method."""
+    page = (DOCS / "nomenclature.md").read_text(encoding="utf-8")
     for variable in VARIABLES:
         if variable.causality != OUTPUT:
-            assert re.search(rf"^\| [^|]*`{variable.name}`[^|]* \|", README, re.MULTILINE), variable.name
-            assert all(f'"{choice}"' in README for choice in variable.choices), variable.name
+            assert re.search(rf"^\| [^|]*`{variable.name}`[^|]* \|", page, re.MULTILINE), variable.name
+            assert all(f'"{choice}"' in page for choice in variable.choices), variable.name
     for name in ("force", "moment", "roll", "vertical_shift", "status"):
-        assert re.search(rf"^\| [^|]*`{name}`[^|]* \|", README, re.MULTILINE), name
+        assert re.search(rf"^\| [^|]*`{name}`[^|]* \|", page, re.MULTILINE), name

@@ -187,7 +187,7 @@ def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
     out, errors = program.communicate(timeout=60)
     assert (program.returncode, out, target.read_text()) == (code, "", "before\n")
     if blow == signal.SIGINT:
-        assert errors == "wrcontact: interrupted; a file is whole, or as it was before\n" and parts_in(tmp_path) == []
+        assert errors == "wrcontact: interrupted; no file is half written\n" and parts_in(tmp_path) == []
 
 
 @slow
@@ -207,7 +207,7 @@ def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
         if program.returncode == 0:
             assert lines == []      # it had ended
         else:
-            assert program.returncode == 130 and lines == ["wrcontact: interrupted; a file is whole, or as it was before"]
+            assert program.returncode == 130 and lines == ["wrcontact: interrupted; no file is half written"]
         assert_files_are_whole(tmp_path)
 
 

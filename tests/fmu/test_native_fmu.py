@@ -288,7 +288,7 @@ def test_names_of_packed_profiles_are_told(packed, tmp_path):
     fmus, wheel, rail = packed
     answer = run_scenario("refusals", fmus[2], tmp_path / "unpacked", {"cases": {
         "unknown": {"wheel_profile": "S1003"}, "of the other kind": {"wheel_profile": rail.name}}})
-    for name, part in (("unknown", wheel.name), ("of the other kind", "that is the name of the other kind")):
+    for name, part in (("unknown", wheel.name), ("of the other kind", "a profile of the other kind")):
         assert answer[name]["refused"] and part in answer[name]["log"][0][-1] and answer[name]["after"]["status"] == 0
 
 
@@ -306,7 +306,7 @@ def test_bad_profile_file_is_refused_at_the_build(tmp_path, case):
 
 def test_two_profiles_of_one_name_are_refused(tmp_path):
     wheel, rail = measured("S1002", tmp_path / "a" / "profile.txt"), measured("UIC60", tmp_path / "b" / "profile.txt")
-    with pytest.raises(ValueError, match="wheel and rail profile have one file name, profile.txt; rename one"):
+    with pytest.raises(ValueError, match="wheel and rail profile have the same file name, profile.txt; rename one of them"):
         native.build_native_fmus(tmp_path / "out", wheel=wheel, rail=rail)
     with pytest.raises(ValueError, match="missing.txt"):
         native.build_native_fmus(tmp_path / "out", wheel=str(tmp_path / "missing.txt"))

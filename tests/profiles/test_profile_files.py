@@ -181,26 +181,26 @@ REPAIRED = {
                  r"30 outliers of up to 1\.\d+ mm left out \(y = -\d+.* mm\)", 2e-4),
     "outliers in y": (changed(Y, SINGLE[:9], 0.5), Z, "wheel", r"outliers? of up to 0\.\d+ mm left out", 3e-3),
     "runs of outliers": (Y, changed(Z, SINGLE[:8, None] + np.arange(3), 0.7), "wheel", "24 outliers of up to 0.5", 2e-4),
-    "not in order": (Y[HALF], Z[HALF], "wheel", r"76\d points put in the order of y", 1e-4),
+    "not in order": (Y[HALF], Z[HALF], "wheel", r"76\d points sorted by y", 1e-4),
     "two exchanged": (Y[np.r_[:300, 301, 300, 302:len(Y)]], Z[np.r_[:300, 301, 300, 302:len(Y)]], "wheel",
-                      r"2 points put in the order of y \(y = -32", 1e-4),
-    "reversed": (Y[::-1], Z[::-1], "wheel", "the points ran from the largest y to the smallest; turned round", 1e-4),
+                      r"2 points sorted by y \(y = -32", 1e-4),
+    "reversed": (Y[::-1], Z[::-1], "wheel", "the points ran from the largest y to the smallest; reversed", 1e-4),
     "repeated": (np.repeat(Y, 2), np.repeat(Z, 2), "wheel", "767 repeated points left out", 1e-4),
     "measured twice": (np.tile(Y, 2), np.concatenate([Z, Z + 2e-3]), "wheel",
-                       r"put in the order of y .*at the same y as others averaged \(y = .*z up to 2 um apart\)", 3e-3),
+                       r"sorted by y .*at the same y as others averaged \(y = .*z up to 2 um apart\)", 3e-3),
     "not numbers": (np.where(np.arange(len(Y)) % 50 == 3, np.nan, Y), Z, "wheel",
                     r"16 points without finite numbers left out \(line 4, 54, 104, \.\.\.\)", 2e-4),
     "missing values": (Y, np.where(np.arange(len(Y)) % 50 == 3, -9999.0, Z), "wheel",
-                       "16 points far off the others left out", 2e-4),
-    "metres": (Y / 1e3, Z / 1e3, "wheel", "taken for metres, since it is 0.1298 wide, and turned into mm", 1e-4),
-    "inches": (RAIL_Y / 25.4, RAIL_Z / 25.4, "rail", "taken for inches, since it is 2.9", 1e-4),
-    "centimetres": (Y / 10, Z / 10, "wheel", "taken for centimetres", 1e-4),
-    "micrometres": (Y * 1e3, Z * 1e3, "wheel", "taken for micrometres", 1e-4),
+                       "16 points far from the others left out", 2e-4),
+    "metres": (Y / 1e3, Z / 1e3, "wheel", "its width of 0.1298 means metres; converted to mm", 1e-4),
+    "inches": (RAIL_Y / 25.4, RAIL_Z / 25.4, "rail", r"its width of 2.9\d* means inches", 1e-4),
+    "centimetres": (Y / 10, Z / 10, "wheel", "means centimetres", 1e-4),
+    "micrometres": (Y * 1e3, Z * 1e3, "wheel", "means micrometres", 1e-4),
     "mirrored": (-Y, Z, "wheel", "the flange was at the larger y; mirrored", 1e-4),
-    "upside down": (RAIL_Y, -RAIL_Z, "rail", "z pointed up and is turned down", 1e-4),
+    "upside down": (RAIL_Y, -RAIL_Z, "rail", "z was positive upwards; its sign is changed", 1e-4),
     "from the flange's back": (Y + 70.0, Z - 9.0, "wheel",
-                               "running circle is taken to be 70 mm from the back of the flange, so y moved by -70 mm", 9.1),
-    "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle and is moved to 0", 1e-4),
+                               "running circle is assumed 70 mm from the back of the flange; y shifted by -70 mm", 9.1),
+    "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle; shifted to 0", 1e-4),
     "gap": (Y[EDGE], Z[EDGE], "wheel", r"gap of 4\.\d+ mm bridged \(y = -34\.\d+ \.\.\. -29\.\d+ mm\)", 0.05),
     "straight gap": (Y[(Y < 35.0) | (Y > 50.0)], Z[(Y < 35.0) | (Y > 50.0)], "wheel",
                      r"gap of 15\.\d+ mm bridged \(y = 34\.\d+ \.\.\. 50\.\d+ mm\)", 1e-4),
@@ -261,7 +261,7 @@ def test_worn_and_difficult_shapes_solve(tmp_path, case, deviation):
             table = [part + rng.normal(0.0, deviation, len(part)) for part in table]
             given_profiles[kind], words = read(tmp_path, columns(*table), kind)
             said += words
-    assert re.search("noise of .* um smoothed away, points moved by up to" if deviation else WORN[case][2], said), said
+    assert re.search("noise of .* um smoothed, points moved by up to" if deviation else WORN[case][2], said), said
     state = swept(**given_profiles)
     assert not state.status.any()
     assert np.all(state.right.area > 0.0) and np.all(state.right.max_pressure > 0.0)
@@ -271,7 +271,7 @@ def test_worn_and_difficult_shapes_solve(tmp_path, case, deviation):
 
 SPIKED = changed(Z, RNG.choice(len(Z), 150, replace=False), 3.0)
 REFUSED = {
-    "empty": (b"", "wheel", "own.txt", "holds no lines of two numbers; permitted are text files with y and z in mm"),
+    "empty": (b"", "wheel", "own.txt", "contains no lines of two numbers; permitted are text files with y and z in mm"),
     "too few": (columns(Y[::100], Z[::100]), "wheel", "own.txt", "has 8 points; permitted are 10 or more"),
     "too many": (columns(np.tile(Y, 30), np.tile(Z, 30)), "wheel", "own.txt",
             "has 23010 points; permitted are at most 20000"),
@@ -297,7 +297,7 @@ REFUSED = {
     "strong noise": (columns(Y, Z + np.random.default_rng(1).normal(0, 1.5, len(Z))), "wheel", "own.txt",
                      r"has noise of \d+ um; permitted is at most 500 um"),
     "fold": (columns(np.r_[Y[:400], Y[395:]], np.r_[Z[:400], Z[395:] + 3.0]), "wheel", "own.txt",
-            "a spike or a fold; permitted are 90 deg"),
+            "a spike or a fold; permitted are at most 90 deg"),
     "a wall too high": (columns(np.round(RAIL_Y[::4]), RAIL_Z[::4]), "rail", "own.txt",
                         r"folds back or is vertical at y = .* mm, z = .* mm; permitted is that from z = 5 mm on$"),
     "commas": ("".join(f"{k},5,{k},25\n" for k in range(60)), "wheel", "own.csv",
@@ -307,11 +307,11 @@ REFUSED = {
     "other kind inside": (simpack(Y, Z, "rail"), "wheel", "own.prw",
             "says header type 0, which is a rail profile; permitted are wheel"),
     "no Simpack points": ("header.begin\nheader.end\n", "wheel", "own.prw",
-            "holds no points between point.begin and point.end"),
-    "no MiniProf points": ("ColumnDef=X,Y\n\n", "rail", "own.ban", "holds no lines of numbers after its header"),
+            "contains no points between point.begin and point.end"),
+    "no MiniProf points": ("ColumnDef=X,Y\n\n", "rail", "own.ban", "contains no lines of numbers after its header"),
     "not prepared": ('{"zones": 3}', "wheel", "own.json", "is not a prepared profile"),
     "prepared, not finite": (prepared_text(standard_profile("UIC60")).replace("300.0", "NaN"), "rail", "own.json",
-                             "values that are no finite numbers"),
+                             "values that are not finite numbers"),
 }
 
 
@@ -462,13 +462,13 @@ def measured(tmp_path):
 
 def test_the_command_line_says_it_in_one_line_each(measured, capsys):
     words = ["solve", "--wheel", str(measured / "worn.csv"), "--rail", str(measured / "worn.prr")]
-    for more, done in ([], "noise of .* um smoothed away"), (["--smoothing-um", "20"], "smoothed to 20 um"):
+    for more, done in ([], "noise of .* um smoothed"), (["--smoothing-um", "20"], "smoothed to 20 um"):
         with pytest.raises(SystemExit) as ended:
             main(words + more, prog_name="wrcontact")
         said = capsys.readouterr().err.splitlines()
         assert not ended.value.code and len(said) == 2
         assert re.match(f"wrcontact: wheel profile worn.csv: 3 outliers of up to .*; {done}, points moved by up to", said[0])
-        assert re.match(f"wrcontact: rail profile worn.prr: z pointed up and is turned down; {done}", said[1])
+        assert re.match(f"wrcontact: rail profile worn.prr: z was positive upwards; its sign is changed; {done}", said[1])
 
 
 def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):

@@ -86,8 +86,8 @@ def test_every_status_has_its_sentence(inputs, status, words):
 @pytest.mark.parametrize("arguments, status, words", [
     (dict(vertical_shift_input=-1e-3), 1, ["vertical_shift_input is -0.001 m", "roll_input 0 rad", "lifted"]),
     (dict(vertical_shift_input=0.5e-3, roll_input=1e-3), 1, ["roll_input 0.001 rad", "lifted"]),    # the left wheel
-    (dict(vertical_shift_input=1e-3, roll_input=2e-3), 2, ["roll_input 0.002 rad", "deeper in it than 0.002 m"]),
-    (dict(vertical_shift_input=4e-3), 2, ["vertical_shift_input is 0.004 m", "deeper in it than 0.002 m"]),
+    (dict(vertical_shift_input=1e-3, roll_input=2e-3), 2, ["roll_input 0.002 rad", "deeper in its rail than 0.002 m"]),
+    (dict(vertical_shift_input=4e-3), 2, ["vertical_shift_input is 0.004 m", "deeper in its rail than 0.002 m"]),
     (dict(roll_input=-0.2), 2, ["roll_input is -0.2 rad", "|roll_input| <= 0.12 rad"]),
     (dict(lateral_shift=0.1), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
     (dict(vertical_shift_input=math.nan), 4, ["vertical_shift_input is nan m", "finite"]),

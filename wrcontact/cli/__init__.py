@@ -1,4 +1,4 @@
-"""The command line ``wrcontact``: a door for people, without a formula of its own."""
+"""The command line ``wrcontact``.  It calls the package and computes nothing itself."""
 
 from .commands import main
 

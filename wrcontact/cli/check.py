@@ -1,4 +1,4 @@
-"""``wrcontact check``: what was found of a pair of profiles, as text and as JSON."""
+"""``wrcontact check``: the report on a pair of profiles, as text and as JSON."""
 
 import dataclasses
 import json
@@ -15,7 +15,7 @@ from .report import console
 
 #: Lateral shifts of the printed table [mm].
 PRINTED = (0, 1, 2, 3, 4, 5, 6, 7, 8)
-#: Of the curves in that table: heading, what it is, factor to the printed unit, digits.
+#: Columns of that table: heading, reader of the curves, factor to the printed unit, digits.
 MOVES = (
     ("roll\nmrad/mm", lambda curves: curves.roll_rate, 1.0, 3),
     ("on wheel\nmm/mm", lambda curves: curves.right.wheel_rate, 1.0, 2),
@@ -23,34 +23,34 @@ MOVES = (
     ("next jump\nmm", lambda curves: curves.jump_distance, 1e3, 2),
     ("angle\ndeg", lambda curves: curves.right.contact_angle, math.degrees(1), 1),
     ("curvature\n1/m", lambda curves: curves.right.curvature, 1.0, 1),
-    ("near\nmm", lambda curves: curves.right.near_width, 1e3, 1),
+    ("close\nmm", lambda curves: curves.right.near_width, 1e3, 1),
 )
-#: Of a profile: what, its unit, factor to that, digits, and how it is read; those of points come from a Reading.
+#: Rows of the table of profiles: name, unit, factor to that unit, digits, reader of a Quality; READINGS read its Reading.
 QUALITIES = (
-    ("readable from", "mm", 1e3, 2, lambda quality: quality.start),
+    ("profile from", "mm", 1e3, 2, lambda quality: quality.start),
     ("to", "mm", 1e3, 2, lambda quality: quality.stop),
     ("contacts within 8 mm of shift from", "mm", 1e3, 2, lambda quality: quality.visited[0]),
     ("to", "mm", 1e3, 2, lambda quality: quality.visited[1]),
     ("pieces", "", 1.0, 0, lambda quality: quality.pieces),
-    ("kinks where contacts are", "", 1.0, 0, lambda quality: len(quality.kinks)),
-    ("largest step of curvature there", "1/m", 1.0, 1, lambda quality: quality.curvature_step),
-    ("curvature off its mean over 4 mm there", "1/m", 1.0, 2, lambda quality: quality.roughness),
+    ("kinks there", "", 1.0, 0, lambda quality: len(quality.kinks)),
+    ("largest curvature step there", "1/m", 1.0, 1, lambda quality: quality.curvature_step),
+    ("roughness of the curvature there", "1/m", 1.0, 2, lambda quality: quality.roughness),
 )
 READINGS = (
     ("points", "", 1.0, 0, lambda reading: reading.points),
-    ("from point to point, median", "mm", 1e3, 3, lambda reading: reading.spacing),
-    ("largest", "mm", 1e3, 3, lambda reading: reading.widest),
+    ("spacing, median", "mm", 1e3, 3, lambda reading: reading.spacing),
+    ("spacing, largest", "mm", 1e3, 3, lambda reading: reading.widest),
     ("noise", "um", 1e6, 2, lambda reading: reading.noise),
     ("smoothing", "um", 1e6, 2, lambda reading: reading.smoothing),
 )
 
 
 def print_check(report):
-    """All tables and sentences of a :class:`~wrcontact.conditioning.Conditioning`."""
+    """Print all tables and remarks of a :class:`~wrcontact.conditioning.Conditioning`."""
     out, chosen = console(), report.system.parameters
-    lean = chosen["rail_inclination"]
+    inclination = chosen["rail_inclination"]
     out.print(f"{report.wheel.name} on {report.rail.name}: gauge {_mm(chosen['gauge'])} mm, "
-              f"{f'inclination 1:{1 / lean:.4g}' if lean else 'rails upright'}, nominal radius "
+              f"{f'inclination 1:{1 / inclination:.4g}' if inclination else 'rails upright'}, nominal radius "
               f"{_mm(chosen['nominal_radius'])} mm, running circles "
               f"{_mm(chosen['running_circle_distance'])} mm apart; without yaw", soft_wrap=True)
     out.print(_range_words(report), soft_wrap=True)
@@ -63,7 +63,7 @@ def print_check(report):
         out.print(f"\n{title}{'' if table.row_count else ': none'}", soft_wrap=True)
         if table.row_count:
             out.print(table)
-    out.print("\nWhat to know" + ("" if report.remarks else ": nothing out of the ordinary"), soft_wrap=True)
+    out.print("\nRemarks" + ("" if report.remarks else ": none"), soft_wrap=True)
     for remark in report.remarks:
         out.print(f" * {remark}", soft_wrap=True)
 
@@ -73,7 +73,7 @@ def _mm(value):
 
 
 def _shown(value, factor, digits):
-    """A number as text; "-" where there is none."""
+    """``value`` times ``factor`` as text; "-" for NaN and infinity."""
     value = float(value) * factor
     return f"{round(value, digits) + 0.0:.{digits}f}" if math.isfinite(value) else "-"
 
@@ -83,7 +83,7 @@ def _range_words(report):
     if not math.isfinite(first):
         return "no contact in the centred position"
     flange = f"{report.flange_shift * 1e3:.2f} mm" if math.isfinite(report.flange_shift) else "nowhere"
-    return (f"contact from {first * 1e3:.2f} to {last * 1e3:.2f} mm of lateral shift, on the flange (steeper than 45 deg) "
+    return (f"contact at lateral shifts from {first * 1e3:.2f} to {last * 1e3:.2f} mm; on the flange (steeper than 45 deg) "
             f"from: {flange}")
 
 
@@ -95,7 +95,7 @@ def _table(*headings):
 
 
 def profile_table(report):
-    """Where each profile begins and ends, what its contacts visit, how rough it is there, and its points."""
+    """Ends of each profile, the part in contact, its roughness there, and its points if it comes from a file."""
     both = (report.wheel, report.rail)
     table = Table("", "", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
     for quality in both:
@@ -109,7 +109,7 @@ def profile_table(report):
 
 
 def jump_table(report):
-    """Lateral shift, and the places on wheel and rail before and after, as the shift rises."""
+    """Lateral shift of each jump, and the positions on wheel and rail before and after it, for rising shift."""
     table = _table("shift\nmm", "on wheel\nbefore", "after\nmm", "on rail\nbefore", "after\nmm")
     for jump in merged_jumps(report.jumps, "right"):
         places = (jump.before, jump.after, jump.rail_before, jump.rail_after)
@@ -118,7 +118,7 @@ def jump_table(report):
 
 
 def move_table(curves):
-    """How roll and contact follow the lateral shift."""
+    """Rates of roll and contact position, and the contact's geometry, at the shifts PRINTED."""
     table = _table("shift\nmm", *(heading for heading, *_ in MOVES))
     for shift in PRINTED:
         at = int(np.argmin(np.abs(curves.lateral_shift - shift * 1e-3)))
@@ -128,7 +128,7 @@ def move_table(curves):
 
 
 def conicity_table(conicity):
-    """Amplitude, conicity without roll and with, and the wavelength without."""
+    """Amplitude, equivalent conicity without and with roll, and wavelength without roll."""
     table = _table("amplitude\nmm", "without\nroll", "with\nroll", "wavelength\nm")
     columns = ((conicity.amplitude, 1e3, 0), (conicity.level, 1.0, 3), (conicity.rolled, 1.0, 3),
                (conicity.wavelength, 1.0, 1))
@@ -138,7 +138,7 @@ def conicity_table(conicity):
 
 
 def zone_table(report):
-    """Lateral shifts over which the right contact is conformal."""
+    """Ranges of lateral shift over which the right contact is conformal."""
     table = _table("from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over", "turns by\ndeg")
     for zone in report.conformal:
         if zone.side == "right":
@@ -151,7 +151,7 @@ def zone_table(report):
 
 
 def check_text(report):
-    """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI under its own names; null where there is no value."""
+    """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI with its attribute names; null for NaN."""
     chosen = report.system.parameters
     fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
     system = {"wheel": report.wheel.name, "rail": report.rail.name, **{name: chosen[name] for name in GEOMETRY}}
@@ -159,7 +159,7 @@ def check_text(report):
 
 
 def _plain(value):
-    """What JSON has of a value."""
+    """``value`` in terms of dicts, lists and plain numbers."""
     if dataclasses.is_dataclass(value):
         return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
     if isinstance(value, dict):

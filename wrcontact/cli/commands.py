@@ -17,21 +17,21 @@ from .report import (columns_of, is_compliant, print_state, print_sweep, sentenc
                      write_table)
 
 main = typer.Typer(
-    name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="rich",
-    help="Where the wheels of a wheelset touch their rails, how the wheelset rolls, and how large and how loaded the contact "
-         "patches are. Lengths in mm, angles in deg, forces in kN, pressures in MPa.")
+    name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown",
+    help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the wheelset, and the size, "
+         "load and pressure of the contact patches. Lengths are in mm, angles in deg, forces in kN, pressures in MPa.")
 MOST_ROWS = 1_000_000
 PICTURES = (".png", ".svg", ".pdf")
 
 
 def millimetres(option, words):
-    """An option for a length."""
+    """A typer option ``option`` for a length in mm, with its help text."""
     return typer.Option(option, help=words, parser=number, metavar="NUMBER")
 
 
 Smoothing = Annotated[Optional[float], typer.Option(
-    "--smoothing-um", parser=number, metavar="NUMBER", help="How far the curve may keep from the points of a profile file, "
-    "in the mean of squares, in um; 0 is through every point (default: as far as their noise)")]
+    "--smoothing-um", parser=number, metavar="NUMBER", help="Smoothing of profile files: root mean square distance "
+    "between the curve and the points, in um; 0 goes through every point (default: the estimated noise of the points)")]
 
 
 @main.callback(invoke_without_command=True)
@@ -44,13 +44,13 @@ def welcome(context: typer.Context):
 @main.command()
 def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the FMU, the table and the picture")]
          = Path("wrcontact-demo"),
-         native: Annotated[bool, typer.Option("--native", help="Build the FMUs that need no Python, run the one of FMI 2.0")]
+         native: Annotated[bool, typer.Option("--native", help="Build the native FMUs, which need no Python, and run the one for FMI 2.0")]
          = False):
-    """Build the FMU, run it over tread, flange root and flange, and check it.
+    """Build the FMU, run it over tread, flange root and flange, and check its results.
 
-    The FMU steps through a stored run of a hunting wheelset. Its answers are compared with the stored ones: roll and contact
-    positions from an independent search, penetration, area and pressure from an elastic half-space. A table of all outputs and
-    a picture are left in the folder. The exit code is 1 if a check fails.
+    The FMU steps through a stored run of a hunting wheelset. Its results are compared with independent references: roll and
+    contact positions with another search, penetration, area and pressure with an elastic half-space. The command writes a
+    table of all outputs and a picture. The exit code is 1 if a check fails.
     """
     from .demo import run_demo
 
@@ -59,12 +59,12 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
 
 @main.command()
 @takes(pose=POSE, system=SYSTEM)
-def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print everything as JSON in SI units")] = False,
+def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print all results as JSON, in SI units")] = False,
           smoothing: Smoothing = None):
     """Solve one pose and print the contact of both wheels side by side.
 
-    Rigid contact is where the undeformed wheels touch; with --contact-mode elastic they sink in until each carries its load,
-    and with compliant they stand where --vertical-shift-mm and --roll-deg say.
+    With --contact-mode rigid, the default, the undeformed wheels touch the rails. With elastic, the wheels approach the rails
+    until each carries its load. With compliant, --vertical-shift-mm and --roll-deg prescribe the position, and the loads follow.
 
     Example: wrcontact solve --lateral-shift-mm 1 --yaw-deg 0 --normal-force-kn 78.5
     """
@@ -83,11 +83,11 @@ def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Pr
 def sweep(load, system,
           start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
           stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
-          step: Annotated[float, millimetres("--step-mm", "From one lateral shift to the next, in mm")] = 0.5,
-          file: Annotated[Optional[Path], typer.Option("--csv", metavar="FILE", help="Write all outputs to this file, in SI "
-                          "under the names of the FMU, instead of printing a few")] = None,
+          step: Annotated[float, millimetres("--step-mm", "Step of the lateral shift, in mm")] = 0.5,
+          file: Annotated[Optional[Path], typer.Option("--csv", metavar="FILE", help="Write all outputs to this CSV file, in SI "
+                          "units and with the names of the FMU, instead of printing a few of them")] = None,
           smoothing: Smoothing = None):
-    """Move the wheelset across the track and tabulate its contacts.
+    """Move the wheelset across the track and print a table of its contacts.
 
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --csv sweep.csv
     """
@@ -109,7 +109,7 @@ def sweep(load, system,
 
 @main.command()
 @takes(pose=POSE, system=SYSTEM)
-def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help="Picture to write: .png, .svg or .pdf")]
+def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
          = Path("pose.png"), smoothing: Smoothing = None):
     """Draw one pose: both wheels on their rails, and the contact patches with their pressure.
 
@@ -130,16 +130,16 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 
 @main.command()
 @takes(geometry=GEOMETRY)
-def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="Picture to write: .png, .svg or .pdf")]
+def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
           = Path("check.png"),
-          file: Annotated[Optional[Path], typer.Option("--json", metavar="FILE", help="Write everything to this file as JSON, "
+          file: Annotated[Optional[Path], typer.Option("--json", metavar="FILE", help="Write all results to this file as JSON, "
                           "in SI units")] = None,
           smoothing: Smoothing = None):
     """Check a pair of profiles before a simulation relies on it.
 
-    Where contacts jump and how far that is from the centred position, how fast contacts and roll follow the lateral shift,
-    where wheel and rail are conformal, how good the profiles are, and the equivalent conicity at 1 to 8 mm after EN 15302,
-    printed and drawn. The exit code is 1 if the pair has no contact within 1 mm of the centred position.
+    The command prints and draws where the contact jumps, how fast contact and roll change with the lateral shift, where wheel
+    and rail are conformal, the quality of the profiles, and the equivalent conicity at 1 to 8 mm (EN 15302). The exit code is 1
+    if the pair has no contact within 1 mm of the centred position.
 
     Example: wrcontact check --wheel worn.whl --rail 60E1 --output worn.png
     """
@@ -160,14 +160,14 @@ def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="P
 
 
 @main.command()
-def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="NUMBER", help="More of them after --only")] = None,
-            output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the pictures, tables and the index")]
+def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
+            output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the pictures, the tables and the index")]
             = Path("wrcontact-figures"),
-            only: Annotated[Optional[list[str]], typer.Option(metavar="NUMBER", help="These alone, such as 7.2")] = None):
-    """Draw the figures of the study that wrcontact started from, computed anew.
+            only: Annotated[Optional[list[str]], typer.Option(metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
+    """Recompute and draw the figures of the degree project that wrcontact started from.
 
-    Each becomes a picture and a CSV table, fig_7_2.png and fig_7_2.csv; figures.md shows them all with what the study says
-    and what is found here. It takes about a quarter of a minute.
+    Each figure is written as a picture and a CSV table, such as fig_7_2.png and fig_7_2.csv. The index figures.md shows all of
+    them, with what the project states and what is found here. This takes about 15 seconds.
 
     Example: wrcontact figures --only 7.2 7.4
     """
@@ -183,23 +183,23 @@ def _refuse_no_picture(output):
 
 
 def _system(parameters, smoothing):
-    """The contact system of these parameters; what was put right in its profile files is said in a line each."""
+    """The contact system with these parameters; repairs of profile files are reported in one line per file."""
     with sentences(), remarks_in_lines("wrcontact"):
         return ContactSystem(**parameters, smoothing=None if smoothing is None else smoothing / 1e6)
 
 
 def _refuse_what_is_not_read(system, given):
-    """An option that the contact mode does not read is a refusal: its answer would be that of another question."""
+    """Refuse an option that the contact mode does not use: the result would not be what was asked for."""
     names = ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input", "roll_input")
     for variable in POSE:
         if variable.name in names and variable.name in given:
             allowed = "rigid or elastic" if is_compliant(system) else "compliant"
-            raise Refused(f"{option_of(variable)} is given; permitted is that with --contact-mode {allowed}, not with "
-                          f"{system.parameters['contact_mode']!r}, which does not read it")
+            raise Refused(f"{option_of(variable)} is given; it is permitted only with --contact-mode {allowed}; "
+                          f"{system.parameters['contact_mode']!r} does not use it")
 
 
 def _refuse_without_contact(system, state):
-    """A state without contact is a refusal: of the input, or because the search found nothing."""
+    """Refuse a state without contact: exit code 1 if the search did not converge, 2 if the input has no contact."""
     if state.status > Status.UNLOADED:
         raise Refused(sentence(state.status, state.inputs, is_compliant(system)),
                       code=1 if state.status == Status.NOT_CONVERGED else 2)
@@ -208,9 +208,9 @@ def _refuse_without_contact(system, state):
 def _shifts(start, stop, step):
     """Lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm] fits."""
     if not all(map(np.isfinite, (start, stop, step))) or not step > 0 or stop < start:
-        raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} is no sweep; permitted are finite numbers "
-                      f"with --step-mm > 0 and --to-mm >= --from-mm")
+        raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} do not define a sweep; permitted are finite "
+                      f"numbers with --step-mm > 0 and --to-mm >= --from-mm")
     count = int((stop - start) / step + 1e-9) + 1
     if count > MOST_ROWS:
-        raise Refused(f"--step-mm {step:g} makes {count} rows; permitted are {MOST_ROWS}")
+        raise Refused(f"--step-mm {step:g} gives {count} rows; permitted are at most {MOST_ROWS}")
     return np.round(start + step * np.arange(count), 9) / 1e3

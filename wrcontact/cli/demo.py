@@ -1,4 +1,4 @@
-"""``wrcontact demo``: build the FMU, step it through the stored run, compare, tabulate, draw."""
+"""``wrcontact demo``: build the FMU, step it through the stored run, compare, write a table and a picture."""
 
 import csv
 import signal
@@ -27,7 +27,7 @@ CSV_NAME, PICTURE_NAME = "demo.csv", "demo.png"
 AXES = ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track")
 POSITIONS = tuple(f"contact.{name}" for name in AXES)
 WHEELSET, WHEELS = ("",), tuple(f"{side}." for side in SIDES)
-#: What is compared: quantity, whose it is, its variables, tolerance, unit.  A tolerance in % is a share of the stored value.
+#: What is compared: quantity, owner, variables, tolerance, unit.  A tolerance in % is relative to the stored value.
 TOLERANCES = (
     ("roll", WHEELSET, ("roll",), 1e-9, "rad"),
     ("vertical shift", WHEELSET, ("vertical_shift",), 1e-3, "mm"),
@@ -39,18 +39,18 @@ TOLERANCES = (
     ("area", WHEELS, ("area",), 12.0, "%"),
     ("largest pressure", WHEELS, ("max_pressure",), 15.0, "%"),
 )
-#: The stored patches are the complete theory's.  ANALYN may miss its tolerance in a few rows, where the load moves between
-#: two regions: quantity, largest deviation there [%].  The share of values that must keep the tolerance is LEAST_WITHIN.
+#: The stored patches are those of the complete theory.  ANALYN may exceed its tolerance in a few rows, where the load moves
+#: between two patches: quantity, largest deviation there [%].  At least the share LEAST_WITHIN must be within the tolerance.
 LARGEST = {"penetration": 16.0, "area": 18.0, "largest pressure": 30.0}
 LEAST_WITHIN = 0.97
-#: They lie in one plane, the contact point's.  A patch that leans away from it by more than this [rad] has a plane and a
-#: pressure of its own (wrcontact/kernel/contact/planes.py), so such a wheel's largest pressure is no question to the stored run.
+#: The stored patches lie in one plane, that of the contact point.  wrcontact gives a patch whose normal differs by more than
+#: this angle [rad] a plane of its own (wrcontact/kernel/contact/planes.py); the largest pressure is then not compared.
 LEANING = radians(15)
 
 
 @dataclass(frozen=True)
 class Check:
-    """One quantity of a run against its stored values: the largest deviation, and where it is."""
+    """Comparison of one quantity of a run with its stored values: the largest deviation and its place."""
 
     quantity: str
     deviation: float
@@ -62,14 +62,14 @@ class Check:
 
     @property
     def passed(self):
-        """Whether every value is within the tolerance; of the patches, whether enough are and none is far off."""
+        """Whether all values are within the tolerance; for patches, whether enough are and none exceeds LARGEST."""
         if self.quantity in LARGEST:
             return self.deviation <= LARGEST[self.quantity] and self.within >= LEAST_WITHIN * self.count
         return self.within == self.count
 
 
 def run_demo(folder, native=False):
-    """The whole demo into ``folder``, with the Python FMU or a native one; True if every check passes."""
+    """Run the demo with the Python FMU or a native one, and write to ``folder``; True if every check passes."""
     stored = stored_run()
     with sentences():
         fmu = built(folder, native)
@@ -80,7 +80,7 @@ def run_demo(folder, native=False):
 
 
 def built(folder, native):
-    """The FMU to run, built into ``folder``; the native ones come together."""
+    """Path of the FMU to run, built in ``folder``; ``native`` builds both native FMUs and returns the one of FMI 2.0."""
     from ..fmu import build_fmu
     from ..fmu.native import build_native_fmus
 
@@ -88,14 +88,14 @@ def built(folder, native):
 
 
 def stored_run():
-    """The stored run: inputs and expected outputs, arrays (n,) by FMU name in SI."""
+    """The stored run: inputs and expected outputs, arrays (n,) in SI by FMU name."""
     with files(__package__).joinpath("data", RUN).open(encoding="utf-8", newline="") as file:
         names, *rows = csv.reader(file)
     return dict(zip(names, np.array(rows, dtype=float).T))
 
 
 def stored_inputs(stored):
-    """Names of the inputs that the run has; the others keep their start values."""
+    """Names of the inputs in the run; the other inputs keep their start values."""
     return [v.name for v in VARIABLES if v.causality == INPUT and v.name in stored]
 
 
@@ -106,10 +106,10 @@ def all_inputs(stored):
 
 
 def apart(function, *arguments):
-    """``function(*arguments)`` in a process of its own.
+    """The result of ``function(*arguments)``, computed in a process of its own.
 
-    PythonFMU's binary touches freed memory when a process that loaded it ends, and now and then aborts it (PythonFMU issue
-    228); a helper process may end as it likes after it has answered.
+    PythonFMU's library accesses freed memory when a process that loaded it ends, and sometimes aborts that process (PythonFMU
+    issue 228).  In a separate process this happens after the result has been returned, and does no harm.
     """
     from concurrent.futures import ProcessPoolExecutor
     from concurrent.futures.process import BrokenProcessPool
@@ -121,13 +121,13 @@ def apart(function, *arguments):
         try:
             return answer.result()
         except BrokenProcessPool:
-            raise Refused("the process that runs the FMU ended before it had answered", code=1) from None
+            raise Refused("the process that runs the FMU ended before it returned its results", code=1) from None
 
 
 @contextmanager
 def undisturbed():
-    """Processes that are started inside do not hear Ctrl-C: it ends this one, and this one ends them."""
-    if threading.current_thread() is not threading.main_thread():       # only that hears signals
+    """Processes started inside this context ignore Ctrl-C; it ends this process, which then ends them."""
+    if threading.current_thread() is not threading.main_thread():       # only that receives signals
         yield
         return
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -138,7 +138,7 @@ def undisturbed():
 
 
 def step_through(fmu, stored):
-    """All outputs of the FMU after each row of the run, arrays (n,) by name, and the time of each step [s] (n,)."""
+    """All outputs of the FMU after each row of the run, arrays (n,) by name, and the duration of each step (n,) [s]."""
     import fmpy
 
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
@@ -151,9 +151,9 @@ def step_through(fmu, stored):
 
 
 def _stepped(slave, stored):
-    """Value references of the outputs, their values after each row, and the time of each step.
+    """Value references of the outputs, their values after each row, and the duration of each step [s].
 
-    A step is what a simulation does: set the inputs, step, read every output.
+    As in a simulation, a step sets the inputs, steps, and reads every output.
     """
     inputs = [REFERENCE[name] for name in stored_inputs(stored)]
     reals, integers = select(OUTPUT, REAL), select(OUTPUT, INTEGER)
@@ -188,7 +188,7 @@ def _started(folder):
 
 
 def compare(answers, stored):
-    """Checks of the run against its stored values, one for each quantity, and one of the status."""
+    """A list of :class:`Check`: the status, then each quantity against its stored values."""
     wrong = np.flatnonzero(answers["status"])
     count, place = len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f}" if len(wrong) else ""
     status = Check("steps not valid", float(len(wrong)), 0.0, "", count - len(wrong), count, place)
@@ -196,7 +196,7 @@ def compare(answers, stored):
 
 
 def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
-    """The largest deviation of the variables ``names`` of ``owners``, in ``unit``."""
+    """:class:`Check` of the variables ``names`` of all ``owners``, in ``unit``."""
     variables = [owner + name for owner in owners for name in names]
     deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
     asked = np.array([is_asked(answers, name) for name in variables])
@@ -210,7 +210,7 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
 
 
 def is_asked(answers, name):
-    """In which steps (n,) an output is compared: all, but largest pressures only where no patch leans away."""
+    """Steps (n,) in which output ``name`` is compared: all, except largest pressures with a patch in another plane."""
     wheel, _, quantity = name.partition(".")
     steps = np.ones(len(answers["status"]), dtype=bool)
     for k in range(1, layout.PATCH_LIMIT + 1):
@@ -222,18 +222,18 @@ def is_asked(answers, name):
 
 
 def deviation(found, wanted, unit):
-    """How far ``found`` (n,) is from ``wanted``, both in SI, in ``unit``: mm, rad, or % of the wanted value."""
+    """Deviation of ``found`` from ``wanted`` (n,), both in SI, in ``unit``: mm, rad, or % of the wanted value."""
     difference = np.abs(found - wanted)
     if unit == "%":
         return 100 * difference / np.abs(wanted)
     return difference / MILLIMETRE if unit == "mm" else difference
 
 
-# --- what is shown -------------------------------------------------------------------------------
+# --- output --------------------------------------------------------------------------------------
 
 
 def draw(path, answers, stored):
-    """The picture of the run."""
+    """Draw the run into the file ``path``."""
     from .. import ContactSystem
     from ..plots import demo_figure, save
 
@@ -243,23 +243,24 @@ def draw(path, answers, stored):
 def tell(folder, fmu, checks, seconds):
     """Print the summary; True if every check passed."""
     failed = [check.quantity for check in checks if not check.passed]
-    cost = f"{len(seconds)} steps, {1e3 * np.median(seconds):.3f} ms each (median: inputs set, stepped, all outputs read)"
-    lines = [cost, f"{fmu}: the FMU", f"{Path(folder, CSV_NAME)}: all outputs of the run, in SI",
+    cost = f"{len(seconds)} steps, median {1e3 * np.median(seconds):.3f} ms (set inputs, step, read all outputs)"
+    lines = [cost, f"{fmu}: the FMU", f"{Path(folder, CSV_NAME)}: all outputs of the run, in SI units",
              f"{Path(folder, PICTURE_NAME)}: the picture",
              f"FAILED: {', '.join(failed)}" if failed else "PASSED: every output is within its tolerance"]
     out = console()
-    out.print("The FMU against the stored run: a hunting wheelset over tread, flange root and flange", soft_wrap=True)
+    out.print("Results of the FMU compared with the stored run: a hunting wheelset over tread, flange root and flange",
+              soft_wrap=True)
     out.print(check_table(checks))
-    out.print(f"penetration, area and pressure against the complete theory: {LEAST_WITHIN:.0%} of the values within the tolerance, "
-              f"none beyond {', '.join(f'{limit:g}' for limit in LARGEST.values())} %; no pressure is compared where a "
-              "patch leans away from the contact plane, in which the stored ones lie", soft_wrap=True)
+    out.print(f"penetration, area and pressure are compared with complete half-space theory; a check is ok if {LEAST_WITHIN:.0%} of "
+              f"the values are within the tolerance and none exceeds {', '.join(f'{limit:g}' for limit in LARGEST.values())} %; "
+              "pressures are not compared where a patch has a plane of its own, since the stored patches lie in one plane", soft_wrap=True)
     for line in lines:
         out.print(line, soft_wrap=True)
     return not failed
 
 
 def check_table(checks):
-    """Quantity, largest deviation and the lateral shift and wheel where it is, tolerance, values within it, verdict."""
+    """A table with one row per :class:`Check`."""
     table = Table("quantity", "unit", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 0, 0, 1))
     for heading in ("largest\ndeviation", "at shift\nmm, wheel", "tolerance", "values\nwithin"):
         table.add_column(heading, justify="right")

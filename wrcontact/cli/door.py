@@ -1,4 +1,4 @@
-"""How the command line refuses: one sentence on the error stream and exit code 2, whoever noticed what is wrong."""
+"""Errors of the command line: always one sentence on the error stream and an exit code, usually 2."""
 
 import sys
 from contextlib import contextmanager
@@ -8,12 +8,12 @@ from typer.core import TyperGroup
 
 from ..storage.atomic import sentence_of
 
-#: What typer raises for a wrong option, under whatever name its version keeps it.
+#: The class that typer raises for a wrong option; its name differs between versions of typer.
 UsageError = typer.BadParameter.__base__
 
 
 class Refused(Exception):
-    """What was asked for cannot be done; the sentence says why, ``code`` is the exit code."""
+    """A request that cannot be fulfilled, with a sentence that says why, and the exit code ``code``."""
 
     def __init__(self, sentence, code=2):
         super().__init__(sentence)
@@ -21,10 +21,10 @@ class Refused(Exception):
 
 
 class Door(TyperGroup):
-    """The commands; a refusal is a sentence, never a picture of the usage or a traceback."""
+    """The group of commands; it prints errors as one sentence, without usage text or traceback."""
 
     def main(self, *arguments, standalone_mode=True, **options):
-        """Run a command and end the process with its exit code; without ``standalone_mode`` return it."""
+        """Run a command and end the process with its exit code; without ``standalone_mode``, return the code."""
         try:
             code = super().main(*arguments, standalone_mode=False, **options)
         except Refused as refusal:
@@ -36,22 +36,22 @@ class Door(TyperGroup):
         return code
 
     def invoke(self, context):
-        """The chosen command; Ctrl-C is a refusal too."""
+        """Run the chosen command; Ctrl-C ends it with a sentence and exit code 130."""
         try:
             return super().invoke(context)
         except KeyboardInterrupt:
-            raise Refused("interrupted; a file is whole, or as it was before", code=130) from None
+            raise Refused("interrupted; no file is half written", code=130) from None
 
 
 def _say(sentence, code):
-    """Print the sentence in one line; the exit code that goes with it."""
+    """Print ``sentence`` in one line on the error stream, and return ``code``."""
     print(f"wrcontact: {' '.join(sentence.split())}", file=sys.stderr)
     return code
 
 
 @contextmanager
 def sentences():
-    """Inside, a ValueError (the package's sentences) and a file that cannot be read or written are refusals."""
+    """Inside this context, a ValueError of the package or an OSError becomes :class:`Refused`."""
     try:
         yield
     except ValueError as wrong:

@@ -1,4 +1,4 @@
-"""``wrcontact figures``: the source's figures, each as picture and table, with an index of all."""
+"""``wrcontact figures``: the figures of the degree project, each as picture and table, with an index."""
 
 from pathlib import Path
 
@@ -15,7 +15,7 @@ VERDICTS = {HOLDS: "It holds.", PARTLY: "It holds in part.", FAILS: "It does not
 
 
 def run_figures(output, words):
-    """Write the figures that ``words`` name into the folder ``output``, print a line for each, and the index."""
+    """Write the figures named by ``words`` (all if empty) and an index into the folder ``output``; print a summary."""
     from ..plots import save
     from ..plots.source_figures import source_figure
 
@@ -34,8 +34,8 @@ def run_figures(output, words):
 
 
 def summary(figures):
-    """A line for each: number, what the figure shows, the number to remember, whether what the source says of it holds."""
-    table = Table("fig.", "what", "the number to remember", "claim", box=box.SIMPLE_HEAD, show_edge=False,
+    """A table with one row per figure: number, what it shows, main result, whether the source's claim holds."""
+    table = Table("fig.", "what", "main result", "claim", box=box.SIMPLE_HEAD, show_edge=False,
                   padding=(0, 1, 0, 0))
     for column in table.columns:
         column.no_wrap = True
@@ -46,10 +46,10 @@ def summary(figures):
 
 
 def index(figures):
-    """A page in Markdown: a line for each figure, then all pictures with what the source says and what is found."""
-    parts = ["# The source's figures, computed anew\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 mm, 78.5 kN "
-             "per wheel. Each picture is drawn from the table beside it.\n",
-             "| figure | what it shows | the number to remember | the source's claim |\n|---|---|---|---|"]
+    """A page in Markdown: a table of all figures, then each picture with the source's claim and the finding."""
+    parts = ["# The source's figures, recomputed\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 mm, 78.5 kN "
+             "per wheel. Each picture is drawn from the table with the same name.\n",
+             "| figure | what it shows | main result | the source's claim |\n|---|---|---|---|"]
     parts[-1] += "".join(f"\n| [{figure.number}]({figure.stem}.png) | {figure.title} | {figure.key} | {figure.verdict} |"
                          for figure in figures) + "\n"
     parts += [f"## {figure.number} {figure.title}\n\n![{figure.title}]({figure.stem}.png)\n\n*The source:* {figure.claim} "

@@ -1,7 +1,7 @@
-"""Options from the one table of variables, in the units that people use.
+"""Command line options, made from the table of variables, in display units.
 
-``lateral_shift`` [m] becomes ``--lateral-shift-mm``; a command gets the values back in SI.  An option that is not given
-leaves the package's own default.
+``lateral_shift`` [m] becomes ``--lateral-shift-mm``; the command receives the value in SI.  An option that is not given leaves
+the package's default.
 """
 
 from functools import wraps
@@ -15,36 +15,36 @@ from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
 from ..system import GEOMETRY as GEOMETRY_NAMES
 
-#: From what people type to SI.  Division by a power of ten is exact to rounding, multiplication by 0.001 is not.
+#: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3, "MPa": lambda value: value * 1e6}
-#: Options whose words the table has for the FMU only.
+#: Help texts that differ from those of the FMU.
 WORDS = {
     "wheel": f"Wheel profile: {', '.join(WHEELS)}, or the path of a file of points (docs/profiles.md)",
     "rail": f"Rail profile: {', '.join(RAILS)}, or the path of a file of points (docs/profiles.md)",
-    "rail_inclination": "Inclination of the rail to the track centre, as 1:40 or as a slope, 0.025",
-    "normal_force": "Force that presses each wheel on its rail, before load transfer; what of it is meant says --load",
-    "load_transfer": "Share L of that force N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left",
+    "rail_inclination": "Inclination of the rails towards the track centre, as a ratio, 1:40, or a slope, 0.025",
+    "normal_force": "Load per wheel before load transfer; --load says whether it is the normal or the vertical force",
+    "load_transfer": "Share L of the load N moved from the left to the right wheel: N (1 + L) right, N (1 - L) left",
     "vertical_shift_input": "Height of the wheelset with --contact-mode compliant, positive down",
     "roll_input": "Roll of the wheelset with --contact-mode compliant, positive with the right wheel down",
-    "contact_mode": "How wheel and rail meet: rigid, undeformed surfaces touch at equal gaps left and right; elastic, the "
-                    "wheels sink in until each carries its load, which gives height and roll; compliant, height and roll "
-                    "are --vertical-shift-mm and --roll-deg, and the loads follow",
-    "load": "What --normal-force-kn prescribes: normal, the total over the patches of a wheel; vertical, the vertical "
-            "component of their resultant",
-    "separation": "How the undeformed distance of wheel and rail is measured: normal, along the normal of the contact "
-                  "plane; vertical, at common lateral coordinate; equidistant, between points at equal arc length from the "
-                  "contact; equidistant_chord, between nodes that circles step off from the contact",
-    "lateral_curvature": "Curvature across the rail: adaptive, averaged over a window in proportion to the patch; smooth, "
-                         "of circles fitted to the profiles over --curvature-reach-mm to either side; rough, change of the "
-                         "profiles' angles over --curvature-step-mm",
-    "curvature_step": "Arc length over which --lateral-curvature rough takes the change of angle",
+    "contact_mode": "How wheel and rail meet. rigid: the undeformed surfaces touch; elastic: the wheels approach the rails "
+                    "until each carries its load, which gives height and roll; compliant: --vertical-shift-mm and "
+                    "--roll-deg give height and roll, and the loads follow",
+    "load": "What --normal-force-kn is. normal: the sum over the patches of a wheel; vertical: the vertical component of "
+            "their resultant",
+    "separation": "How the undeformed distance of wheel and rail is measured. normal: along the normal of the contact plane; "
+                  "vertical: at equal lateral coordinates; equidistant: between points at equal arc lengths from the contact; "
+                  "equidistant_chord: between nodes at equal chord steps from the contact",
+    "lateral_curvature": "Curvature across the rail. adaptive: averaged over a window in proportion to the patch; smooth: "
+                         "of circles fitted to the profiles over --curvature-reach-mm on either side; rough: change of the "
+                         "profile angles over --curvature-step-mm",
+    "curvature_step": "Arc length over which --lateral-curvature rough takes the change of the profile angle",
     "curvature_reach": "Half the width over which --lateral-curvature smooth fits circles to the profiles",
 }
 RATIO = "rail_inclination"
 
 
 def number(text):
-    """The number that was typed."""
+    """``text`` as a float; typer's BadParameter if it is not a number."""
     try:
         return float(text)
     except ValueError:
@@ -52,7 +52,7 @@ def number(text):
 
 
 def ratio(text):
-    """The slope that ``1:40``, ``1/40`` or ``0.025`` means."""
+    """The slope of ``1:40``, ``1/40`` or ``0.025``."""
     try:
         rise, _, run = str(text).replace("/", ":").partition(":")
         return float(rise) / float(run or 1)
@@ -60,7 +60,7 @@ def ratio(text):
         raise typer.BadParameter(f"{text!r} is neither a ratio such as 1:40 nor a slope such as 0.025") from None
 
 
-#: roll_guess is left out: it changes the cost of an answer, never the answer.
+#: Without roll_guess, which changes the cost of a result but never the result.
 POSE = [v for v in VARIABLES if v.causality == INPUT and v.name != "roll_guess"]
 LOAD = [v for v in POSE if v.name != "lateral_shift"]
 SYSTEM = [v for v in VARIABLES if v.causality == PARAMETER]
@@ -70,10 +70,10 @@ PANELS = {INPUT: "Pose and load", PARAMETER: "Wheelset, track, material and meth
 
 
 def takes(**groups):
-    """Give a command the options of groups of variables.
+    """Decorator that adds options for groups of variables to a command.
 
     ``@takes(pose=POSE, system=SYSTEM)`` calls the command with ``pose`` and ``system``, dicts of the SI values given,
-    under the names that :class:`~wrcontact.ContactSystem` and its ``evaluate`` have for them.
+    with the names of the arguments of :class:`~wrcontact.ContactSystem` and its ``evaluate``.
     """
 
     def decorate(command):
@@ -92,23 +92,23 @@ def takes(**groups):
 
 
 def name_of(variable):
-    """The name that Python has for a variable: ``wheel`` for the FMU's ``wheel_profile``."""
+    """The Python name of a variable: ``wheel`` for the FMU's ``wheel_profile``."""
     return variable.keyword or variable.name
 
 
 def option_of(variable):
-    """The option of a variable: ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``."""
+    """The option of a variable, such as ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``."""
     words = [name_of(variable).removesuffix("_input").replace("_", "-"), _display(variable).lower()]
     return "--" + "-".join(word for word in words if word)
 
 
 def _display(variable):
-    """The unit that people want to see, "" for numbers without one and for names."""
+    """The display unit of a variable; "" for names and numbers without a unit."""
     return UNITS[variable.unit].display if variable.type == REAL else ""
 
 
 def _option(variable):
-    """The parameter of a command for a variable; None stands for the package's default."""
+    """The command's parameter for a variable; its default None means the package's default."""
     unit = _display(variable)
     start = f"{variable.start * UNITS[variable.unit].display_factor:g}" if variable.type == REAL else variable.start
     words = WORDS.get(name_of(variable), variable.meaning) + (f", in {unit}" if unit else "") + f" (default: {start})"
@@ -121,7 +121,7 @@ def _option(variable):
 
 
 def _values(variables, given):
-    """Take the values of ``variables`` out of ``given``, in SI, without those that were not given."""
+    """Remove the options of ``variables`` from ``given``; return those that were given, by Python name, in SI."""
     typed = {variable: given.pop(name_of(variable)) for variable in variables}
     return {name_of(variable): _in_si(variable, value) for variable, value in typed.items() if value is not None}
 

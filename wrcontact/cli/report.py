@@ -1,4 +1,4 @@
-"""What the command line prints and writes: one state, a sweep, and tables under the names of the FMU."""
+"""Output of the command line: one state, a sweep, and CSV tables with the names of the FMU."""
 
 import csv
 import json
@@ -18,29 +18,29 @@ from ..storage.atomic import open_atomically
 
 #: Digits after the point by display unit.
 DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}
-#: What :func:`~wrcontact.status.explain` says of outputs that go on in time; here there is nothing to keep.
+#: The end of some sentences of :func:`~wrcontact.status.explain`; it does not apply to a single evaluation.
 KEPT = "; the outputs keep their last valid values"
 
 VECTOR_AXES = ("x", "y", "z")
 SIDE_ROWS = [(name, unit) for name, _, unit, *_ in SIDE_TABLE]
 PATCH_ROWS = [(name, unit) for name, _, unit, *_ in PATCH_TABLE]
 OUTLINE_NAMES = [name for name, *_ in OUTLINE_TABLE]
-#: Of each wheel in a printed sweep: heading, name, digits after the point.
+#: Columns for each wheel in a printed sweep: heading, name, digits after the point.
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
 
 
 def sentence(status, inputs, compliant=False):
-    """What a status means for these seven inputs, in one sentence; "" for a valid one."""
+    """One sentence on a status at these seven inputs; "" for status 0."""
     return explain(status, inputs, compliant).removesuffix(KEPT)
 
 
 def is_compliant(system):
-    """Whether height and roll are given, and the loads follow."""
+    """Whether the contact mode is compliant: height and roll are inputs, and the loads follow."""
     return system.parameters["contact_mode"] == "compliant"
 
 
 def shown(value, unit, digits=None):
-    """A value in SI as text in its display unit."""
+    """A value in SI as text in the display unit; "-" for NaN."""
     value = float(value) * UNITS[unit].display_factor
     digits = DIGITS.get(UNITS[unit].display, 4) if digits is None else digits
     return "-" if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
@@ -52,7 +52,7 @@ def unit_name(unit):
 
 
 def console():
-    """Where tables go; brackets are brackets."""
+    """The rich console for tables, without markup."""
     return Console(markup=False, highlight=False)
 
 
@@ -75,21 +75,21 @@ def print_state(system, state):
 
 
 def load_words(system, state):
-    """How the wheels are loaded: the force of each, or that height and roll are given."""
+    """The load as text, or that height and roll are given."""
     if is_compliant(system):
-        return "height and roll as given"
+        return "height and roll prescribed"
     force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]
     kind = "normal force" if system.parameters["load"] == "normal" else "vertical force"
     return f"{kind} {shown(force, 'N')} kN per wheel, load transfer {transfer:g}"
 
 
 def vector_words(vector, unit):
-    """Three components in the track's axes, forward, right and down, in display units."""
+    """Three components along the track's axes (forward, right, down) as text in display units."""
     return f"({', '.join(shown(getattr(vector, axis), unit) for axis in VECTOR_AXES)}) {unit_name(unit)}"
 
 
 def state_table(state):
-    """Quantity, unit, left, right."""
+    """A table with the columns quantity, unit, left, right."""
     table = Table("quantity", "unit", box=box.SIMPLE_HEAD)
     for side in SIDES:
         table.add_column(side, justify="right")
@@ -110,7 +110,7 @@ def _of_patch(side, k, name, unit):
 
 
 def state_text(system, state):
-    """One state as JSON in SI, under the names that Python has for it; null where there is no value."""
+    """One state as JSON in SI, with the Python names; null where there is no value."""
     words = sentence(state.status, state.inputs, is_compliant(system))
     content = {"status": int(state.status), "explanation": words, "inputs": dict(zip(INPUT_NAMES, map(_plain, state.inputs))),
                "roll": _plain(state.roll), "vertical_shift": _plain(state.vertical_shift)}
@@ -130,7 +130,7 @@ def _side_content(side):
 
 
 def _plain(value):
-    """A number that JSON has; None for NaN and infinity."""
+    """``value`` as a float for JSON; None for NaN and infinity."""
     return float(value) if math.isfinite(value) else None
 
 
@@ -138,7 +138,7 @@ def _plain(value):
 
 
 def columns_of(table):
-    """The columns (n,) of a table of states by FMU name: inputs, outputs, status; SI."""
+    """Columns (n,) of a table of states in SI by FMU name: inputs, outputs, status."""
     columns = {v.name: table.inputs[:, v.index] for v in VARIABLES if v.causality == INPUT}
     columns |= {v.name: table.values[:, v.index] for v in VARIABLES if v.causality == OUTPUT and v.index is not None}
     return {**columns, "status": np.asarray(table.status)}
@@ -148,7 +148,7 @@ INTEGERS = {v.name for v in VARIABLES if v.type == INTEGER}
 
 
 def write_table(path, columns):
-    """A CSV file of ``columns`` (n,) by name, every number in full; an empty cell where there is no value."""
+    """Write ``columns`` (n,) by name to a CSV file with all digits; a cell without a value is empty."""
     with open_atomically(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
@@ -162,7 +162,7 @@ def _cell(name, value):
 
 
 def print_sweep(table):
-    """Contact position, area and largest pressure of both wheels over the lateral shift, in display units."""
+    """Print contact position, area and largest pressure of both wheels against the lateral shift, in display units."""
     units = dict(SIDE_ROWS)
     quantities = [("shift", table.inputs[:, 0], "m", 3), ("roll", table.roll, "rad", 4)]
     quantities += [(f"{side}\n{heading}", attrgetter(f"{side}.{name}")(table), units[name], digits)
@@ -176,7 +176,7 @@ def print_sweep(table):
 
 
 def sweep_remark(system, table):
-    """One sentence on the rows that are not valid; "" where all are."""
+    """One sentence on the rows that are not valid; "" if all are valid."""
     wrong = np.flatnonzero(np.asarray(table.status) != Status.VALID)
     if not len(wrong):
         return ""

@@ -1,11 +1,11 @@
-"""How well a pair of profiles is conditioned: what an engineer ought to know of it before a simulation runs on it.
+"""Conditioning of a pair of profiles: what to know about it before a simulation relies on it (docs/check.md).
 
 >>> import wrcontact
 >>> report = wrcontact.check(wrcontact.ContactSystem(rail="60E1"))
 >>> report.usable, round(report.nearest_jump * 1e3, 2), round(report.conicity.level[2], 3)      # at 3 mm
 (True, 0.21, 0.174)
 
-It asks a ContactSystem, and nothing asks it: no simulation carries it.
+The package uses a ContactSystem; nothing in a simulation or an FMU uses it.
 """
 
 from .conicity import Conicity, equivalent_conicity

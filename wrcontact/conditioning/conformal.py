@@ -1,9 +1,9 @@
-"""Conformal contact: where wheel and rail lie close to each other over a long or a strongly bent stretch.
+"""Conformal contact: where wheel and rail are close to each other over a long or strongly curved stretch.
 
-Of the undeformed profiles at a rigid contact, the stretch around it counts in which the wheel is nearer than NEAR to the
-rail, along the contact's normal.  Where that is wide, or turns by much, three things go wrong at once: the place of the
-contact hangs on micrometres of the profiles, a patch is no ellipse of the curvatures at one point, and a half-space with one
-normal is no model of it.
+The *close stretch* is the part of the undeformed wheel around a rigid contact that is less than NEAR from the rail, measured
+along the contact's normal.  If it is long or its direction changes much, three difficulties arise: the contact position
+depends on micrometres of the profiles, the patch is not the ellipse of the curvatures at one point, and a half-space with a
+single normal is not a good model.
 """
 
 import math
@@ -14,24 +14,27 @@ import numpy as np
 from ..conventions import MIRROR, SIDES
 from ..profiles.compiled import evaluate_table, places
 
-#: [m] Wheels of 0.3 to 0.5 m approach their rails by 0.05 to 0.13 mm under 50 to 150 kN: what is nearer carries.
+#: [m] The approach of wheels of 0.3 to 0.5 m radius under 50 to 150 kN is 0.05 to 0.13 mm: closer points carry load.
 NEAR = 0.1e-3
-#: [m] Twice what a patch is long in the rolling direction under such loads, 10 to 13 mm.
+#: [m] Twice the length of a patch in the rolling direction under such loads, which is 10 to 13 mm.
 WIDE = 25e-3
-#: [rad] Regions that lean apart by more have planes of their own in this package (kernel/contact/planes.py).
+#: [rad] Patches whose normals differ by more have planes of their own in wrcontact (kernel/contact/planes.py).
 TURN = math.radians(15.0)
-#: [m] Shifts no farther apart than this belong to one zone.
+#: [m] Conformal shifts that are no farther apart than this belong to one zone.
 ONE = 0.21e-3
-#: [m] From point to point of the outlines; between them straight lines are 0.03 um off on the sharpest flange.
+#: [m] Spacing of the outline's points; the error of straight lines between them is 0.03 um on the sharpest flange.
 STEP = 0.05e-3
-#: The direction of the wheel is that of chords over so many steps, 1 mm: noise does not turn them.
+#: Number of steps in a chord, 1 mm, that gives the wheel's direction; noise changes it little.
 CHORD = 20
 
 
 @dataclass(frozen=True)
 class ConformalZone:
-    """Lateral shifts ``start`` to ``stop`` [m] over which one contact is conformal: its place on the wheel goes from
-    ``y_low`` to ``y_high`` [m], the near stretch is up to ``width`` long [m] and turns by up to ``turn`` [rad]."""
+    """A range of lateral shifts, ``start`` to ``stop`` [m], over which the contact of one side is conformal.
+
+    The contact on the wheel lies between ``y_low`` and ``y_high`` [m]; the close stretch is up to ``width`` long [m], and its
+    direction changes by up to ``turn`` [rad].
+    """
 
     side: str
     start: float
@@ -56,7 +59,7 @@ class Outlines:
         self.z_rail = evaluate_table(rail, self.y_rail)[0]
 
     def near(self, shift, roll, contact_angle, y_wheel):
-        """Length [m] and turn [rad] of the near stretch of a right wheel that touches at ``y_wheel`` [m]."""
+        """Length [m] and change of direction [rad] of the close stretch of a right wheel in contact at ``y_wheel`` [m]."""
         sine, cosine = math.sin(roll), math.cos(roll)
         across = shift + (self.arm + self.y) * cosine - (self.radius + self.z) * sine
         down = (self.arm + self.y) * sine + (self.radius + self.z) * cosine
@@ -71,7 +74,7 @@ class Outlines:
 
 
 def near_stretches(system, lateral_shift, table):
-    """Length [m] and turn [rad] of the near stretches by side, (2, n), for the states ``table`` at these shifts (n,)."""
+    """Length [m] and change of direction [rad] of the close stretches (2, n) by side, for the states ``table`` at these shifts (n,)."""
     outlines, found = Outlines(system), {}
     for side, sign in zip(SIDES, (MIRROR[0], 1.0)):
         wheel = getattr(table, side)
@@ -81,13 +84,13 @@ def near_stretches(system, lateral_shift, table):
 
 
 def conformal_zones(lateral_shift, sides):
-    """The :class:`ConformalZone` of both contacts, left ones first; ``sides`` are their SideCurves by name."""
+    """Every :class:`ConformalZone`, left ones first; ``sides`` has the SideCurves by name."""
     return tuple(_zone(name, lateral_shift, side, shifts) for name, side in sides.items()
                  for shifts in _zones(lateral_shift, (side.near_width > WIDE) | (side.near_turn > TURN)))
 
 
 def _zones(lateral_shift, conformal):
-    """Indices of the ``conformal`` shifts (n,), zone by zone; those no farther apart than ONE are in the same."""
+    """Indices of the ``conformal`` shifts (n,), one array per zone; shifts no farther apart than ONE are in one zone."""
     found = np.flatnonzero(conformal)
     return [part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1) if len(part)]
 

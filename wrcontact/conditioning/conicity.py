@@ -1,13 +1,13 @@
-"""Equivalent conicity after EN 15302: the cone on which a free wheelset would swing with the same wavelength.
+"""Equivalent conicity (EN 15302): the cone on which a free wheelset would oscillate with the same wavelength.
 
-A wheelset that rolls without slip and without mass follows, over the distance x,
+A massless wheelset that rolls without slip follows, over the distance x,
 
     y'' + delta_r(y) / (e r0) = 0
 
-with delta_r the rolling radius right less left, e the distance of the running circles, r0 the nominal radius.  A cone has
-delta_r = 2 y tan(gamma), so that its wavelength L is Klingel's, and tan(gamma) = (pi / L)^2 2 e r0 is what any other pair
-gets from its own L at an amplitude.  e r0 cancels, so both are 1 here.  S(y), the integral of delta_r, is what the swing
-conserves: y'^2 / 2 + S(y) = E, and half of L is the integral of dy / sqrt(2 (E - S)) from one turning point to the other.
+with delta_r the right minus the left rolling radius, e the distance of the running circles and r0 the nominal radius.  For a
+cone delta_r = 2 y tan(gamma), and the wavelength L is Klingel's.  Any other pair has an L at each amplitude, and its equivalent
+conicity is tan(gamma) = (pi / L)^2 2 e r0.  The product e r0 cancels, so it is 1 here.  With S(y), the integral of delta_r, the
+motion conserves E = y'^2 / 2 + S(y), and L / 2 is the integral of dy / sqrt(2 (E - S)) between the two turning points.
 """
 
 import math
@@ -18,11 +18,11 @@ from scipy.optimize import brentq
 
 #: Amplitudes of the report [m].
 AMPLITUDES = np.arange(1.0, 9.0) * 1e-3
-#: Places at which a half swing is summed up: the error falls with their square, 1e-6 of the conicity.
+#: Points of the sum over half an oscillation; its error is proportional to 1 / PLACES^2, 1e-6 of the conicity.
 PLACES = 2000
-#: Rolling radii that differ by less [m] over a whole amplitude are equal: profiles are printed to 1 nm.
+#: Rolling radii that differ by less [m] over the whole amplitude count as equal: profiles are printed to 1 nm.
 LEVEL = 1e-9
-#: This near to a turning point, over the swing's width, S is as high as there to rounding.
+#: Closer to a turning point than this share of the oscillation's width, S equals its value there to rounding.
 ROUNDING = 1e-7
 
 OFF_PROFILE = "the contact leaves the profiles"
@@ -31,12 +31,16 @@ NO_RETURN = "the rolling radius difference does not turn the wheelset back"
 
 @dataclass(frozen=True)
 class Conicity:
-    """Equivalent conicity tan(gamma) at amplitudes, arrays (m,), NaN where there is no swing of that amplitude.
+    """Equivalent conicity tan(gamma) at several amplitudes; arrays (m,), NaN where there is no oscillation.
 
-    ``amplitude`` [m]; ``level`` without roll, both wheels on their rails at roll zero, as EN 15302 has its reference values;
-    ``rolled`` with the wheelset's roll; ``middle`` of the level swing [m]; ``wavelength`` of the level swing [m];
-    ``level_reason`` and ``rolled_reason``, "" or why there is no swing; ``nonlinearity``, change of the level conicity from
-    2 to 4 mm over these 2 mm [1/m] (Polach, Vehicle System Dynamics 48 S1 (2010) 19-36).
+    Attributes
+    ----------
+    amplitude : [m].
+    level : conicity at zero roll, each wheel in contact where its own vertical gap is smallest, as for EN 15302's references.
+    rolled : conicity with the roll of the wheelset in contact on both sides.
+    middle, wavelength : middle of the oscillation [m] and its wavelength [m], at zero roll.
+    level_reason, rolled_reason : "" or the reason why there is no oscillation.
+    nonlinearity : change of ``level`` from 2 to 4 mm, per metre [1/m] (Polach, Vehicle System Dynamics 48 S1 (2010) 19-36).
     """
 
     amplitude: np.ndarray
@@ -50,8 +54,8 @@ class Conicity:
 
 
 class Swing:
-    """A free wheelset on rolling radius differences ``difference`` (n,) [m] at lateral shifts ``shift`` (n,) [m], rising,
-    with straight lines between them."""
+    """Oscillation of a free wheelset: rolling radius differences ``difference`` (n,) [m] at rising lateral shifts ``shift``
+    (n,) [m], linear in between."""
 
     def __init__(self, shift, difference):
         self.shift, self.difference = shift, difference
@@ -70,8 +74,8 @@ class Swing:
         return np.interp(y, self.shift, self.difference)
 
     def first_turns(self, amplitude):
-        """First turning points [m] of all swings from there to 2 ``amplitude`` further: S is equal at both, less in between,
-        and the rolling radius difference leads back from both."""
+        """Left turning points [m] of all oscillations with this amplitude [m]: S is equal at both turning points and smaller
+        in between, and the rolling radius difference leads back from both."""
         last = self.shift[-1] - 2 * amplitude
         ends = np.unique(np.concatenate([self.shift, self.shift - 2 * amplitude, [last]]))
         ends = ends[(ends >= self.shift[0]) & (ends <= last)]
@@ -91,8 +95,8 @@ class Swing:
                 and np.max(inside, initial=-math.inf) < self.energy(first))
 
     def half_wave(self, first, last):
-        """Distance x from the turning point ``first`` to ``last``, e r0 = 1; y = middle + amplitude sin(phi) takes away the
-        singular ends."""
+        """Distance x from the turning point ``first`` to ``last`` for e r0 = 1; the substitution y = middle + amplitude
+        sin(phi) removes the singularities at both ends."""
         phi = math.pi * ((np.arange(PLACES) + 0.5) / PLACES - 0.5)
         middle, amplitude = 0.5 * (first + last), 0.5 * (last - first)
         y = middle + amplitude * np.sin(phi)
@@ -101,8 +105,8 @@ class Swing:
         return np.sum(amplitude * np.cos(phi) / speed) * math.pi / PLACES
 
     def conicity(self, amplitude):
-        """tan(gamma) [1], the middle of the swing [m], and "" or why there is none; of several swings that nearest the
-        middle of the track."""
+        """tan(gamma) [1], middle of the oscillation [m], and "" or the reason why there is none.  Of several oscillations, the
+        one nearest to the middle of the track counts."""
         turns = self.first_turns(amplitude) if self.shift[-1] - self.shift[0] > 2 * amplitude else []
         if turns:
             first = min(turns, key=lambda turn: abs(turn + amplitude))
@@ -116,20 +120,22 @@ class Swing:
 
 
 def equivalent_conicity(lateral_shift, radius_difference, amplitude):
-    """Equivalent conicity tan(gamma) [1] at each ``amplitude`` (m,) [m]: an array (m,), NaN where there is no such swing.
+    """Equivalent conicity tan(gamma) [1] at each ``amplitude`` (m,) [m]; an array (m,), NaN where there is no oscillation.
 
-    EN 15302:2021, by the integral of the equation of motion, for any rolling radius difference: with jumps, other left and
-    right wheels, or a rest beside the middle of the track.  The amplitude is half the distance of the two turning points.
+    It follows EN 15302:2021, by integration of the equation of motion, and accepts any rolling radius difference: with jumps,
+    with different wheels left and right, or with an equilibrium beside the middle of the track.  The amplitude is half the
+    distance between the two turning points.
 
     Parameters
     ----------
-    lateral_shift : (n,) [m], rising; a jump is two values close to each other.
-    radius_difference : (n,) rolling radius right less left [m] there.
+    lateral_shift : (n,) [m], rising; a jump is given as two values close to each other.
+    radius_difference : (n,) right minus left rolling radius [m] at these shifts.
+    amplitude : (m,) or one number [m].
 
     Raises
     ------
     ValueError
-        when the arrays are not of one length of 2 or more, not finite, or do not rise, or an amplitude is not above 0 m.
+        if the arrays differ in length, are shorter than 2, not finite or not rising, or an amplitude is not positive.
     """
     shift, difference = np.asarray(lateral_shift, dtype=float), np.asarray(radius_difference, dtype=float)
     if shift.ndim != 1 or shift.shape != difference.shape or len(shift) < 2:
@@ -146,7 +152,7 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
 
 
 def conicities(level, rolled, *, running_circle_distance, nominal_radius):
-    """The :class:`Conicity` of two curves, each (lateral shift, rolling radius difference) (n,), None without contact."""
+    """The :class:`Conicity` of two curves (lateral shift, rolling radius difference), each (n,) [m] or None without contact."""
     values, middles, reasons = _at_amplitudes(level)
     rolled_values, _, rolled_reasons = _at_amplitudes(rolled)
     with np.errstate(divide="ignore"):
@@ -157,7 +163,7 @@ def conicities(level, rolled, *, running_circle_distance, nominal_radius):
 
 
 def _at_amplitudes(curve):
-    """Conicities (m,), middles (m,) and reasons at AMPLITUDES, of one curve or None."""
+    """Conicities (m,), middles (m,) [m] and reasons at AMPLITUDES for one curve, or for None."""
     if curve is None:
         nothing = np.full(len(AMPLITUDES), math.nan)
         return nothing, nothing, (OFF_PROFILE,) * len(AMPLITUDES)

@@ -1,4 +1,4 @@
-"""Contacts over the lateral shift: where they are, how fast they move, and how far the next jump is."""
+"""Contacts against the lateral shift: their positions, their rates, and the distance to the next jump."""
 
 from dataclasses import dataclass
 
@@ -7,8 +7,8 @@ import numpy as np
 from ..conventions import SIDES
 from .jumps import FAR, LIFTED
 
-#: Half the difference of two shifts from which a derivative is taken [m]: roll and places are known to 1e-14, and curvatures
-#: of profiles change over 1e-4 m at the least.
+#: Step of the central differences [m]: roll and positions are accurate to 1e-14, and the curvature of a profile changes over
+#: 1e-4 m or more.
 NUDGE = 1e-6
 
 
@@ -16,9 +16,9 @@ NUDGE = 1e-6
 class SideCurves:
     """One contact over the lateral shift, arrays (n,), NaN where there is none.
 
-    ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, how far they move per lateral shift [1]; ``contact_angle``
-    [rad], ``curvature``, of wheel against rail across the track [1/m]; ``rolling_radius`` [m]; ``near_width`` [m] and
-    ``near_turn`` [rad], how long and how bent the stretch of the wheel is that lies within NEAR of the rail (conformal.py).
+    ``y_wheel``, ``y_rail`` [m]; ``wheel_rate``, ``rail_rate``, their derivatives with respect to the lateral shift [1];
+    ``contact_angle`` [rad]; ``curvature``, relative, across the track [1/m]; ``rolling_radius`` [m]; ``near_width`` [m] and
+    ``near_turn`` [rad], length and change of direction of the close stretch (conformal.py).
     """
 
     y_wheel: np.ndarray
@@ -34,11 +34,11 @@ class SideCurves:
 
 @dataclass(frozen=True)
 class Curves:
-    """A pair over the lateral shift, arrays (n,), NaN where there is no contact.
+    """Contact of a pair of profiles against the lateral shift; arrays (n,), NaN where there is no contact.
 
-    ``lateral_shift`` [m]; ``roll`` [rad] and ``roll_rate``, its derivative [rad/m]; ``jump_distance`` [m], to the nearest
-    jump of either contact, infinite without one; ``radius_difference`` and ``level_radius_difference`` [m], of the rolling
-    radii right and left, with the wheelset's roll and without; ``left`` and ``right``, a :class:`SideCurves` each.
+    ``lateral_shift`` [m]; ``roll`` [rad] and its derivative ``roll_rate`` [rad/m]; ``jump_distance`` to the nearest jump of
+    either contact [m], infinite without one; ``radius_difference``, right minus left rolling radius [m], and
+    ``level_radius_difference``, the same at zero roll; ``left`` and ``right``, a :class:`SideCurves` each.
     """
 
     lateral_shift: np.ndarray
@@ -52,12 +52,12 @@ class Curves:
 
 
 def geometry(system, lateral_shift):
-    """The states at ``lateral_shift`` (n,) without loads, of a rigid wheelset or of a compliant one kept level."""
+    """States at ``lateral_shift`` (n,) [m], geometry only: of a rigid wheelset, or of a compliant one at zero roll."""
     return system.evaluate_many(lateral_shift=lateral_shift, vertical_shift_input=LIFTED, outputs="geometry")
 
 
 def radius_difference(system, lateral_shift):
-    """Rolling radius right less left [m] at ``lateral_shift`` (n,)."""
+    """Right minus left rolling radius (n,) [m] at ``lateral_shift`` (n,) [m]."""
     table = geometry(system, lateral_shift)
     return table.right.rolling_radius - table.left.rolling_radius
 
@@ -65,7 +65,7 @@ def radius_difference(system, lateral_shift):
 def rates(system, lateral_shift):
     """Derivatives of roll (n,) [rad/m] and of (y_wheel, y_rail) by side (2, n) [1] with respect to the lateral shift (n,).
 
-    Central differences over 2 NUDGE; NaN where a jump or the end of a profile lies between.
+    Central differences over 2 NUDGE; NaN where a jump or the end of a profile lies in between.
     """
     ahead, behind = (geometry(system, lateral_shift + nudge) for nudge in (NUDGE, -NUDGE))
     roll = (ahead.roll - behind.roll) / (2 * NUDGE)

@@ -1,4 +1,4 @@
-"""Where contacts jump: lateral shifts at which two places of a wheel have the same smallest gap and exchange rank."""
+"""Jumps of the contact: lateral shifts at which two places of a wheel have the same smallest gap."""
 
 from dataclasses import dataclass
 
@@ -6,16 +6,18 @@ import numpy as np
 
 from ..conventions import SIDES
 
-FAR = 0.2e-3  # [m] a larger move of the contact in one step is looked into
-RESOLUTION = 1e-9  # [m] a jump is located to this
-NEIGHBOURS = 0.05e-3  # [m] jumps closer than this are told as one
-LIFTED = -20e-3  # [m] height at which a wheelset of given roll touches nothing; its contacts are found all the same
+FAR = 0.2e-3  # [m] a step in which the contact moves by more is examined
+RESOLUTION = 1e-9  # [m] to which a jump is located
+NEIGHBOURS = 0.05e-3  # [m] jumps closer to each other are reported as one
+LIFTED = -20e-3  # [m] height at which a compliant wheelset touches nothing; its geometry is still computed
 
 
 @dataclass(frozen=True)
 class Jump:
-    """A lateral shift [m] at which the contact of one wheel leaps from one place to another, on the wheel and on the rail:
-    y_wheel ``before`` and ``after`` it, y_rail ``rail_before`` and ``rail_after`` [m], as the shift rises."""
+    """A ``lateral_shift`` [m] at which the contact of one wheel jumps from one place to another.
+
+    With rising shift, y_wheel is ``before`` and ``after`` the jump, and y_rail is ``rail_before`` and ``rail_after`` [m].
+    """
 
     side: str
     lateral_shift: float
@@ -28,8 +30,8 @@ class Jump:
 def find_jumps(system, lateral_shift, yaw=0.0):
     """Jumps of both contacts between neighbouring values of ``lateral_shift`` [m], rising (n,): a list, left ones first.
 
-    Where a contact moves by more than FAR in one step, the step is halved until the move is plainly continuous or the jump
-    is known to RESOLUTION.
+    Where a contact moves by more than FAR in one step, the step is halved until the parts move by less or the jump is located
+    to RESOLUTION.
     """
     lateral_shift = np.asarray(lateral_shift, dtype=float)
     places = contact_places(system, lateral_shift, yaw)
@@ -43,7 +45,7 @@ def contact_places(system, lateral_shift, yaw=0.0):
 
 
 def _jumps_of(system, yaw, side, shift, places):
-    """Jumps of one contact, whose ``places`` (2, n) at ``shift`` (n,) are known; all steps are halved at once."""
+    """Jumps of one contact with known ``places`` (2, n) at ``shift`` (n,); all steps are halved together."""
     low, high, before, after = shift[:-1], shift[1:], places[:, :-1], places[:, 1:]
     while True:
         far = np.abs(after[0] - before[0]) > FAR
@@ -60,7 +62,7 @@ def _jumps_of(system, yaw, side, shift, places):
 
 
 def merged_jumps(jumps, side):
-    """The ``jumps`` of one side; those closer than NEIGHBOURS to the one before are one, at the largest of them."""
+    """The ``jumps`` of one side; jumps within NEIGHBOURS of the one before are merged, at the place of the largest."""
     clusters = []
     for jump in (jump for jump in jumps if jump.side == side):
         if clusters and jump.lateral_shift - clusters[-1][-1].lateral_shift < NEIGHBOURS:

@@ -1,4 +1,4 @@
-"""How good a profile is where contacts are: what was read and put right, its joints, and how rough its curvature is."""
+"""Quality of a profile where it is in contact: its points and repairs, its joints, and the roughness of its curvature."""
 
 import math
 from dataclasses import dataclass
@@ -9,23 +9,28 @@ from ..kernel.surface import profile_table
 from ..profiles.compiled import evaluate_table, places
 from ..profiles.reading import Reading
 
-#: [rad] A joint that turns by more is a kink: where wheel and rail are bent apart by 5 1/m, it moves the contact by 0.2 mm.
+#: [rad] A joint with a larger change of angle is a kink: at a relative curvature of 5 1/m it moves the contact by 0.2 mm.
 KINK = 1e-3
-#: [m] Waves of the curvature shorter than this are roughness: patches are longer, and no design has such waves.
+#: [m] Shorter waves of the curvature are roughness: patches are longer, and no design has such waves.
 SMOOTH = 4e-3
-#: [m] From value to value of the curvature.
+#: [m] Spacing of the curvature's values.
 STEP = 0.05e-3
 
 
 @dataclass(frozen=True)
 class ProfileQuality:
-    """One profile, and the part of it that contacts visit.
+    """One profile, and the part of it that is in contact.
 
-    ``start``, ``stop`` where it can be read [m], a rail on the track as it leans; ``visited`` first and last place of a
-    contact [m], NaN without one; ``pieces`` how many; ``kinks``, (y [m], turn [rad]) of the visited joints that turn by more
-    than KINK; ``curvature_step``, the largest step of the curvature at a visited joint [1/m]; ``roughness``, how far the
-    visited curvature is off its mean over SMOOTH, in the median [1/m]; ``reading`` of the file, None for a profile that is
-    not from points.
+    Attributes
+    ----------
+    name, kind : of the profile.
+    start, stop : ends of the profile [m]; a rail is inclined.
+    visited : smallest and largest contact position [m], NaN without contact; the next four are for this part.
+    pieces : number of pieces of the whole profile.
+    kinks : (y [m], change of angle [rad]) of the joints whose angle changes by more than KINK.
+    curvature_step : largest step of the curvature at a joint [1/m].
+    roughness : median deviation of the curvature from its mean over SMOOTH [1/m].
+    reading : :class:`~wrcontact.profiles.reading.Reading` of a file of points; None for other profiles.
     """
 
     name: str
@@ -41,8 +46,8 @@ class ProfileQuality:
 
 
 def profile_quality(profile, table, visited, inclination=0.0):
-    """The :class:`ProfileQuality` of ``profile``, which the kernel reads as ``table``, with contacts between ``visited`` =
-    (low, high) [m]; a rail leans by ``inclination``."""
+    """The :class:`ProfileQuality` of ``profile``, with the kernel's ``table`` of it and contacts between ``visited`` = (low,
+    high) [m]; ``inclination`` is that of a rail, as a slope."""
     y = _on_track(profile, math.atan(inclination))
     joints = [joint for joint, at in zip(profile.joints, y) if visited[0] <= at <= visited[1]]
     y = y[(y >= visited[0]) & (y <= visited[1])]
@@ -56,7 +61,7 @@ def profile_quality(profile, table, visited, inclination=0.0):
 
 
 def _on_track(profile, angle):
-    """Abscissae (n,) [m] of a profile's joints once it leans by ``angle`` [rad] and begins at its highest point."""
+    """Abscissae (n,) [m] of a profile's joints; those of a rail after it is inclined by ``angle`` [rad]."""
     y = np.array([joint.y for joint in profile.joints])
     if profile.kind == "wheel":
         return y
@@ -68,8 +73,8 @@ def _on_track(profile, angle):
 
 
 def _roughness(table, low, high):
-    """Median distance [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH; a design's few
-    joints do not count in it."""
+    """Median deviation [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH.  The few joints of
+    a design do not affect the median."""
     y = places(table, STEP)
     y = y[(y >= low) & (y <= high)]
     window = np.ones(int(SMOOTH / STEP) | 1)

@@ -1,4 +1,4 @@
-"""What one ought to know of a pair, in sentences, the gravest first."""
+"""Remarks on a pair of profiles, as sentences, the most serious first."""
 
 import math
 
@@ -6,19 +6,19 @@ import numpy as np
 
 from .jumps import merged_jumps
 
-LEAST_RANGE = 1e-3  # [m] a pair is usable with contact at all shifts up to this, the smallest amplitude of the conicity
-RUNNING = 8e-3  # [m] the largest amplitude of the conicity: shifts within it are asked for
-STRAIGHT = 3e-3  # [m] shifts that straight track asks for; EN 15302 compares conicities at this amplitude
-CLOSE = 1e-3  # [m] a jump nearer to the centred position is met all the time
+LEAST_RANGE = 1e-3  # [m] a pair is usable if there is contact up to this shift, the smallest amplitude of the conicity
+RUNNING = 8e-3  # [m] the largest amplitude of the conicity: shifts that occur in operation
+STRAIGHT = 3e-3  # [m] shifts that occur on straight track; EN 15302 compares conicities at this amplitude
+CLOSE = 1e-3  # [m] a jump closer to the centred position is crossed all the time
 MANY = 8  # jumps of one contact within RUNNING: exact profiles have 3 to 5
-FAST = 20.0  # lateral moves of a contact per shift: 10 um of gauge or of profile then move it by 0.2 mm
+FAST = 20.0  # rate of the contact position: 10 um of gauge or profile then move it by 0.2 mm
 FLANGE = math.radians(45.0)  # treads and roots of wheels in use are less steep where they touch, flanges steeper
-OFF_MIDDLE = 0.05e-3  # [m] a swing about a place farther from the track's middle is none about the middle
-ROUGH = 1.0  # [1/m] a fifth of the relative curvature that S1002 has on UIC60's shoulder, 5 to 8 1/m
+OFF_MIDDLE = 0.05e-3  # [m] largest distance of an oscillation's middle from the middle of the track
+ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder of UIC60, 5 to 8 1/m
 
 
 def sentences(*, usable, usable_shifts, jumps, nearest_jump, flange_shift, curves, conformal, conicity, wheel, rail, **_):
-    """The sentences on what ``check`` found, by the names of a Conditioning."""
+    """The remarks (a tuple of sentences) on the results of ``check``, which are the attributes of a Conditioning."""
     if not math.isfinite(usable_shifts[0]):
         return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
                 *_on_profile(wheel), *_on_profile(rail))
@@ -42,7 +42,7 @@ def _on_range(usable, usable_shifts, flange_shift, curves):
     if len(lost):
         yield f"no contact is found at {len(lost)} of {inside.sum()} lateral shifts between"
     if flange_shift <= 0.0:
-        yield "a flange touches in the centred position already"
+        yield "a flange is in contact already in the centred position"
     elif flange_shift < STRAIGHT:
         yield f"the flange touches from {_mm(flange_shift)} mm of lateral shift on"
 
@@ -52,11 +52,11 @@ def _on_jumps(jumps, nearest_jump):
         nearest = min(jumps, key=lambda jump: (abs(jump.lateral_shift), jump.side == "left"))
         distance = _mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)
         yield (f"contact jumps {distance} mm from the centred position, from {_mm(nearest.before, 1)} to "
-               f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: which place is in contact there hangs on details")
+               f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: near it, small changes decide which place is in contact")
     count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, "right"))
     if count > MANY:
         yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the curvatures are "
-               f"rough, or the profiles nearly fit each other")
+               f"rough, or the two profiles are nearly equal there")
 
 
 def _on_moves(curves):
@@ -71,16 +71,17 @@ def _on_moves(curves):
 def _on_zones(conformal):
     for zone in conformal:
         if zone.side == "right" and zone.start <= RUNNING and zone.stop >= -RUNNING:
-            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and rail lie "
-                   f"within 0.1 mm over up to {_mm(zone.width, 0)} mm, which turn by up to {math.degrees(zone.turn):.0f} deg")
+            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and rail are "
+                   f"within 0.1 mm of each other over up to {_mm(zone.width, 0)} mm, and their direction changes there by up to "
+                   f"{math.degrees(zone.turn):.0f} deg")
 
 
 def _on_conicity(conicity):
     aside = [k for k, middle in enumerate(conicity.middle) if abs(middle) > OFF_MIDDLE]
     if aside:
         k = aside[0]
-        yield (f"a free wheelset swings about {_mm(conicity.middle[k])} mm, not about the middle of the track, at "
-               f"{_mm(conicity.amplitude[k], 0)} mm amplitude: in the middle the rolling radius difference drives it out")
+        yield (f"a free wheelset oscillates about {_mm(conicity.middle[k])} mm, not about the middle of the track, at "
+               f"{_mm(conicity.amplitude[k], 0)} mm amplitude: the rolling radius difference drives it away from the middle")
     for reason in dict.fromkeys(filter(None, conicity.level_reason)):
         at = ", ".join(_mm(value, 0) for value, why in zip(conicity.amplitude, conicity.level_reason) if why == reason)
         yield f"there is no equivalent conicity at {at} mm amplitude: {reason}"
@@ -92,8 +93,8 @@ def _on_profile(profile):
         yield f"{name}: {remark}"
     if profile.kinks:
         y, turn = max(profile.kinks, key=lambda kink: abs(kink[1]))
-        yield f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where contacts are" + (
+        yield f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where it is in contact" + (
             f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else "")
     if profile.roughness > ROUGH:
-        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where contacts are: they "
-               f"follow noise; more smoothing helps")
+        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where it is in contact: "
+               f"the contact follows noise; use more smoothing")

@@ -1,4 +1,4 @@
-"""The check of a pair of profiles: a wheelset moved across the track, and what that shows."""
+"""The check of a pair of profiles: a wheelset is moved across the track, and its contacts are examined."""
 
 import math
 from dataclasses import dataclass
@@ -16,32 +16,32 @@ from .jumps import RESOLUTION, find_jumps
 from .quality import ProfileQuality, profile_quality
 from .remarks import FLANGE, LEAST_RANGE, sentences
 
-STEP = 0.05e-3  # [m] from shift to shift of the curves
-FINE = 0.01e-3  # [m] from shift to shift of what the conicity integrates, to 1e-5 of it
-END = 1e-6  # [m] an end of the usable shifts is found to this
-HOLE = 0.2e-3  # [m] single shifts without contact are bridged in the conicity; a wider hole is the end of the profiles
+STEP = 0.05e-3  # [m] step of the lateral shift in the curves
+FINE = 0.01e-3  # [m] step of the lateral shift for the conicity, which is then accurate to 1e-5
+END = 1e-6  # [m] to which the ends of the usable shifts are located
+HOLE = 0.2e-3  # [m] the conicity bridges shorter ranges without contact; a longer one ends the profiles
 
 
 @dataclass(frozen=True)
 class Conditioning:
-    """What :func:`check` found of a pair.
+    """The results of :func:`check` on a pair of profiles.
 
     Attributes
     ----------
     system : the ContactSystem that was checked; its parameters are the track and the wheelset.
     usable : whether there is contact at every shift up to the smallest amplitude of the conicity, 1 mm.
-    usable_shifts : (first, last) lateral shift [m] of the stretch with contact around the centred position, at most the
-        kernel's +-15 mm; NaN without contact there.
+    usable_shifts : (first, last) lateral shift [m] with contact, without interruption, around the centred position; at most
+        +-15 mm, the kernel's limit; NaN without contact in the centred position.
     jumps : tuple of :class:`~wrcontact.conditioning.Jump`, left ones first.
     nearest_jump : lateral shift [m] from the centred position to the nearest jump of either contact; infinite without one.
-    flange_shift : lateral shift [m] from which on the right contact is steeper than 45 deg; infinite where it never is.
+    flange_shift : lateral shift [m] beyond which the right contact is steeper than 45 deg; infinite if it never is.
     curves : :class:`~wrcontact.conditioning.Curves` over the lateral shift, every 0.05 mm within +-15 mm.
     conformal : tuple of :class:`~wrcontact.conditioning.ConformalZone`, left ones first.
     conicity : :class:`~wrcontact.conditioning.Conicity` at amplitudes of 1 ... 8 mm.
-    conicity_curves : by "level" and "rolled", (lateral shift (n,), rolling radius difference (n,)) [m] that the conicity
-        comes from, with both values at every jump; None without contact.
+    conicity_curves : dict with "level" and "rolled": (lateral shift (n,), rolling radius difference (n,)) [m], the data of the
+        conicity, with both values at every jump; None without contact.
     wheel, rail : :class:`~wrcontact.conditioning.ProfileQuality`.
-    remarks : tuple of sentences, what one ought to know; empty for a pair without any trouble.
+    remarks : tuple of sentences on what to know about the pair; empty if there is nothing special.
     """
 
     system: ContactSystem
@@ -60,11 +60,11 @@ class Conditioning:
 
 
 def check(system):
-    """What an engineer ought to know of the pair of profiles of ``system``, without yaw: a :class:`Conditioning`.
+    """Check the pair of profiles of ``system``, without yaw, and return a :class:`Conditioning`.
 
-    Only its profiles and its geometry count (rail_inclination, gauge, gauge_depth, running_circle_distance,
-    nominal_radius): contacts are rigid.  It takes about a second.  A pair without contact is told as such, by
-    ``usable`` and in ``remarks``; nothing is raised.  The equivalent conicity follows EN 15302.
+    Contacts are rigid, so only the profiles and the geometry matter (rail_inclination, gauge, gauge_depth,
+    running_circle_distance, nominal_radius).  The check takes less than a second.  A pair without contact raises no error; it
+    is reported in ``usable`` and ``remarks``.  The equivalent conicity follows EN 15302.
 
     >>> import wrcontact
     >>> wrcontact.check(wrcontact.ContactSystem()).conformal[1].side
@@ -93,19 +93,19 @@ def check(system):
 
 
 def _wheelset(system, contact_mode):
-    """The same wheelset and track with the cheapest normal contact, and this contact mode; a compliant one is level."""
+    """The same wheelset and track with Hertz contact and this contact mode; a compliant one is evaluated at zero roll."""
     chosen = {name: system.parameters[name] for name in GEOMETRY}
     return ContactSystem(system.wheel, system.rail, **chosen, contact_mode=contact_mode, normal_model="hertz")
 
 
 def _shifts(step):
-    """Lateral shifts (n,) [m] over all that the kernel takes, the same left and right, zero among them."""
+    """Lateral shifts (n,) [m] over the kernel's whole range, symmetric about zero, zero included."""
     half = np.linspace(0.0, LATERAL_LIMIT, round(LATERAL_LIMIT / step) + 1)
     return np.concatenate([-half[:0:-1], half])
 
 
 def _run_around(shifts, fine):
-    """Slice of the unbroken run of True in ``fine`` (n,) that holds the shift 0; an empty one where it does not."""
+    """Slice of the run of True in ``fine`` (n,) around the shift 0; empty if ``fine`` is False there."""
     middle = int(np.argmin(np.abs(shifts)))
     if not fine[middle]:
         return slice(0, 0)
@@ -114,7 +114,7 @@ def _run_around(shifts, fine):
 
 
 def _usable_shifts(system, shifts, status):
-    """First and last lateral shift [m] of the stretch with contact around zero, found to END."""
+    """First and last lateral shift [m] with contact, without interruption, around zero; accurate to END."""
     run = _run_around(shifts, status <= Status.UNLOADED)
     if run.stop == 0:
         return math.nan, math.nan
@@ -128,7 +128,7 @@ def _usable_shifts(system, shifts, status):
 
 
 def _boundary(holds, inside, outside):
-    """How far ``holds`` reaches from ``inside``, where it does, to ``outside``, where it does not, found to END [m]."""
+    """The last shift, between ``inside`` and ``outside``, at which ``holds(shift)`` is true; by bisection to END [m]."""
     while abs(outside - inside) > END:
         middle = 0.5 * (inside + outside)
         inside, outside = (middle, outside) if holds(middle) else (inside, middle)
@@ -148,8 +148,8 @@ def _curves(rolling, level, shifts, table, jumps):
 
 
 def _swing_curve(system, jumps):
-    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at every jump;
-    None without contact there."""
+    """Lateral shifts and rolling radius differences (n,) [m] around the centred position, with both values at every jump; None
+    without contact in the centred position."""
     beside = [jump.lateral_shift + step for jump in jumps for step in (-RESOLUTION, RESOLUTION)]
     shifts = np.unique(np.concatenate([_shifts(FINE), np.clip(beside, -LATERAL_LIMIT, LATERAL_LIMIT)]))
     difference = radius_difference(system, shifts)
@@ -164,7 +164,7 @@ def _swing_curve(system, jumps):
 
 
 def _flange_shift(system, curves):
-    """Lateral shift from which on, to the right, the right contact is steeper than FLANGE; infinite where it never is."""
+    """Lateral shift [m] beyond which the right contact is steeper than FLANGE; infinite if it never is."""
     angle = curves.right.contact_angle
     steep = np.flatnonzero(np.isfinite(angle) & ~(angle < FLANGE))
     if not len(steep):
@@ -177,16 +177,16 @@ def _flange_shift(system, curves):
 
 
 def _profiles(system, curves):
-    """Both profiles' :class:`ProfileQuality`, where contacts are within the largest amplitude."""
+    """:class:`ProfileQuality` of both profiles, for contacts at shifts up to the largest amplitude."""
     near = np.abs(curves.lateral_shift) <= AMPLITUDES[-1]
     wheel, rail, _ = system.profile_tables()
-    leans = system.parameters["rail_inclination"]
+    inclination = system.parameters["rail_inclination"]
     return {"wheel": profile_quality(system.wheel, wheel, _visited("y_wheel", curves, near)),
-            "rail": profile_quality(system.rail, rail, _visited("y_rail", curves, near), leans)}
+            "rail": profile_quality(system.rail, rail, _visited("y_rail", curves, near), inclination)}
 
 
 def _visited(name, curves, near):
-    """Smallest and largest place ``name`` [m] of both contacts at the shifts ``near``; NaN without one."""
+    """Smallest and largest ``name`` [m] of both contacts at the shifts ``near`` (a mask (n,)); NaN without contact."""
     found = np.concatenate([getattr(getattr(curves, side), name)[near] for side in SIDES])
     found = found[np.isfinite(found)]
     return (float(np.min(found)), float(np.max(found))) if len(found) else (math.nan, math.nan)

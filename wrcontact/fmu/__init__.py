@@ -1,7 +1,7 @@
-"""Packs the simulated wheelset into an FMU.
+"""Packs wrcontact into FMUs.
 
-The sources of the FMU are in ``fmu_src``: inside this package's parent when wrcontact is installed, at the top of the
-checkout otherwise.  Their modules are found as ``wrcontact.fmu.description`` and so on.
+The sources of the FMUs are in ``fmu_src``: beside this package when wrcontact is installed, otherwise at the top of the checkout.
+Its modules are imported as ``wrcontact.fmu.description`` and so on.
 """
 
 from pathlib import Path

@@ -10,14 +10,14 @@ from .. import ContactSystem
 from ..profiles.catalogue import BUILDERS
 from .online import PACKAGE
 
-#: Every entry of the archive carries this time, so that the hour of the build does not show.
+#: Time of every entry in the archive, so that the time of the build does not change the bytes.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
 def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the profiles of the files among them, each read once, by file name.
+    """Start values of the profile parameters, and the profiles that come from files, by file name; each file is read once.
 
-    Files go in prepared, under their own names: reading points takes scipy, which an FMU must do without.
+    Files are packed as prepared profiles with their own names: reading points needs scipy, which an FMU does not have.
     """
     starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
     given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
@@ -25,12 +25,12 @@ def chosen_profiles(smoothing=None, **chosen):
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
     files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     if len(set(files.values())) < len(files):
-        raise ValueError(f"wheel and rail profile have one file name, {files['wheel_profile']}; rename one")
+        raise ValueError(f"wheel and rail profile have the same file name, {files['wheel_profile']}; rename one of them")
     return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def licence(name):
-    """Licence text of an installed distribution, or of the checkout; None where there is none."""
+    """Licence text (bytes) of an installed distribution or of the checkout; None if there is none."""
     try:
         files = [Path(str(file.locate())) for file in distribution(name).files or () if file.name.startswith("LICENSE")]
     except PackageNotFoundError:
@@ -49,7 +49,7 @@ def fingerprint(entries):
 
 
 def archive(entries):
-    """The zip archive of the entries as bytes: the same for the same entries."""
+    """The zip archive of the entries as bytes; equal entries give equal bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w") as file:
         for name, content in sorted(entries.items()):
@@ -60,7 +60,7 @@ def archive(entries):
 
 
 def problems_of(data):
-    """What fmpy finds wrong with the archive ``data``; an empty list is a valid FMU."""
+    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU."""
     from fmpy.validation import validate_fmu
 
     return validate_fmu(io.BytesIO(data))

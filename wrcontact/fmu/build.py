@@ -1,8 +1,8 @@
-"""Pack an FMU with PythonFMU's runtime: one archive from the sources, the same bytes for the same sources.
+"""Pack the Python FMU with PythonFMU's runtime; the same sources give the same bytes.
 
-Two FMUs in one process share Python's modules, and a module that is already there wins over the one in an FMU.  So the
-package goes in under a name that holds a hash of everything packed: an FMU runs its own code, never a neighbour's and
-never the one that the host has installed.
+Two FMUs in one process share Python's modules, and a module that is already loaded is used instead of the one in the FMU.
+Therefore the package in an FMU has a name that contains a hash of everything packed.  So each FMU runs its own code, not that
+of another FMU and not that of an installed wrcontact.
 """
 
 from pathlib import Path
@@ -24,7 +24,7 @@ from .terminals import terminals_and_icons
 SLAVE = "wheelset_contact"
 RUNTIME = Path(pythonfmu.__file__).parent
 #: The package's ``__init__`` in an FMU.
-LOADER = b'''"""wrcontact as packed in an FMU, loaded whole: the folder may be gone when the next instance is made."""
+LOADER = b'''"""wrcontact in an FMU, loaded completely: the folder may be deleted before the next instance is created."""
 
 from .interface import session
 from .kernel.binding import library
@@ -32,7 +32,7 @@ from .kernel.wheelset import step
 
 library.default_kernel()
 '''
-#: What the FMU needs beside it, which FMI 2.0 asks to be documented.
+#: Text of documentation/externalDependencies.txt, which FMI 2.0 requires.
 DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
 
 
@@ -41,14 +41,14 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
 
     Parameters
     ----------
-    output : folder of the FMU; made if it is not there.
+    output : folder of the FMU, created if necessary.
     wheel, rail : file of a profile that is packed and becomes the default, or a built-in name.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
 
     Raises
     ------
     ValueError
-        when a profile cannot be used; the sentence says why.
+        if a profile cannot be used; the sentence says why.
     """
     starts, profiles = chosen_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
     files = {f"resources/{name}": prepared_text(profile).encode() for name, profile in profiles.items()}
@@ -64,7 +64,7 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
 
 
 def runtime():
-    """PythonFMU: its Python side, and the libraries that an importer loads."""
+    """Entries of PythonFMU: its Python modules, and the libraries that an importer loads."""
     entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in RUNTIME.glob("*.py")}
     for library in RUNTIME.glob("resources/binaries/*/*"):
         entries[f"binaries/{library.parent.name}/{MODEL}{library.suffix}"] = library.read_bytes()
@@ -72,19 +72,19 @@ def runtime():
 
 
 def runtime_platforms():
-    """Names of the platforms that PythonFMU has libraries for."""
+    """Names of the platforms for which PythonFMU has a library."""
     return [name for name, place in PLATFORMS.items() if RUNTIME.joinpath("resources", "binaries", place.fmi2).is_dir()]
 
 
 def package(starts):
-    """What wrcontact needs online, with the start values of this FMU."""
+    """Entries of wrcontact: the files that an FMU needs, with the start values of this FMU."""
     made = {"__init__.py": LOADER, "interface/starts.py": f"STARTS = {starts!r}\n".encode()}
     files = {**online_files(), **kernel_libraries(runtime_platforms()), **made}
     return {f"resources/wrcontact/{name}": content for name, content in files.items()}
 
 
 def documentation(starts):
-    """The page about the model, the icon and the terminals, what the FMU needs, and the licences."""
+    """Entries of the documentation page, icon, terminals, external dependencies and licences."""
     page = documentation_page(__version__, model_description("", "", __version__, starts), about_python())
     entries = {"documentation/index.html": page.encode(), "documentation/externalDependencies.txt": DEPENDENCIES,
                **terminals_and_icons(2, [variable.name for variable in VARIABLES])}
@@ -93,7 +93,7 @@ def documentation(starts):
 
 
 def sealed(contents, starts):
-    """The entries under names that no other contents have, with the slave and the model description."""
+    """All entries, renamed with a hash of the contents, with the slave module and the model description."""
     slave = (SOURCES / f"{SLAVE}.py").read_text(encoding="utf-8")
     tool = f"wrcontact {__version__} with PythonFMU {pythonfmu.__version__}"
     seal = fingerprint({**contents, "slave": slave.encode(), "description": model_description("", tool, __version__, starts)})

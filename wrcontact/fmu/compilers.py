@@ -1,7 +1,7 @@
-"""C compilers for libraries in FMUs: the machine's own, or ziglang, which builds for other machines too.
+"""C compilers for libraries in FMUs: the machine's own, or ziglang, which also builds for other machines.
 
-zig compiles a part of the C library for every platform at first, which takes a minute or two, most of it for Windows; it
-keeps that in its own cache (``ZIG_GLOBAL_CACHE_DIR`` moves it).
+The first build for a platform compiles a part of the C library, which takes a minute or two, most of it for Windows.  zig keeps
+the result in its own cache (``ZIG_GLOBAL_CACHE_DIR`` selects the folder).
 """
 
 import atexit
@@ -21,22 +21,22 @@ from ..kernel.binding.files import HERE, fingerprint
 from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
 from ..storage.atomic import write_atomically
 
-#: No fused a*b + c: the results are those of the kernel's Python source, to the last bit.
+#: No fused a*b + c, so that results have the same bits as the kernel's Python source.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
          "-fPIC")
 KERNEL_UNITS = tuple(f"native/wrcontact_{part}.c" for part in ("kernel", "prepare", "tangent"))
 
 
 class CompilerProblem(ValueError):
-    """There is no compiler, or it failed; the message says which."""
+    """There is no compiler, or the compiler failed; the message says which."""
 
 
 def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
-    """The library for the platform ``name`` as bytes, from ``sources`` in ``folder``; ``identifier`` is what it is called.
+    """Compile ``sources`` in ``folder`` for the platform ``name``; returns the library ``identifier`` as bytes.
 
-    What has been compiled is kept in the folder ``cache``, if there is one: sources in a folder of their own, as the kernel's,
-    include nothing else, and are the same in every version of FMI.  The machine's own platform is compiled by its own compiler
-    where no ziglang is installed.
+    Object files are kept in the folder ``cache``, if given.  Sources in a folder of their own, such as the kernel's, include
+    nothing outside it, so their object files serve both versions of FMI.  Without ziglang the machine's own compiler is used,
+    for the machine's own platform only.  CompilerProblem if there is no compiler or if it fails.
     """
     if name not in PLATFORMS:
         raise CompilerProblem(f"platform is {name!r}; permitted are {', '.join(PLATFORMS)}")
@@ -70,7 +70,7 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
 
 @lru_cache(maxsize=None)
 def zig_cache():
-    """Environment in which zig has a cache: its usual one, or one until this process ends where it could not write to that."""
+    """Environment variables for zig's cache: none for the usual folder, or a temporary folder if that is not writable."""
     if sys.platform == "win32" or "ZIG_GLOBAL_CACHE_DIR" in os.environ:
         return {}
     try:
@@ -86,7 +86,7 @@ def zig_cache():
 
 
 def digest(command, folder, source):
-    """A name for the compiled ``source``: of the command, and of all files that it can include."""
+    """Name of the compiled ``source``: a hash of the command and of all files that it may include."""
     top = Path(folder, Path(source).parts[0])
     files = top.rglob("*.[ch]") if top.is_dir() else Path(folder).rglob("*.[ch]")
     found = hashlib.sha256(repr((command, source)).encode())
@@ -98,7 +98,7 @@ def digest(command, folder, source):
 def compile_kernel(name):
     """The kernel's library for the platform ``name`` as bytes."""
     if f"INT64_C(0x{fingerprint():015x})" not in HERE.joinpath("generated", "unit.c").read_text():
-        raise CompilerProblem("the kernel's generated C is of another version of its source")
+        raise CompilerProblem("the kernel's generated C does not belong to this version of its source")
     return compile_platform(name, HERE, KERNEL_UNITS, Path(library_name(name)).stem)
 
 
@@ -108,10 +108,10 @@ def has_zig():
 
 
 def compiler_for(chosen):
-    """The command of a compiler for a platform."""
+    """The compiler's command for a platform; CompilerProblem if there is none."""
     if has_zig():
         return [sys.executable, "-m", "ziglang", "cc", "-target", chosen.target, "-s"]
     own = next((command for command in ("cc", "gcc", "clang") if shutil.which(command)), None)
     if chosen.name == host_platform() and own:
         return [own]
-    raise CompilerProblem(f"there is no compiler for {chosen.name}; pip install ziglang, which is one for every platform")
+    raise CompilerProblem(f"there is no compiler for {chosen.name}; pip install ziglang, a compiler for every platform")

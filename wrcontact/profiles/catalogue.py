@@ -34,9 +34,8 @@ def s1002():
 def rail_head(name, *, crown_half_width, shoulder_half_width, corner_half_width, depth=40.0):
     """A head of tangent arcs R300, R80, R13 and a side 1:20, symmetric about its top [mm].
 
-    Each arc's centre lies on the line through the neighbour's centre and the joint, so that the chain is tangent by
-    construction; the side starts where the R13 arc has the slope 20, or at ``corner_half_width``, and goes down to
-    ``depth``.
+    Each arc's centre lies on the line through the neighbour's centre and the joint, so the chain is tangent by construction.
+    The side starts where the R13 arc has the slope 20, or at ``corner_half_width``, and continues down to ``depth``.
     """
     crown = Arc(-crown_half_width, crown_half_width, 300.0, 0.0, 300.0, -1)
     shoulder = _tangent_arc(crown, 80.0, crown_half_width, shoulder_half_width)

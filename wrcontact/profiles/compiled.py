@@ -1,9 +1,9 @@
 """From exact profiles to the kernel's table of quintic pieces.
 
-Every piece takes height, slope and second derivative of the exact definition at both ends.  The zones' joints are ends
-of pieces, so that a jump of curvature stays where the standard has it.  Where the printed coefficients leave a step in
-height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), the two sides are led to their common mean over
-:data:`REPAIR_WIDTH`; a contact would otherwise stick to an edge that no wheel has.
+Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
+pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
+(S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over :data:`REPAIR_WIDTH`.
+Otherwise the contact would stay at an edge that no real wheel has.
 """
 
 import math
@@ -13,17 +13,16 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from ..kernel.surface import profile_table as layout
 
-#: Height error allowed for a piece between its ends [mm]; far below the 1e-9 rad that a roll angle is asked for.
+#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad required of the roll.
 PIECE_ERROR = 1e-9
-#: Error of the second derivative allowed between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
+#: Permitted error of the second derivative between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
 PIECE_BEND_ERROR = 1e-7
 LONGEST_PIECE = 1.0  # [mm]
 SHORTEST_PIECE = 1e-3  # [mm]; measured profiles have knots this close
-#: Distance to a joint within which a height step of the published coefficients is evened out [mm].  On UIC60 1:40 the
-#: raw step at y = -35 mm would hold the contact for 1 um of lateral shift; half a millimetre changes nothing outside
-#: that, and bends the profile by 2 % of its curvature at most.
+#: Distance from a joint over which a height step of the published coefficients is smoothed [mm].  On UIC60 1:40 the step at
+#: y = -35 mm would hold the contact for 1 um of lateral shift.  Half a millimetre changes the curvature by at most 2 %.
 REPAIR_WIDTH = 0.5
-#: Height steps below this are not worth a repair [mm].
+#: Smaller height steps are not repaired [mm].
 REPAIRED_STEP = 1e-6
 BIN_WIDTH = 0.25  # [mm]
 
@@ -41,14 +40,14 @@ def compile_profile(profile):
 def evaluate_table(table, y):
     """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at ``y`` [m], three arrays.
 
-    Between start and stop; the kernel itself continues the end pieces.
+    Valid between start and stop; only the kernel extends the end pieces.
     """
     pieces = table[int(table[layout.PIECE_OFFSET]):].reshape(-1, layout.PIECE_SIZE)
     y = np.asarray(y, dtype=float)
     index = np.clip(np.searchsorted(pieces[:-1, 0], y, side="right") - 1, 0, len(pieces) - 2)
     u = y - pieces[index, 0]
     c0, c1, c2, c3, c4, c5 = np.moveaxis(pieces[index, 1:], -1, 0)
-    p4 = c4 + u * c5            # as profile_table.height_slope_bend, to the last bit
+    p4 = c4 + u * c5            # the same bits as profile_table.height_slope_bend
     p3 = c3 + u * p4
     p2 = c2 + u * p3
     p1 = c1 + u * p2
@@ -59,7 +58,7 @@ def evaluate_table(table, y):
 
 
 def places(table, step):
-    """Abscissae (n,) over all of ``table``, ends included, at most ``step`` apart [m]."""
+    """Evenly spaced abscissae (n,) over the whole ``table``, both ends included, at most ``step`` apart [m]."""
     start, stop = table[layout.START], table[layout.STOP]
     return np.linspace(start, stop, int((stop - start) / step) + 2)
 
@@ -84,7 +83,7 @@ def _zone_pieces(zone, before, after):
 
 
 def _refined(zone, low, high):
-    """Pieces between ``low`` and ``high``, halved until they follow ``zone`` closely enough."""
+    """Pieces between ``low`` and ``high`` [mm], halved until they follow ``zone`` within the permitted errors."""
     piece = _quintic(low, high, _jet(zone, low), _jet(zone, high))
     y = np.linspace(low, high, 11)[1:-1]
     z, _, bend = zone(y)
@@ -125,7 +124,7 @@ def _quintic(low, high, at_low, at_high):
 
 
 def _table(pieces, stop):
-    """Pack ``pieces`` [mm] into the layout of :mod:`wrcontact.kernel.profile_table` [m]."""
+    """Pack ``pieces`` [mm] into the layout of wrcontact/kernel/surface/profile_table.py [m]."""
     start = pieces[0][0]
     bin_count = math.ceil((stop - start) / BIN_WIDTH)
     starts = np.array([piece[0] for piece in pieces])

@@ -1,4 +1,4 @@
-"""A profile's zones as one array of numbers, as the kernel's preparation reads them; layout in kernel/prepare/zones.py."""
+"""A profile's zones as an array of numbers for the kernel's preparation; kernel/prepare/zones.py defines the layout."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from .zones import Arc
 
 
 def definition(profile):
-    """The array (n,) of an upright ``profile`` of polynomials and arcs; what is in it is exact."""
+    """The array (n,) of an upright ``profile`` of polynomials and arcs, with the exact numbers of its zones."""
     terms = max((len(zone.coefficients) for zone in profile.zones if not isinstance(zone, Arc)), default=0)
     rows = np.zeros((len(profile.zones), layout.ZONE_COEFFICIENTS + terms))
     for row, zone in zip(rows, profile.zones):

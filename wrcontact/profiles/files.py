@@ -1,9 +1,9 @@
-"""Profiles from files; the only place that opens a profile file.
+"""Profiles from files; the only module that opens a profile file.
 
-A file of points is text in one of the formats of formats.py.  Its points are repaired where that is certain enough
-(repair.py), smoothed where they are noisy (smoothing.py), and read as a smooth curve; a :class:`ProfileWarning` reports
-what was done.  A prepared file (.json) holds the pieces themselves and needs nothing but numpy; an FMU carries its profiles
-that way.
+A file of points is text in one of the formats of formats.py.  The points are repaired where the repair is certain enough
+(repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve.  A :class:`ProfileWarning` reports what
+was done.  A prepared file (.json) contains the pieces themselves and needs only numpy; an FMU contains its profiles in this
+form.
 
 The functions get the class that they make, :class:`~wrcontact.Profile`, as ``make``.
 """
@@ -23,23 +23,23 @@ from .repair import LEAST_POINTS, WIDTHS, mend
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
-#: A larger file is no profile [bytes].
+#: Largest permitted file [bytes].
 LARGEST_FILE = 4_000_000
 #: Permitted smoothing [m].
 SMOOTHING = (0.0, 0.5e-3)
-#: Points of a rail as high as this are as high as its highest [mm].
+#: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
 
 def read_profile(path, kind, smoothing, make):
-    """The profile in the file at ``path``; ValueError in one sentence where it cannot be one.
+    """The profile in the file at ``path``; ValueError, in one sentence, if the file cannot be used.
 
     Parameters
     ----------
     path : file of points in a format of formats.py, or a prepared file.
     kind : "wheel" or "rail".
-    smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points; 0 is through every
-        point; None is the noise that the points show, and nothing where that is below 0.01 um.
+    smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through every point; None is
+        the estimated noise of the points, and no smoothing if that is below 0.01 um.
     make : the class of the profile.
     """
     tolerance = smoothing_in_mm(smoothing)
@@ -58,7 +58,7 @@ def read_profile(path, kind, smoothing, make):
 
 
 def smoothing_in_mm(smoothing):
-    """``smoothing`` [m] in mm, None where the noise decides; ValueError where it is out of its range."""
+    """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside SMOOTHING."""
     if smoothing is None:
         return None
     try:
@@ -71,7 +71,7 @@ def smoothing_in_mm(smoothing):
 
 
 def _text(path):
-    """The text of a file in UTF-8, UTF-16 or Latin-1, whatever its line ends."""
+    """The text of a file in UTF-8, UTF-16 or Latin-1; a Refusal if it is too large or changes while it is read."""
     with open(path, "rb") as file:
         before = os.fstat(file.fileno())
         content = file.read(LARGEST_FILE + 1)
@@ -79,7 +79,7 @@ def _text(path):
     if len(content) > LARGEST_FILE:
         raise Refusal(f"has more than {LARGEST_FILE / 1e6:g} MB; permitted are files of at most that")
     if len(content) != after.st_size or (before.st_size, before.st_mtime_ns) != (after.st_size, after.st_mtime_ns):
-        raise Refusal("changed while it was read; permitted are files that nobody writes")
+        raise Refusal("changed while it was read; permitted are files that are not being written")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", errors="replace")
     try:
@@ -89,7 +89,7 @@ def _text(path):
 
 
 def _smooth_profile(found, name, kind, tolerance, remarks, make):
-    """The profile through ``found`` points; smoothed where ``tolerance`` [mm] or their noise asks for it."""
+    """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is None."""
     if found.noise > SMOOTHING[1] / MM:
         raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
     asked = tolerance is not None
@@ -99,12 +99,12 @@ def _smooth_profile(found, name, kind, tolerance, remarks, make):
     except Refusal:
         raise
     except ValueError as problem:
-        raise Refusal(f"has points that no smooth curve goes through ({problem})") from None
+        raise Refusal(f"has points through which no smooth curve can be drawn ({problem})") from None
     return replace(profile, reading=_reading(found, tolerance, remarks))
 
 
 def _reading(found, tolerance, remarks):
-    """What is known of ``found`` points that were smoothed to ``tolerance`` [mm]."""
+    """The :class:`Reading` of ``found`` points that were smoothed to ``tolerance`` [mm]."""
     chords = np.hypot(np.diff(found.y), np.diff(found.z)) * MM
     return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM, tolerance * MM,
                    tuple(remarks))
@@ -116,19 +116,19 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
         return zones_through(found.y, found.z, name, kind), True
     curve = Curve(found.y, found.z, found.weight, tolerance)
     if tolerance > 0.0:
-        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed away"
+        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed"
         remarks.append(f"{done}, points moved by up to {1e3 * curve.moved:.3g} um")
     top = curve.highest() if kind == "rail" else curve.nearest(0.0)
     zones, smooth = pieces_of(curve, top, walls=kind == "rail")
     if zones[-1].stop - zones[0].start < WIDTHS[0]:
-        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted are "
-                         f"{WIDTHS[0]:g} mm or more between")
+        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted is a "
+                      f"distance of {WIDTHS[0]:g} mm or more between")
     return zones, smooth
 
 
 def zones_through(y, z, name, kind):
     """Zones through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline, as :meth:`wrcontact.Profile.from_points`."""
-    from scipy.interpolate import CubicSpline  # not needed where profiles come prepared
+    from scipy.interpolate import CubicSpline  # not needed for prepared profiles
 
     y, z = np.asarray(y, dtype=float), np.asarray(z, dtype=float)
     if len(y) < LEAST_POINTS or len(y) != len(z):
@@ -154,7 +154,7 @@ def zones_through(y, z, name, kind):
 
 
 def _top(spline):
-    """Where ``spline`` is highest, its z smallest; the middle of what is level there."""
+    """Abscissa [mm] of the highest point of ``spline`` (smallest z); the middle of a flat top."""
     extrema = spline.derivative().roots(extrapolate=False)
     tops = np.concatenate([extrema[np.isfinite(extrema)], spline.x[[0, -1]]])
     heights = spline(tops)
@@ -164,7 +164,7 @@ def _top(spline):
 
 
 def prepared_text(profile):
-    """The text of a prepared file, from which :func:`read_profile` makes ``profile`` again, bit for bit."""
+    """The text of a prepared file, from which :func:`read_profile` restores ``profile`` bit by bit."""
     zones = [{"family": type(zone).__name__.lower(), **vars(zone)} for zone in profile.zones]
     return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1)
 
@@ -191,7 +191,7 @@ def _zone(entry):
     family = {"arc": Arc, "polynomial": Polynomial}[entry.pop("family")]
     numbers = [value for value in entry.values() if not isinstance(value, list)] + entry.get("coefficients", [])
     if not all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers):
-        raise ValueError("a zone has values that are no finite numbers")
+        raise ValueError("a zone has values that are not finite numbers")
     if "coefficients" in entry:
         entry["coefficients"] = tuple(entry["coefficients"])
     zone = family(**entry)

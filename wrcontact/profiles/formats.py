@@ -1,7 +1,7 @@
 """Points from the text of a profile file: plain columns, Simpack's .prw and .prr, MiniProf's .whl and .ban.
 
-What is read of each is said at its reader and in docs/profiles.md.  A reader gives the points as the file has them, with
-what the file itself says about unit, shift and mirror done; everything that must be guessed is left to repair.py.
+Each reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file, with the unit,
+shift and mirror that the file itself states; everything that must be guessed is left to repair.py.
 """
 
 import math
@@ -12,26 +12,26 @@ import numpy as np
 
 from .remarks import Refusal
 
-#: Most points of a file; a profile measured every 7 um has as many.
+#: Largest number of points in a file; a profile measured every 7 um has as many.
 MOST_POINTS = 20_000
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d{1,3})?")
-#: A longer field is no number.
+#: Longest field that is read as a number [characters].
 LONGEST_NUMBER = 60
-#: What instruments and programs write where they have no value.
+#: What instruments and programs write for a missing value.
 ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "infinity", "-infinity", "null", "none",
                     "-", "--", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind", "1.#inf"})
 COMMENTS = re.compile(r"[#!%].*|//.*")
-#: Two numbers with decimal commas and a comma between, or four whole ones.
+#: A line that is either two numbers with decimal commas or four whole numbers.
 AMBIGUOUS = re.compile(r"^[ \t]*[+-]?\d+,\d+,[+-]?\d+,\d+[ \t]*\r?$", re.MULTILINE)
 UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 25.4, "inch": 25.4, "ft": 304.8}
 
 
 @dataclass
 class Points:
-    """Points in the file's order: ``y``, ``z`` (n,), in mm as far as the file says so, and ``weight`` (n,).
+    """Points in the order of the file: ``y``, ``z`` (n,), in mm if the file states its unit, and ``weight`` (n,).
 
-    ``lines`` (n,) are their line numbers.  ``free``: the format itself leaves open where the running circle of a wheel is
-    and which way it looks, so that finding out is no repair.
+    ``lines`` (n,) are their line numbers.  ``free`` is True for a format that does not define the position of the running
+    circle and the direction of the axes; finding these is then not reported as a repair.
     """
 
     y: np.ndarray
@@ -43,7 +43,7 @@ class Points:
 
 
 def read_points(text, extension, kind):
-    """The :class:`Points` in ``text`` by the format that ``extension`` (".prw") names; a Refusal where there are none."""
+    """The :class:`Points` in ``text``, in the format of ``extension`` (such as ".prw"); a Refusal if there are none."""
     named = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}.get(extension)
     if named and named != kind:
         raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
@@ -60,9 +60,9 @@ def read_points(text, extension, kind):
 def plain_points(text):
     """Points from columns of numbers.
 
-    Columns are separated by semicolons, tabs, blanks, or commas; decimals by a point, or by a comma where that cannot be
-    meant as a separator.  The first two columns are y and z, unless a line above names columns y and z.  What follows #, !,
-    % or // is a comment; lines that do not have the file's usual number of fields are headers.
+    Columns are separated by semicolons, tabs, blanks or commas.  The decimal sign is a point, or a comma if it cannot be a
+    separator.  The first two columns are y and z, unless a header line names columns y and z.  Comments start with #, !, % or
+    //.  Lines with another number of fields than most lines are headers.
     """
     rows = [(number, fields) for number, fields in _fields_of(text) if len(fields) >= 2]
     if 2 * len(AMBIGUOUS.findall(text)) > len(rows) > 0:
@@ -70,13 +70,13 @@ def plain_points(text):
                          "semicolons, tabs or blanks between the columns")
     counts = [len(fields) for _, fields in rows if _number(fields[0]) is not None and _number(fields[1]) is not None]
     if not counts:
-        raise Refusal("holds no lines of two numbers; permitted are text files with y and z in mm")
+        raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
     usual = max(set(counts), key=counts.count)
     first, second = _named_columns([fields for _, fields in rows], usual)
     values = [(number, _number(fields[first]), _number(fields[second])) for number, fields in rows if len(fields) == usual]
     values = [row for row in values if None not in row[1:]]
     if not values:
-        raise Refusal("holds no lines of two numbers; permitted are text files with y and z in mm")
+        raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
     points = _points(values)
     used = set(points.lines.tolist())
     odd = [number for number, _ in rows if points.lines[0] < number < points.lines[-1] and number not in used]
@@ -86,7 +86,7 @@ def plain_points(text):
 
 
 def _fields_of(text):
-    """Number and fields of every line that is not empty."""
+    """Line number and fields of every line that is not empty."""
     lines = text.splitlines()
     if len(lines) > 5 * MOST_POINTS:
         raise Refusal(f"has {len(lines)} lines; permitted are at most {5 * MOST_POINTS}, and {MOST_POINTS} points")
@@ -114,7 +114,7 @@ def _point_for_comma(part):
 
 
 def _named_columns(rows, usual):
-    """Indices of the columns that a header calls y and z; the first two where none does."""
+    """Indices of the columns named y and z in a header; 0 and 1 if there is no such header."""
     for fields in rows:
         names = [re.sub(r"[\s_\[(].*", "", part.strip("\"' ").lower()) for part in fields]
         if len(names) == usual and names.count("y") == 1 and names.count("z") == 1:
@@ -123,7 +123,7 @@ def _named_columns(rows, usual):
 
 
 def _number(text):
-    """The number that ``text`` is, NaN where it says that there is none, None where it is something else."""
+    """``text`` as a number; NaN for a missing value, None for anything else."""
     text = text.strip("\"' ")
     if len(text) <= LONGEST_NUMBER and NUMBER.fullmatch(text):
         return float(text.replace("d", "e").replace("D", "e"))
@@ -131,7 +131,7 @@ def _number(text):
 
 
 def _points(rows, free=False):
-    """Points from rows (line, y, z[, weight])."""
+    """:class:`Points` from rows (line number, y, z[, weight])."""
     if len(rows) > MOST_POINTS:
         raise Refusal(f"has {len(rows)} points; permitted are at most {MOST_POINTS}")
     table = np.array([(*row, 1.0)[:4] for row in rows], dtype=float)
@@ -149,12 +149,12 @@ def _left_out(word, numbers, why):
 def simpack_points(text, kind):
     """Points from Simpack's .prw and .prr.
 
-    Between ``point.begin`` and ``point.end`` stand y, z and, where there is a third number, a weight for smoothing; a point
-    of weight 0 is left out.  Of the keys these are obeyed, in the order that the files themselves number them in:
+    Lines between ``point.begin`` and ``point.end`` contain y, z and optionally a weight for smoothing; a point of weight 0 is
+    left out.  These keys are applied, in the order in which such files number them:
     ``point.dist.min``, ``shift.y``, ``shift.z``, ``rotate`` (about x, from y to z), ``bound.y.min`` ... ``bound.z.max``
     (none where min > max), ``mirror.y``, ``mirror.z``, ``inversion``, ``units.len.f`` (length unit per metre; without it
-    ``units.len``) and ``units.ang.f``.  ``type`` in the header (0 rail, 1 wheel) must fit.  ``approx.smooth`` is not: its
-    scale is Simpack's own.  "!" starts a comment.
+    ``units.len``) and ``units.ang.f``.  ``type`` in the header (0 rail, 1 wheel) must be the requested one.
+    ``approx.smooth`` is not applied, since its scale is Simpack's own.  "!" starts a comment.
     """
     keys, rows, bad, inside, section = {}, [], [], False, ""
     for number, line in enumerate(text.splitlines(), start=1):
@@ -172,7 +172,7 @@ def simpack_points(text, kind):
             key, _, value = line.partition("=")
             keys[f"{section}:{key.strip().lower()}"] = value.strip().strip("'\"")
     if not rows:
-        raise Refusal("holds no points between point.begin and point.end; permitted are Simpack profiles with y and z there")
+        raise Refusal("contains no points between point.begin and point.end; permitted are Simpack profiles with y and z there")
     points = _points(rows)
     if bad:
         points.remarks.append(_left_out("line", bad, "without two numbers"))
@@ -184,13 +184,13 @@ def simpack_points(text, kind):
 
 
 def _processed(points, keys):
-    """``points`` after the steps that a Simpack file asks for."""
+    """``points`` after the operations that the keys of a Simpack file define."""
     def value(key, default):
         given = _number(keys.get(f"spline:{key}", ""))
         return default if given is None or not math.isfinite(given) else given
 
     if value("approx.smooth", 0.0) > 0.0:
-        points.remarks.append(f"approx.smooth = {value('approx.smooth', 0.0):g} is not taken over")
+        points.remarks.append(f"approx.smooth = {value('approx.smooth', 0.0):g} is not applied")
     keep = (points.weight > 0.0) & np.isfinite(points.weight)
     nearest = value("point.dist.min", 0.0)
     if nearest > 0.0:
@@ -211,7 +211,7 @@ def _processed(points, keys):
 
 
 def _apart(y, z, nearest):
-    """Which points are no nearer than ``nearest`` to the last one kept."""
+    """Mask of the points that are at least ``nearest`` from the last point kept."""
     keep, last = np.zeros(len(y), dtype=bool), None
     for i in range(len(y)):
         if last is None or not math.hypot(y[i] - y[last], z[i] - z[last]) < nearest:
@@ -225,9 +225,9 @@ def _apart(y, z, nearest):
 def miniprof_points(text):
     """Points from MiniProf's .whl and .ban.
 
-    Header lines are ``Keyword=value``; of them ``ColumnDef`` (such as X,Y,A,C,N) is obeyed: X is lateral, Y vertical, both
+    Header lines are ``Keyword=value``.  ``ColumnDef`` (such as X,Y,A,C,N) names the columns: X is lateral and Y vertical, both
     in mm; without it they are the first two columns.  "#" starts a comment.  A wheel may be measured from the back of its
-    flange, up or down, and from either side, so position, direction and side are found from the shape.
+    flange, upwards or downwards, and from either side; position and directions are found from its shape.
     """
     columns, data = (0, 1), []
     for line in text.splitlines():
@@ -244,7 +244,7 @@ def miniprof_points(text):
         elif rows:
             bad.append(number)
     if not rows:
-        raise Refusal("holds no lines of numbers after its header; permitted are MiniProf profiles with X and Y in mm")
+        raise Refusal("contains no lines of numbers after its header; permitted are MiniProf profiles with X and Y in mm")
     points = _points(rows, free=True)
     if bad:
         points.remarks.append(_left_out("line", bad, "without two numbers"))

@@ -7,18 +7,18 @@ import numpy as np
 from .mended import SIDE, Mended
 from .remarks import Refusal, counted, stretch
 
-#: A gap is as long as this [mm] and this many spacings; over longer ones than WIDEST_GAP [mm] nothing is known.
+#: A gap is longer than GAP [mm] and SPACINGS times the spacing; one longer than WIDEST_GAP [mm] cannot be bridged.
 GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
-#: A gap whose ends both point along it within this [rad] is a straight stretch, and may be of any length.
+#: A gap whose ends point along it within this angle [rad] is a straight stretch and may have any length.
 STRAIGHT = 0.02
-#: A kink turns by this [rad] at least and so many times more than both its sides; it is rounded over this reach [mm].
+#: At a kink the angle changes by more than KINK [rad] and TIMES more than on both sides; it is rounded over ROUNDED [mm].
 KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
-#: What turns by more is no profile [rad].
+#: Largest permitted change of angle at a point [rad].
 SPIKE = math.radians(90.0)
 
 
 def check_gaps(found, remarks):
-    """Say which gaps are bridged; ValueError where one is too wide and not a straight stretch."""
+    """Report the gaps that are bridged; a Refusal if one is too wide and not a straight stretch."""
     y, z = found.y, found.z
     chord = np.hypot(np.diff(y), np.diff(z))
     for i in np.flatnonzero((chord > GAP) & (chord > SPACINGS * np.median(chord))):
@@ -29,7 +29,7 @@ def check_gaps(found, remarks):
 
 
 def straight_over(y, z, i):
-    """Whether the points before ``i`` and those after ``i + 1`` point along the chord between the two."""
+    """Whether the points before ``i`` and after ``i + 1`` have the direction of the chord between these two points."""
     low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
     here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
     turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
@@ -37,14 +37,14 @@ def straight_over(y, z, i):
 
 
 def rounded(found, remarks):
-    """The points with arcs in place of kinks, which have no curvature to press on."""
+    """Replace kinks by arcs, since a kink has no curvature to compute a contact with."""
     y, z = found.y, found.z
     heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
     turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
     if turned.max() > SPIKE:
         worst = int(np.argmax(turned))
         raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike or a fold; "
-                      f"permitted are {math.degrees(SPIKE):.3g} deg")
+                      f"permitted are at most {math.degrees(SPIKE):.3g} deg")
     places = _kinks(y, z)
     if not places:
         return found
@@ -71,7 +71,7 @@ def rounded(found, remarks):
 
 
 def _kinks(y, z):
-    """Where the chords turn suddenly: index of a point, there (1) or from there to the next (2), and by how much [rad]."""
+    """Kinks: index of a point, 1 for a kink at the point or 2 for one before the next point, change of angle [rad]."""
     chord = np.hypot(np.diff(y), np.diff(z))
     turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
     length = 0.5 * (chord[1:] + chord[:-1])
@@ -88,7 +88,7 @@ def _kinks(y, z):
 
 
 def _corner(y, z, index, width):
-    """The kink itself (y, z): the point there, or where the chords before and after two points meet."""
+    """Position (y, z) [mm] of the kink: the point itself, or the intersection of the chords before and after two points."""
     if width == 1:
         return np.array([y[index], z[index]])
     ahead, back = (np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1)))
@@ -98,5 +98,5 @@ def _corner(y, z, index, width):
 
 
 def _towards(start, end, length):
-    """The point ``length`` from ``start`` on the way to ``end``."""
+    """The point at the distance ``length`` from ``start`` in the direction of ``end``."""
     return start + (end - start) * (length / np.hypot(*(end - start)))

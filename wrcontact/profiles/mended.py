@@ -4,13 +4,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-#: A gap or an outlier is judged by so many neighbours on either side.
+#: Neighbours on either side by which a point or a gap is judged.
 SIDE = 5
 
 
 @dataclass(frozen=True)
 class Mended:
-    """Points (n,) in order of the curve, y rising on the whole, z down [mm], their ``weight`` and ``noise`` [mm]."""
+    """Points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down, with their ``weight`` and ``noise`` [mm]."""
 
     y: np.ndarray
     z: np.ndarray
@@ -18,5 +18,5 @@ class Mended:
     noise: float = 0.0
 
     def only(self, which):
-        """The points that ``which``, a mask or indices, picks."""
+        """The points selected by ``which``, a mask or indices."""
         return replace(self, y=self.y[which], z=self.z[which], weight=self.weight[which])

@@ -1,4 +1,4 @@
-"""Outliers among measured points: single points, and short runs, that are off the curve which their neighbours agree on."""
+"""Outliers among measured points: single points and short runs that deviate from the curve of their neighbours."""
 
 import numpy as np
 
@@ -6,25 +6,26 @@ from .mended import SIDE
 from .remarks import Refusal, counted, stretch
 from .smoothing import in_chords, pseudo_inverse
 
-#: A point is an outlier this many times the noise off what its neighbours say, and by this at least [mm] where points are
-#: this close [mm]; farther apart, with the square of their distance, they leave joints of exact profiles.
+#: An outlier deviates from the curve of its neighbours by more than OUTLIER times the noise and by more than LEAST_OUTLIER
+#: [mm].  If points are farther apart than CLOSE [mm], that limit grows with the square of the spacing, since joints of exact
+#: profiles deviate by as much.
 OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
-#: ... and so many times more than its neighbours are themselves off the curve that they agree on; 7 times is a kink.
+#: It also deviates AGREED times more than the neighbours themselves do from their common curve; at a kink it is 7 times.
 AGREED = 8.0
-#: Outliers are taken in passes, one from each neighbourhood.
+#: Outliers are removed in passes, one from each neighbourhood per pass.
 MOST_PASSES = 50
-#: The longest run of outliers.
+#: Longest run of outliers.
 LONGEST_RUN = 3
-#: So many points at either end have no neighbours to judge them by.
+#: Points at either end that are not judged, for lack of neighbours.
 ENDS = 2
-#: Neighbours that may be outliers themselves and are not heard.
+#: Neighbours that are ignored because they may be outliers themselves.
 TRIMMED = 2
 #: Largest share of outliers.
 MOST_OUTLIERS = 0.1
 
 
 def without_outliers(found, remarks):
-    """Without single points, and runs of up to three, that are off the curve which their neighbours agree on."""
+    """Remove outliers: single points and runs of up to three that deviate from the curve of their neighbours."""
     count, most, taken = len(found.y), 0.0, []
     for _ in range(MOST_PASSES):
         index, length, height = _runs_off(found)
@@ -43,7 +44,7 @@ def without_outliers(found, remarks):
 
 
 def _runs_off(found):
-    """Runs of outliers that do not disturb each other: first indices, lengths, and how far they are off [mm]."""
+    """Runs of outliers whose neighbourhoods do not overlap: first indices, lengths and deviations [mm]."""
     runs = [_run_errors(found.y, found.z, length) for length in range(1, LONGEST_RUN + 1)]
     index = np.concatenate([np.arange(len(error)) for error, _ in runs])
     length = np.repeat(np.arange(1, LONGEST_RUN + 1), [len(error) for error, _ in runs])
@@ -63,8 +64,8 @@ def _runs_off(found):
 
 
 def _run_errors(y, z, length):
-    """For every run of ``length`` points: how far its nearest one is off the cubic through its neighbours, and how far these
-    are off it themselves, both [mm] and over their expectation for noise."""
+    """For every run of ``length`` points: the deviation of its closest point from the cubic through its neighbours, and the
+    deviation of the neighbours themselves, both [mm], divided by their expected value for noise of 1."""
     near = 2 * SIDE
     if len(y) < near + length:
         return np.zeros(0), np.zeros(0)

@@ -1,7 +1,7 @@
 """The rail on the track: inclination about the head, and the gauge.
 
-The rail leans to the track centre, so its field side rises and the highest point moves to the field side.  The
-inclined profile is expressed in track-parallel axes with the origin at its highest point.
+The rail is inclined towards the track centre, so its field side rises and its highest point moves to the field side.  The
+inclined profile is expressed in axes parallel to the track's, with the origin at its highest point.
 """
 
 import math
@@ -30,7 +30,7 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
     Parameters
     ----------
     rail : Profile of an upright rail.
-    inclination : tangent of the angle by which it leans to the track centre (1/40 = 0.025).
+    inclination : tangent of its inclination towards the track centre (1/40 = 0.025).
     gauge : distance of the two inner faces [m], measured ``gauge_depth`` [m] below the highest point.
 
     Raises
@@ -102,7 +102,7 @@ def _readable(zone, angle, y_shift, z_shift):
 
 
 def _around_top(zones):
-    """The unbroken run of ``zones`` that holds y = 0."""
+    """The run of connected ``zones`` that contains y = 0."""
     top = next(index for index, zone in enumerate(zones) if zone.start <= 0.0 <= zone.stop)
     first = last = top
     while first > 0 and abs(zones[first - 1].stop - zones[first].start) < 1e-9:

@@ -1,4 +1,4 @@
-"""A wheel or rail profile: height, slope and curvature over the lateral coordinate."""
+"""A wheel or rail profile: height, slope and curvature as functions of the lateral coordinate."""
 
 from dataclasses import dataclass, field
 
@@ -29,14 +29,14 @@ class Profile:
     """A profile made of ``zones`` (in mm, by rising y), read in metres.
 
     ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or "rail"
-    (origin at the highest point of the head).  Height is positive down for both.  When it is built, a profile checks
-    that its zones follow each other without a hole and meet in height and slope; ``smooth=False`` allows corners, for
-    measured profiles.  ``reading`` is what a file of points said of itself; it changes nothing.
+    (origin at the highest point of the head).  Height is positive down for both.  The constructor checks that consecutive
+    zones have no hole between them and agree in height and slope; ``smooth=False`` permits corners, for measured profiles.
+    ``reading`` describes the file of points that the profile comes from, if any; it has no effect.
 
     Raises
     ------
     ValueError
-        when a zone does not meet its neighbour.
+        if a zone does not meet its neighbour.
     """
 
     name: str
@@ -74,13 +74,13 @@ class Profile:
         ----------
         path : text columns in mm, Simpack's .prw or .prr, MiniProf's .whl or .ban, or a prepared .json.
         kind : "wheel" or "rail".
-        smoothing : distance [m] in the mean of squares that the smoothing spline may keep from the points, 0 ... 0.5e-3;
-            0 is none; None is the noise that the points show.
+        smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0 is no smoothing;
+            None is the estimated noise of the points.
 
         Raises
         ------
         ValueError
-            when it cannot be used; a :class:`~wrcontact.ProfileWarning` reports what was repaired.
+            if the file cannot be used.  Repairs are reported by a :class:`~wrcontact.ProfileWarning`.
         """
         if kind not in ("wheel", "rail"):
             raise ValueError(f"kind is {kind!r}, permitted are 'wheel' and 'rail'")
@@ -95,7 +95,7 @@ class Profile:
         Raises
         ------
         ValueError
-            when the points are too few, not finite, not rising in y, or not of a profile's size.
+            if the points are too few, not finite, not rising in y, or do not have the size of a profile.
         """
         return cls(name, kind, zones_through(y, z, name, kind))
 
@@ -130,6 +130,6 @@ class Profile:
         return self.evaluate(y)[1]
 
     def curvature(self, y):
-        """Curvature z'' / (1 + z'^2)^(3/2) [1/m] at ``y`` [m]; positive where the curve bends downward-convex (z'' > 0)."""
+        """Curvature z'' / (1 + z'^2)^(3/2) [1/m] at ``y`` [m]; positive where z'' > 0."""
         _, slope, bend = self.evaluate(y)
         return bend / (1 + slope**2) ** 1.5

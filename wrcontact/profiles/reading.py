@@ -1,12 +1,15 @@
-"""What a file of points had to say about itself when it was read."""
+"""Properties of a file of points, found when it was read."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Reading:
-    """How a profile came out of a file of points: how many ``points`` its curve follows, their median ``spacing`` and the
-    ``widest`` one [m], their ``noise`` and the ``smoothing`` taken [m], and ``remarks``, what was put right."""
+    """Properties of a file of points.
+
+    ``points``, the number of points used; their median ``spacing`` and the ``widest`` one [m]; their estimated ``noise`` and the
+    applied ``smoothing`` [m]; ``remarks``, a tuple of sentences on repairs.
+    """
 
     points: int
     spacing: float

@@ -1,4 +1,4 @@
-"""What is said about a profile that was put right: one warning a file, one line on a command line."""
+"""Reports on repaired profiles: one warning per file, one line on the command line."""
 
 import sys
 import warnings
@@ -6,22 +6,22 @@ from contextlib import contextmanager
 
 
 class ProfileWarning(UserWarning):
-    """A profile file was put right before it was used; the sentence says what was done, where and by how much."""
+    """A profile file was repaired before it was used; the message says what was done, where and by how much."""
 
 
 class Refusal(ValueError):
-    """Why a file is no profile, without its name: "has 5 points; permitted are 10 or more"."""
+    """Why a file cannot be used, without its name: "has 5 points; permitted are 10 or more"."""
 
 
 def remark(kind, name, remarks):
-    """Warn of all ``remarks`` on one profile at once; nothing where there are none."""
+    """Give one :class:`ProfileWarning` with all ``remarks`` on a profile, if there are any."""
     if remarks:
         warnings.warn(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning, stacklevel=4)
 
 
 @contextmanager
 def remarks_in_lines(prefix):
-    """Inside, every different ProfileWarning is one line on the error stream that starts with ``prefix``."""
+    """Inside this context, each different ProfileWarning is printed once, as one line "prefix: message" on the error stream."""
     with warnings.catch_warnings():
         show, said = warnings.showwarning, set()
 
@@ -38,11 +38,11 @@ def remarks_in_lines(prefix):
 
 
 def stretch(y):
-    """"y = -3.2 mm" or "y = -3.2 ... 4.1 mm", of abscissae ``y`` (n,)."""
+    """The range of ``y`` (n,) [mm] as text: "y = -3.2 mm" or "y = -3.2 ... 4.1 mm"."""
     low, high = min(y), max(y)
     return f"y = {low:.4g} mm" if high - low < 1e-3 else f"y = {low:.4g} ... {high:.4g} mm"
 
 
 def counted(count, word):
-    """"1 point", "3 points"."""
+    """A count with its noun: "1 point", "3 points"."""
     return f"{count} {word}" if count == 1 else f"{count} {word}s"

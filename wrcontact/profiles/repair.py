@@ -1,8 +1,8 @@
-"""Measured points are repaired: every repair is reported, and what cannot be repaired is refused.
+"""Repair of measured points: every repair is reported, and points that cannot be repaired are refused.
 
-The recipe is :func:`mend`.  Every step takes points and returns points, and adds to ``remarks`` what it did, to how many
-points, where and by how much.  Outliers are found in outliers.py, gaps and kinks in kinks.py.  A Refusal has no file name;
-files.py adds it.
+The recipe is :func:`mend`.  Each step takes points and returns points, and adds to ``remarks`` what it did, to how many
+points, where and by how much.  Outliers are found in outliers.py, gaps and kinks in kinks.py.  The message of a Refusal lacks
+the file's name, which files.py adds.
 """
 
 from dataclasses import replace
@@ -16,41 +16,41 @@ from .remarks import Refusal, counted, stretch
 from .smoothing import LEAST_NOISE, noise_of
 
 LEAST_POINTS = 10
-#: A profile's width in millimetres.
+#: Permitted width of a profile [mm].
 WIDTHS = (20.0, 200.0)
-#: Its height at most [mm]; whole sections of rails have up to 190.
+#: Largest height of a profile [mm]; whole rail sections have up to 190 mm.
 HIGHEST = 300.0
-#: Its width at most once its back, neck or foot is left off [mm].
+#: Largest width without flange back, rail neck and foot [mm].
 WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
-#: Width of a rail's head on either side of its highest point at least [mm].
+#: Smallest width of a rail's head on either side of its highest point [mm].
 SHOULDER = 10.0
-#: A profile turns back where its y does by this [mm]; noise does not.
+#: A profile turns back where its y decreases by this [mm]; noise is smaller.
 TURN = 0.5
-#: Within this [mm] the side of a rail's head is a wall, which goes on down to where the gauge is measured.
+#: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to where the gauge is measured.
 UPRIGHT = 0.2
-#: Factors to millimetres, with the widths in the file's unit that are taken for it.  Centimetres and inches overlap, but not
-#: where the profile is as wide as wheels (90 ... 160 mm) or rails (48 ... 90 mm) are.
+#: Factors to millimetres, and the widths in the file's unit for which that unit is assumed.  Centimetres and inches do not
+#: overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
 UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
          "inches": (25.4, {"wheel": (3.55, 6.3), "rail": (1.9, 3.5)}),
          "centimetres": (10.0, {"wheel": (9.0, 16.0), "rail": (4.8, 9.0)}),
          "micrometres": (1e-3, {"wheel": (2e4, 2e5), "rail": (2e4, 2e5)})}
-#: A point this many widths away is no measurement (-9999).
+#: A point this many widths away is not a measurement, but a code such as -9999.
 FAR = 5.0
-#: Points nearer than this to each other are one [mm].
+#: Points closer to each other count as one [mm].
 SAME = 1e-6
 #: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
-#: Where the flange's tip lies if y is measured from the running circle, how high it is, and where the running circle is from
-#: the flange's back [mm].
+#: Position of the flange tip from the running circle, height of the flange, and distance of the running circle from the
+#: flange's back [mm].
 TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
-#: A profile that comes up again by this behind the tip reaches round to the back of the flange [mm].
+#: A profile that rises by this behind the tip includes the back of the flange [mm].
 ROUND_BACK = 3.0
-#: How far the running circle's z may be from zero: wear, not another origin [mm].
+#: Largest height of the running circle that counts as wear, not as another origin [mm].
 OFFSET = 10.0
 
 
 def mend(points, kind, remarks):
-    """The :class:`Mended` points of a file's ``points``."""
+    """The repaired points (:class:`Mended`) of a file's ``points``; adds to ``remarks``; a Refusal if that is impossible."""
     found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
     found = in_millimetres(found, kind, remarks)
@@ -69,7 +69,7 @@ def mend(points, kind, remarks):
 
 
 def without_nothing(found, lines, remarks):
-    """Without points that are no numbers, and without such as stand for none (-9999)."""
+    """Remove points that are not finite numbers, and codes for missing values such as -9999."""
     finite = np.isfinite(found.y) & np.isfinite(found.z)
     if not finite.any():
         raise Refusal("has only points that are not finite numbers; permitted are numbers in mm")
@@ -81,18 +81,18 @@ def without_nothing(found, lines, remarks):
         width = max(_span(part) for part in (found.y, found.z))
         far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)], axis=0) > FAR * max(width, 1e-12)
     if far.any():
-        remarks.append(f"{counted(far.sum(), 'point')} far off the others left out (y = {found.y[far][0]:.4g}, "
+        remarks.append(f"{counted(far.sum(), 'point')} far from the others left out (y = {found.y[far][0]:.4g}, "
                        f"z = {found.z[far][0]:.4g} first)")
     return found.only(~far)
 
 
 def _span(values):
-    """Width of the middle nine tenths of ``values``."""
+    """Distance between the 5th and the 95th percentile of ``values``."""
     return np.subtract(*np.percentile(values, [95, 5]))
 
 
 def in_millimetres(found, kind, remarks):
-    """The points in millimetres, as their width tells."""
+    """Convert to millimetres; the unit is found from the width."""
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
     width, factor = found.y.max() - found.y.min(), 1.0
@@ -100,7 +100,7 @@ def in_millimetres(found, kind, remarks):
         unit = next((unit for unit, (_, widths) in UNITS.items() if widths[kind][0] <= width <= widths[kind][1]), None)
         if unit is None:
             raise Refusal(f"is {width:g} mm wide; permitted are {WIDTHS[0]:g} ... {WIDTHS[1]:g} mm")
-        remarks.append(f"taken for {unit}, since it is {width:.4g} wide, and turned into mm")
+        remarks.append(f"its width of {width:.4g} means {unit}; converted to mm")
         factor = UNITS[unit][0]
     if not factor * _span(found.z) <= HIGHEST:
         raise Refusal(f"is {factor * _span(found.z):g} mm high; permitted are {HIGHEST:g} mm or less")
@@ -108,7 +108,7 @@ def in_millimetres(found, kind, remarks):
 
 
 def in_order(found, free, remarks):
-    """The points in the file's order or in that of y, whichever way is shorter, from the smallest y on."""
+    """Sort the points: in the file's order or in that of y, whichever path is shorter, starting at the smallest y."""
     backwards = found.y[0] > found.y[-1]
     if backwards:
         found = found.only(slice(None, None, -1))
@@ -116,15 +116,15 @@ def in_order(found, free, remarks):
     ways = [np.sum(np.hypot(np.diff(found.y[k]), np.diff(found.z[k]))) for k in (slice(None), order)]
     if ways[1] >= ways[0] * (1 - 1e-12):
         if backwards and not free:
-            remarks.append("the points ran from the largest y to the smallest; turned round")
+            remarks.append("the points ran from the largest y to the smallest; reversed")
         return found
     moved = order != np.arange(len(order))
-    remarks.append(f"{counted(moved.sum(), 'point')} put in the order of y ({stretch(found.y[moved])})")
+    remarks.append(f"{counted(moved.sum(), 'point')} sorted by y ({stretch(found.y[moved])})")
     return found.only(order)
 
 
 def without_repetition(found, remarks):
-    """Points that are there twice once, and the mean of such as have the same y and nearly the same z."""
+    """Remove repeated points, and average points with the same y and nearly the same z."""
     chord = np.hypot(np.diff(found.y), np.diff(found.z))
     again = np.concatenate([[False], chord < SAME])
     if again.any():
@@ -147,13 +147,13 @@ def without_repetition(found, remarks):
 
 
 def upright(found, kind, free, remarks):
-    """z down, and a wheel's flange at negative y."""
+    """Turn z down and a wheel's flange to negative y."""
     y, z = _evenly(found)
     low, middle, high = np.percentile(z, [2, 50, 98])
     if middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle:
         found, z, middle, high = replace(found, z=-found.z), -z, -middle, -low
         if not free:
-            remarks.append("z pointed up and is turned down")
+            remarks.append("z was positive upwards; its sign is changed")
     if kind == "wheel" and np.mean(y[z >= 0.4 * middle + 0.6 * high]) > 0.5 * (y[0] + y[-1]):
         found = replace(found, y=-found.y).only(slice(None, None, -1))
         if not free:
@@ -162,25 +162,25 @@ def upright(found, kind, free, remarks):
 
 
 def _evenly(found):
-    """y and z (n,) at even steps across the profile, however densely its parts are measured."""
+    """y and z (n,) [mm] at even steps across the profile, independent of the spacing of the points."""
     order = np.argsort(found.y, kind="stable")
     y = np.linspace(found.y.min(), found.y.max(), 401)
     return y, np.interp(y, found.y[order], found.z[order])
 
 
 def at_running_circle(found, free, remarks):
-    """The wheel with y = 0 at its running circle, and z there within OFFSET of zero."""
+    """Move a wheel so that y = 0 is its running circle, and z is within OFFSET of zero there."""
     y, z = _evenly(found)
     deepest = np.percentile(z, 99)
     tip = np.median(y[z >= deepest])
     if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
         if deepest - z[0] < ROUND_BACK:
             raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted are "
-                          f"{TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that reach round to the back "
-                          f"of the flange")
+                          f"{TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that include the back of the "
+                          f"flange")
         shift = -BACK - y[0]
         if not free:
-            remarks.append(f"the running circle is taken to be {BACK:g} mm from the back of the flange, so y moved by "
+            remarks.append(f"the running circle is assumed {BACK:g} mm from the back of the flange; y shifted by "
                            f"{shift:.4g} mm")
         found, y = replace(found, y=found.y + shift), y + shift
     middle = np.interp(0.0, y, z)
@@ -193,13 +193,13 @@ def at_running_circle(found, free, remarks):
                       f"permitted are {FLANGE[0]:g} mm or less")
     if abs(middle) > OFFSET or free:
         if not free:
-            remarks.append(f"z was {middle:.4g} mm at the running circle and is moved to 0")
+            remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
         found = replace(found, z=found.z - middle)
     return found
 
 
 def outward(found, kind):
-    """The points from the middle outwards as far as y goes; beyond is the back of a flange or the neck of a rail."""
+    """Keep the points from the middle outwards until y turns back: without flange back, rail neck and foot."""
     middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
     stop = middle + _farthest(found.y[middle:], kind)
     start = middle - _farthest(-found.y[middle::-1], kind)
@@ -218,7 +218,7 @@ def outward(found, kind):
 
 
 def _farthest(y, kind):
-    """Index of the largest of ``y`` before it falls by TURN, for longer than outliers do; the foot of a rail's wall."""
+    """Index of the largest ``y`` before it decreases by TURN for longer than a run of outliers; of a rail, the wall's foot."""
     padded = np.pad(y, LONGEST_RUN, mode="edge")
     calm = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_RUN + 1), axis=1)
     turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)

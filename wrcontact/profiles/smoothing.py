@@ -1,9 +1,9 @@
-"""Measured points to a smooth curve: how noisy they are, a smoothing spline over their arc length, and its pieces in y.
+"""From measured points to a smooth curve: noise estimate, smoothing spline over the arc length, and its pieces in y.
 
-The spline is FITPACK's of degree 5 over arc length, so that a flange or a gauge face may be as steep as it likes.  It takes
-as few knots as keep the points within the tolerance: sum of squared distances <= (n + 3 sqrt(2 n)) tolerance^2.  Few knots
-on the tread and many in the root make its curvature usable: with 1 to 10 um of noise every 0.2 mm it is off by 0.1 to
-0.5 1/m on S1002's tread, where a spline of one stiffness everywhere is off by 1 to 2 1/m.
+The spline is FITPACK's of degree 5 over the arc length, so flanges and gauge faces may be vertical.  It uses the smallest
+number of knots that keeps the points within the tolerance: sum of squared distances <= (n + 3 sqrt(2 n)) tolerance^2.  Few
+knots on the tread and many in the root give a usable curvature: with 1 to 10 um of noise every 0.2 mm its error on the tread of
+S1002 is 0.1 to 0.5 1/m; a spline of uniform stiffness has an error of 1 to 2 1/m.
 """
 
 import math
@@ -14,39 +14,40 @@ import numpy as np
 from .remarks import Refusal
 from .zones import Polynomial
 
-#: Points with less noise than this are left as they are [mm]; rounding to four decimals is three times as much.
+#: Points with less noise are not smoothed [mm]; rounding to four decimals gives three times as much.
 LEAST_NOISE = 1e-5
-#: Noise is what polynomials leave of stretches: points, degree, step from one stretch to the next, and the median of chi
-#: squared with points - degree - 1 degrees of freedom.  Where points are far apart the long stretch leaves the profile's own
-#: joints too; the short one counts where it leaves less than half the variance, and points are SPARSE times the noise apart.
+#: Noise is the residual of polynomials fitted to stretches of points: number of points, degree, step from one stretch to the
+#: next, and the median of chi squared with (points - degree - 1) degrees of freedom.  If the points are far apart, the residual
+#: of long stretches includes the profile's own joints.  The short stretch is used if its variance is less than half of that and
+#: the spacing is more than SPARSE times the noise.
 STRETCHES = ((11, 5, 2, 4.3515), (5, 3, 1, 0.4549))
 SPARSE = 20.0
-#: Against points that repeat each other; it changes a fit by this share.
+#: Relative regularisation, for repeated points; it changes a fit by this share.
 RIDGE = 1e-12
-#: Squared cosine of the angle of what is called flat and steep.
+#: Squared cosine of the angle above which a stretch is flat, and below which it is steep.
 FLAT, STEEP = 0.75, 0.5
-#: Fewest flat or steep stretches from which their noise is taken.
+#: Smallest number of flat or steep stretches that gives a noise of its own.
 FEWEST = 6
-#: Points are averaged over this many times the noise before their directions are taken.
+#: Points are averaged over this many times the noise before directions are computed.
 AVERAGED = 10.0
 #: Longest and shortest piece along the curve [mm].
 PIECE, SHORTEST_PIECE = 0.5, 0.01
-#: A wall is a function of y no more beyond this slope; a rail's goes on in straight pieces, that of a wheel ends there.
+#: Slope beyond which a curve is a wall.  A rail continues in straight pieces there; a wheel ends there.
 WALL = math.tan(math.radians(88.0))
-#: How far below the top of a rail or the running circle a wall may begin, and where on a wheel's field side [mm].
+#: A wall may begin this far below the top of a rail or the running circle, or beyond this y on a wheel [mm].
 WALL_DEPTH, FIELD_SIDE = 5.0, 25.0
-#: Least advance of a wall's straight pieces in y, over their length; 20 mm of vertical gauge face move by 0.02 mm.
-LEAN = 1e-3
-#: Least width of a piece in y [mm].
+#: Smallest advance in y of a wall's pieces, relative to their length; 20 mm of vertical gauge face advance by 0.02 mm.
+LEAST_ADVANCE = 1e-3
+#: Smallest width of a piece in y [mm].
 NARROWEST = 1e-6
 
 
 def noise_of(y, z):
-    """Standard deviation of the points (n,) across their curve where that is flat [mm], and how many times smaller it is at
-    each point (n,).
+    """Standard deviation [mm] of points ``y``, ``z`` (n,) across their curve where it is flat, and the factor (n,) by which it
+    is smaller at each point.
 
-    It is the median over stretches of what a polynomial leaves there, for flat and steep stretches apart: noise in z alone
-    is less across a flank.
+    It is the median, over stretches, of the residual of a polynomial, separately for flat and steep stretches: noise in z alone
+    is smaller across a flank.
     """
     if len(y) < 2 * STRETCHES[0][0]:
         return 0.0, np.ones(len(y))
@@ -56,13 +57,13 @@ def noise_of(y, z):
     angle = np.arctan2(np.gradient(z), np.gradient(y))
     half = STRETCHES[0][0] // 2
     level = np.convolve(np.pad(np.cos(angle) ** 2, half, mode="edge"), np.ones(2 * half + 1), mode="valid") / (2 * half + 1)
-    sideways = max(2.0 * steep - flat, 0.0)     # steep stretches are taken to be at 45 degrees
+    sideways = max(2.0 * steep - flat, 0.0)     # steep stretches are assumed to be at 45 degrees
     certainty = np.sqrt(flat / np.maximum(level * flat + (1.0 - level) * sideways, 1e-300))
     return math.sqrt(flat), np.clip(certainty, 0.2, 5.0) if flat > 0.0 else np.ones(len(y))
 
 
 def _variances(y, z, points, degree, step, median):
-    """Variances of flat and of steep stretches [mm^2]; that of all where there are too few."""
+    """Variances [mm^2] of flat and of steep stretches; if there are too few of a kind, that of all stretches."""
     starts = np.arange(0, len(y) - points + 1, step)
     rows = [part[starts[:, None] + np.arange(points)] for part in (y, z)]
     along, across = in_chords(*rows)
@@ -72,14 +73,14 @@ def _variances(y, z, points, degree, step, median):
 
 
 def _directions(y, z):
-    """Angles (m,) of the lines of least squares through rows of points (m, n) about their means [rad]."""
+    """Angles (m,) [rad] of the least-squares lines through rows of points (m, n)."""
     y, z = y - y.mean(axis=1, keepdims=True), z - z.mean(axis=1, keepdims=True)
     return 0.5 * np.arctan2(2 * np.sum(y * z, axis=1), np.sum(y * y, axis=1) - np.sum(z * z, axis=1))
 
 
 def in_chords(y, z, y_more=None, z_more=None):
-    """Coordinates along and across the line of least squares through each row of ``y``, ``z`` (m, n), of these points and
-    then of those in the rows of ``y_more``, ``z_more``."""
+    """Coordinates along and across the least-squares line through each row of ``y``, ``z`` (m, n): of these points, followed
+    by those of ``y_more``, ``z_more`` (m, k)."""
     angle = _directions(y, z)[:, None]
     y_mean, z_mean = y.mean(axis=1, keepdims=True), z.mean(axis=1, keepdims=True)
     y, z = (part if more is None else np.hstack([part, more]) for part, more in ((y, y_more), (z, z_more)))
@@ -88,7 +89,7 @@ def in_chords(y, z, y_more=None, z_more=None):
 
 
 def _fits(along, degree):
-    """The matrices (m, n, n) that fit a polynomial to values at each row of ``along`` (m, n)."""
+    """Matrices (m, n, n) that project values at each row of ``along`` (m, n) onto polynomials."""
     scale = np.maximum(np.max(np.abs(along), axis=1, keepdims=True), 1e-300)
     powers = (along / scale)[:, :, None] ** np.arange(degree + 1)
     return powers @ pseudo_inverse(powers)
@@ -101,7 +102,7 @@ def pseudo_inverse(powers):
 
 
 def arc_lengths(y, z, noise):
-    """Arc length (n,) of every point along averages over AVERAGED times the noise [mm], which noise does not stretch."""
+    """Arc length (n,) [mm] of the points, along averages of them, so that noise does not lengthen it."""
     chord = np.hypot(np.diff(y), np.diff(z))
     group = max(1, min(round(AVERAGED * noise / max(np.median(chord), 1e-9)), len(y) // 8))
     if group == 1:
@@ -116,14 +117,14 @@ def arc_lengths(y, z, noise):
 
 
 def _most(count):
-    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of 700; a curve nearer than that follows it."""
+    """Sum of ``count`` squared distances that noise of 1 exceeds in one case of 700; a closer curve would follow the noise."""
     return count + 3.0 * math.sqrt(2.0 * count)
 
 
 class Curve:
-    """The smoothing spline through points ``y``, ``z`` (n,) in order, to ``tolerance`` [mm] in the mean of squares.
+    """The smoothing spline for ordered points ``y``, ``z`` (n,) [mm], with a root mean square distance of ``tolerance`` [mm].
 
-    ``weight`` (n,) multiplies a point's distance.  With a tolerance of 0 it goes through every point.
+    ``weight`` (n,) multiplies the distance of each point.  With tolerance 0 the spline goes through every point.
     """
 
     def __init__(self, y, z, weight, tolerance):
@@ -135,10 +136,10 @@ class Curve:
         new = np.concatenate([[True], np.diff(s) > 1e-7])
         s, y, z, weight = s[new], y[new], z[new], weight[new]
         if len(s) < 6:
-            raise Refusal(f"has {len(s)} points that differ; permitted are 6 or more")
+            raise Refusal(f"has {len(s)} different points; permitted are 6 or more")
         self.s, self.origin = s, (0.0, 0.0)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # where its knots do not suffice it goes as near to the points as it can
+            warnings.simplefilter("ignore")  # with too few knots it is as close to the points as possible
             self._spline, _ = splprep([y, z], u=s, w=weight, s=_most(len(s)) * tolerance**2, k=5)
         (y_smooth, z_smooth), *_ = self(s)
         self.moved = float(np.max(np.hypot(y_smooth - y, z_smooth - z)))
@@ -151,7 +152,7 @@ class Curve:
         return (y - self.origin[0], z - self.origin[1]), slope, bend
 
     def ends_of_pieces(self):
-        """Arc lengths (n,) of its knots, SHORTEST_PIECE apart, and others so that none is longer than PIECE."""
+        """Arc lengths (n,) at the ends of the pieces: knots at least SHORTEST_PIECE apart, and others at most PIECE apart."""
         knots = np.unique(np.clip(self._spline[0], self.s[0], self.s[-1]))
         kept = [knots[0]]
         for knot in knots[1:-1]:
@@ -162,12 +163,12 @@ class Curve:
         return np.append(np.concatenate(parts), knots[-1])
 
     def nearest(self, y):
-        """The arc length where the curve is nearest to the abscissa ``y``."""
+        """The arc length at which the abscissa is closest to ``y`` [mm]."""
         s = np.linspace(self.s[0], self.s[-1], 2001)
         return s[np.argmin(np.abs(self(s)[0][0] - y))]
 
     def highest(self):
-        """The arc length of the highest point, where z is smallest; that becomes the origin."""
+        """The arc length of the highest point (smallest z), which becomes the origin."""
         s = np.linspace(self.s[0], self.s[-1], 2001)
         top = s[np.argmin(self(s)[0][1])]
         low, high = max(top - (s[1] - s[0]), s[0]), min(top + (s[1] - s[0]), s[-1])
@@ -179,13 +180,13 @@ class Curve:
 
 
 def pieces_of(curve, top, *, walls):
-    """Quintic pieces in y of ``curve`` around the arc length ``top``, as far out as it is less steep than WALL, and whether
-    they are smooth; with ``walls`` straight pieces go on to its ends.
+    """Quintic pieces in y of ``curve`` around the arc length ``top``, as far as it is less steep than WALL, and whether the
+    result is smooth.  With ``walls``, straight pieces continue to the ends of the curve.
 
     Raises
     ------
     Refusal
-        where it is steeper than that at ``top``.
+        if the curve is steeper than that at ``top``.
     """
     s = curve.ends_of_pieces()
     (y, z), (dy, dz), (ddy, ddz) = curve(s)
@@ -225,13 +226,13 @@ def _quintic(low, high):
 
 
 def _wall(y, z, slope):
-    """Straight pieces through points of a wall that goes outwards and down, y forced to rise by LEAN, until it turns up."""
+    """Straight pieces through the points of a wall, outwards and down until it turns up; y advances by at least LEAST_ADVANCE."""
     zones, start, height = [], float(y[0]), float(z[0])
     for low, high in zip(z[:-1], z[1:]):
         if high <= low or slope < 0.0:
             break
         k = len(zones) + 1
-        stop = max(float(y[k]), start + LEAN * float(high - low), start + NARROWEST)
+        stop = max(float(y[k]), start + LEAST_ADVANCE * float(high - low), start + NARROWEST)
         zones.append(Polynomial(start, stop, (height, float(high - height) / (stop - start)), start))
         start, height = stop, float(high)
     return zones

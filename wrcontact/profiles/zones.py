@@ -1,6 +1,6 @@
-"""The pieces that standards define profiles with: polynomials and circular arcs, in millimetres as printed.
+"""The zones by which standards define profiles: polynomials and circular arcs, in millimetres as printed.
 
-A zone answers with height z [mm] (down), slope dz/dy and second derivative [1/mm] at y [mm].
+``zone(y)`` returns height z [mm] (positive down), slope dz/dy [1] and second derivative [1/mm] at y [mm], arrays of y's shape.
 """
 
 import math
@@ -50,9 +50,9 @@ class Arc:
 
 @dataclass(frozen=True)
 class Moved:
-    """``zone`` turned by ``angle`` [rad] from y to z about the origin of its frame, then shifted by (y_shift, z_shift).
+    """``zone`` rotated by ``angle`` [rad] from y to z about the origin of its frame, then shifted by (y_shift, z_shift) [mm].
 
-    The moved curve is read as a function of its own abscissa: the zone's parameter t with
+    The moved curve is a function of its own abscissa y: the zone's parameter t with
     t cos(angle) - z(t) sin(angle) + y_shift = y is found by Newton's method.
     """
 
@@ -91,10 +91,9 @@ class Moved:
 
 
 def move_zone(zone, angle, y_shift=0.0, z_shift=0.0):
-    """``zone`` turned by ``angle`` [rad] from y to z about the origin and shifted [mm]; an arc stays an arc.
+    """``zone`` rotated by ``angle`` [rad] from y to z about the origin and shifted [mm]; an arc stays an arc.
 
-    A lower or upper half circle stays one only while no end passes the vertical; steeper zones are for the caller to
-    leave out.
+    This requires that no end of the arc passes the vertical; the caller leaves out steeper zones.
     """
     if not isinstance(zone, Arc):
         return Moved(zone, angle, y_shift, z_shift)

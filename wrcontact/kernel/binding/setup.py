@@ -61,6 +61,6 @@ def refusal(outcome, report, wheel, rail):
                 f"{layout.SCAN_LIMIT * FINE_STEP:.4g} m")
     if outcome == prepare_tables.WITHOUT_HEAD:
         return (f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the rail's highest point; "
-                "permitted are profiles that can be read there")
+                "permitted are profiles with less slope there")
     return (f"the profiles {wheel} and {rail} have too many points for the kernel's tables; permitted are profiles with fewer "
             "points")
