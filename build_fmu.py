@@ -29,6 +29,6 @@ def same(source, copy):
 
 if __name__ == "__main__":
     use_installed()
-    from wrcontact.fmu.build import main
+    from wrcontact.fmu.command import main
 
     sys.exit(main())

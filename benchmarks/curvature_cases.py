@@ -20,7 +20,6 @@ from tests.reference import halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import contact_plane
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.profiles.files import profile_from_points
 from wrcontact.profiles.placement import readable_wheel
 
 MM = 1e-3
@@ -165,7 +164,7 @@ def measured(profile, spacing, noise, cutoff, random):
     error = random.normal(0.0, noise * 1e-3, len(y))
     if cutoff > 0:
         error = make_smoothing_spline(y, error, lam=(cutoff / (2 * np.pi)) ** 4 / spacing)(y)
-    return profile_from_points(y, profile.height(y * MM) / MM + error, name=f"{profile.name} measured", kind=profile.kind)
+    return wrcontact.Profile.from_points(y, profile.height(y * MM) / MM + error, name=f"{profile.name} measured", kind=profile.kind)
 
 
 def noisy_cases(shifts=NOISY_POSITIONS, noise=NOISE, seeds=SEEDS):

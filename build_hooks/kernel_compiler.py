@@ -18,7 +18,7 @@ KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 _NAMES = runpy.run_path(str(KERNEL / "binding" / "platforms.py"))
 PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
 LIBRARY_NAME = library_name(host_platform())
-write_whole = runpy.run_path(str(KERNEL.parent / "files" / "whole_file.py"))["write_whole"]
+write_atomically = runpy.run_path(str(KERNEL.parent / "storage" / "atomic.py"))["write_atomically"]
 
 #: Steps, preparation and derivatives are separate units, so that the optimisation of the first does not
 #: depend on the others.
@@ -63,7 +63,7 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
 def place(library, folder):
     """Copy a library into ``folder``, atomically."""
     target = Path(folder) / library.name
-    write_whole(target, library.read_bytes())
+    write_atomically(target, library.read_bytes())
     return target
 
 

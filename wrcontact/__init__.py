@@ -3,7 +3,8 @@
 from .profiles import Profile, ProfileWarning
 from .state import WheelsetState
 from .status import Status, explain
-from .system import ContactSystem, Stepper
+from .stepper import Stepper
+from .system import ContactSystem
 
 __version__ = "0.1.0"
 __all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check", "explain"]

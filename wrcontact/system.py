@@ -15,13 +15,13 @@ from numbers import Integral
 import numpy as np
 
 from .kernel import layout
-from .kernel.binding.library import default_kernel
-from .kernel.patch.outline import row_size
-from .profiles.files import find_profile
+from .kernel.binding.setup import prepare_tables_of
+from .methods.choices import check_choice
 from .methods.resolution import resolve
+from .profiles.find import find_profile
 from .state import WheelsetState
 from .status import Status
-from .kernel.binding.setup import prepare_tables_of
+from .stepper import Stepper
 
 #: Permitted range and unit of every numeric parameter; ends included.
 RANGES = {
@@ -69,10 +69,6 @@ METHOD_NUMBERS = {
     "lateral_curvature": {"adaptive": layout.LATERAL_ADAPTIVE, "smooth": layout.LATERAL_SMOOTH,
                           "rough": layout.LATERAL_ROUGH},
 }
-
-#: What of an evaluation can be wanted.
-SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
-DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
 
 
 class ContactSystem:
@@ -179,9 +175,9 @@ class ContactSystem:
 
     def _new_stepper(self):
         if self.parameters["normal_model"] == "halfspace":
-            from .reference.true_gap import HalfspaceStepper  # scipy is not needed before
+            from .reference.stepping import halfspace_solver  # scipy is not needed before
 
-            return HalfspaceStepper(self._tables, self.parameters["tolerance"])
+            return Stepper(self._tables, halfspace_solver(self.parameters["tolerance"]))
         return Stepper(self._tables)
 
     def evaluate(self, lateral_shift=0.0, yaw=0.0, normal_force=78.5e3, load_transfer=0.0, roll_guess=0.0,
@@ -238,68 +234,6 @@ class ContactSystem:
         return WheelsetState(values, status.astype(int), inputs)
 
 
-class Stepper:
-    """One wheelset moved in time: write ``inputs``, call :meth:`step`, read ``outputs``.
-
-    Attributes
-    ----------
-    inputs : (7,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1],
-        vertical_shift_input [m], roll_input [rad].
-    outputs : (276,) in the order of wrcontact/kernel/layout/records.py; SI.  Zero until the first valid step.  With n stations other
-        than 31 the outlines follow behind them, (276 + 6 n,), as told in wrcontact/kernel/patch/outline.py.
-    state : (11,) where the next roll search starts, and counters; it never changes an answer.
-    compiled : whether the compiled kernel is at work.
-    """
-
-    def __init__(self, tables):
-        self._tables = tables.copy()
-        self.inputs = np.zeros(layout.INPUT_COUNT)
-        self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
-        self.state = np.zeros(layout.STATE_SIZE)
-        self._workspace = np.zeros(layout.WORK_SIZE)
-        self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)
-        self.compiled = self._bound.compiled
-        self.step = self._bound.step
-        self._penetration = None
-        self._wanted = ("both", "all")
-
-    def step(self):
-        """Evaluate the inputs into the outputs; the status (an int).  Status 2, 3 and 4 leave the outputs as they are.
-
-        Inputs that are those of the last valid step are not evaluated again.
-        """
-
-    def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous float64."""
-        self._bound.step_many(len(inputs), inputs, outputs, status)
-
-    def prescribe(self, penetration):
-        """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to the force."""
-        if penetration is self._penetration:
-            return
-        if self._tables[layout.SET_MODE] != layout.MODE_RIGID:
-            raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' is none, since "
-                             "it follows from the load or from the height")
-        left, right = np.broadcast_to(np.nan if penetration is None else np.asarray(penetration, dtype=float), 2)
-        for side, value in (("left", left), ("right", right)):
-            if not (math.isnan(value) or 0.0 <= value <= 0.01):
-                raise ValueError(f"penetration ({side}) is {value:g} m; permitted is 0 ... 0.01 m")
-        self._tables[layout.SET_PENETRATION_LEFT] = left
-        self._tables[layout.SET_PENETRATION_RIGHT] = right
-        self._workspace[layout.WORK_KNOWN] = 0.0
-        self._penetration = penetration
-
-    def want(self, side="both", outputs="all"):
-        """Compute only this from now on; the arguments of :meth:`ContactSystem.stepper`."""
-        if self._wanted == (side, outputs):
-            return
-        for name, value, choices in (("side", side, SIDES), ("outputs", outputs, DEPTHS)):
-            check_choice(name, value, choices)
-        self._tables[layout.SET_SIDES], self._tables[layout.SET_DEPTH] = SIDES[side], DEPTHS[outputs]
-        self._workspace[layout.WORK_KNOWN] = 0.0
-        self._wanted = (side, outputs)
-
-
 def _checked_number(name, value, low, high, unit):
     """``value`` as a float within its range; ValueError otherwise."""
     try:
@@ -331,14 +265,6 @@ def _check_halfspace(chosen):
         if chosen[name] != CHOICES[name][0]:
             raise ValueError(f"{name} is {chosen[name]!r}; permitted with the normal_model 'halfspace', which knows the whole "
                              f"surface, is {CHOICES[name][0]!r}")
-
-
-def check_choice(name, value, choices):
-    """ValueError, in a sentence that lists them, unless ``value`` is one of ``choices``."""
-    if value not in choices:
-        permitted = ", ".join(repr(choice) for choice in choices)
-        raise ValueError(f"{name} is {value!r}; permitted are {permitted}" if len(choices) > 1 else
-                         f"{name} is {value!r}; permitted is {permitted}")
 
 
 def _rebuild(kind, parameters):

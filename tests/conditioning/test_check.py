@@ -17,7 +17,6 @@ from wrcontact.conditioning import equivalent_conicity
 from wrcontact.conditioning.conformal import NEAR
 from wrcontact.conditioning.conicity import NO_RETURN, OFF_PROFILE, Swing
 from wrcontact.plots import check_figure
-from wrcontact.profiles.files import profile_from_points
 from wrcontact.profiles.zones import Arc, Polynomial
 
 from tests.reference import brute_force
@@ -348,7 +347,7 @@ def short_wheel(stop):
     """S1002 that ends ``stop`` [mm] beyond its running circle."""
     y, z = even_points("wheel", 0.5)
     inside = (y > -60) & (y < stop)
-    return profile_from_points(y[inside], z[inside], name="short", kind="wheel")
+    return Profile.from_points(y[inside], z[inside], name="short", kind="wheel")
 
 
 def test_a_contact_beyond_the_end_of_a_wheel_is_none():

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from tests.helpers.paths import ROOT
-from wrcontact.fmu import build, native
+from wrcontact.fmu import command, native
 from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import INPUT, OUTPUT, VARIABLES, select
 from wrcontact.profiles.catalogue import BUILDERS
@@ -59,7 +59,7 @@ def test_the_page_on_fmus_names_what_there_is(capsys):
     for name in (*PLATFORMS, *BUILDERS, *native.compiled_units(2)):
         assert name in page, name
     with pytest.raises(SystemExit):
-        build.main(["--help"])
+        command.main(["--help"])
     options = capsys.readouterr().out
     for option in re.findall(r"--[a-z]+", page):
         assert option in options, option

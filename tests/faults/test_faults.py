@@ -31,7 +31,7 @@ from tests.cli.test_cli import OUTSIDE, start
 from tests.fmu.test_fmu import OUTPUT_NAMES, poses, run_scenario
 from tests.fmu.test_native_fmu import has_compiler
 from tests.helpers.paths import ROOT
-from wrcontact import ContactSystem
+from wrcontact import Profile, ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.demo import apart
 from wrcontact.cli.door import Refused
@@ -42,10 +42,10 @@ from wrcontact.interface.session import Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel.binding.library import LIBRARY_NAME, LibraryUnusable, open_library
 from wrcontact.profiles import files, standard_profile
-from wrcontact.files import whole_file
-from wrcontact.files.whole_file import ABANDONED, write_whole
+from wrcontact.storage import atomic
+from wrcontact.storage.atomic import ABANDONED, write_atomically
 
-WRITER = Path(whole_file.__file__)
+WRITER = Path(atomic.__file__)
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="signals, limits and devices are those of Linux")
 needs_compiler = pytest.mark.skipif(not has_compiler(), reason="a native FMU is built by a C compiler, and none is here")
 slow, complete = pytest.mark.slow, pytest.mark.complete
@@ -66,7 +66,7 @@ def cli(*words, **settings):
 
 LOOP = """
 import runpy, sys
-write = runpy.run_path(sys.argv[1])["write_whole"]
+write = runpy.run_path(sys.argv[1])["write_atomically"]
 for k in range(int(sys.argv[3])):
     write(sys.argv[2], bytes([65 + k % 26]) * 3_000_000)
     print(k, flush=True)
@@ -102,14 +102,14 @@ def test_what_a_killed_writer_left_is_removed_by_the_next_one_when_it_is_old(tmp
     for part, age in ((old, ABANDONED + 60.0), (young, 0.0)):
         part.write_text("half")
         os.utime(part, (time.time() - age,) * 2)
-    write_whole(tmp_path / "file", b"whole")
+    write_atomically(tmp_path / "file", b"whole")
     assert parts_in(tmp_path) == [young] and (tmp_path / "file").read_bytes() == b"whole"
 
 
 def test_writers_of_one_file_at_once(tmp_path):
     """A reader finds a whole file at any time."""
     target = tmp_path / "file"
-    write_whole(target, b"A" * 3_000_000)
+    write_atomically(target, b"A" * 3_000_000)
     programs = [writing(target, 25) for _ in range(3)]
     reads = 0
     while any(program.poll() is None for program in programs):
@@ -133,30 +133,30 @@ def largest_file(size):
 
 def test_a_file_that_cannot_be_written_stays_as_it_was(tmp_path):
     target = tmp_path / "file"
-    write_whole(target, b"before")
+    write_atomically(target, b"before")
     with largest_file(1000), pytest.raises(OSError, match="File too large") as refused:
-        write_whole(target, b"x" * 2000)
+        write_atomically(target, b"x" * 2000)
     assert refused.value.filename == str(target) and target.read_bytes() == b"before" and parts_in(tmp_path) == []
     with pytest.raises(FileNotFoundError) as refused:
-        write_whole(tmp_path / "nowhere" / "file", b"")
-    assert whole_file.sentence_of(refused.value) == f"{tmp_path / 'nowhere' / 'file'}: No such file or directory"
+        write_atomically(tmp_path / "nowhere" / "file", b"")
+    assert atomic.sentence_of(refused.value) == f"{tmp_path / 'nowhere' / 'file'}: No such file or directory"
     with pytest.raises(IsADirectoryError):
-        write_whole(tmp_path, b"")
+        write_atomically(tmp_path, b"")
 
 
 def test_permissions_links_and_pipes_stay(tmp_path):
     target, link, pipe = (tmp_path / name for name in ("file", "link", "pipe"))
-    write_whole(target, b"1")
+    write_atomically(target, b"1")
     assert stat.S_IMODE(target.stat().st_mode) == 0o666 & ~_umask()
     target.chmod(0o640)
     link.symlink_to(target)
-    write_whole(link, b"2")
+    write_atomically(link, b"2")
     assert link.is_symlink() and target.read_bytes() == b"2" and stat.S_IMODE(target.stat().st_mode) == 0o640
     os.mkfifo(pipe)
     heard = []
     reader = threading.Thread(target=lambda: heard.append(pipe.read_bytes()))
     reader.start()
-    write_whole(pipe, b"3")
+    write_atomically(pipe, b"3")
     reader.join()
     assert heard == [b"3"] and pipe.is_fifo()
 
@@ -385,7 +385,7 @@ def read_only(tmp_path):
 def test_read_only_installation_home_and_folder(tmp_path, read_only, compiled, what):
     """The package evaluates, draws and builds its FMUs; where it may not write, one sentence says so."""
     installed, home, closed = (tmp_path / name for name in ("installed", "home", "closed"))
-    package = Path(whole_file.__file__).parent
+    package = Path(atomic.__file__).parents[1]
     shutil.copytree(package, installed / "wrcontact", ignore=shutil.ignore_patterns("__pycache__"))
     if not (package / "fmu_src").is_dir():
         shutil.copytree(package.parent / "fmu_src", installed / "fmu_src", ignore=shutil.ignore_patterns("__pycache__"))
@@ -473,7 +473,7 @@ def test_builds_at_once(tmp_path, fmus, compiled, cold):
 def test_kernels_compiled_at_once_while_others_load_them(tmp_path):
     """Into one folder: there is a whole library at any time."""
     folder = tmp_path / "kernel"
-    shutil.copytree(Path(whole_file.__file__).parent / "kernel", folder)
+    shutil.copytree(Path(atomic.__file__).parents[1] / "kernel", folder)
     script = (f"import sys; sys.path.insert(0, {str(ROOT / 'build_hooks')!r}); "
               f"from kernel_compiler import compile_library; print(compile_library(sys.argv[1]))")
     programs = [subprocess.Popen([sys.executable, "-c", script, str(folder)], stdout=subprocess.PIPE, text=True)
@@ -568,10 +568,10 @@ def test_a_profile_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatc
 
     monkeypatch.setattr(files, "open", Changing, raising=False)
     with pytest.raises(ValueError, match=f"^rail profile {re.escape(str(path))} changed while it was read; permitted are files "):
-        files.read_profile(path, "rail")
+        Profile.from_file(path, "rail")
     monkeypatch.undo()
     path.write_text(text)
-    assert files.read_profile(path, "rail").kind == "rail"
+    assert Profile.from_file(path, "rail").kind == "rail"
 
 
 @slow
@@ -581,18 +581,18 @@ def test_a_profile_that_is_replaced_while_others_read_it(tmp_path):
     wanted = []
     for text in texts:
         path.write_text(text)
-        wanted.append(files.read_profile(path, "rail"))
+        wanted.append(Profile.from_file(path, "rail"))
     ended = threading.Event()
 
     def replace():
         while not ended.is_set():
             for text in texts:
-                write_whole(path, text.encode())
+                write_atomically(path, text.encode())
 
     writer = threading.Thread(target=replace)
     writer.start()
     try:
-        found = [files.read_profile(path, "rail") for _ in range(30)]
+        found = [Profile.from_file(path, "rail") for _ in range(30)]
     finally:
         ended.set()
         writer.join()

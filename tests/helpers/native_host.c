@@ -3,7 +3,7 @@
  *
  * With the FMU's sources in this program:
  *
- *     cc -DFMI=2 native_host.c fmi2.c wheelset.c model.c kernel/native/wrcontact_kernel.c kernel/native/wrcontact_prepare.c -lm
+ *     cc -DFMI=2 native_host.c fmi2*.c wheelset*.c sentences.c model.c kernel/native/wrcontact_*.c -lm
  *
  * or with its library, where every allocation of the process is counted (glibc):
  *

@@ -15,7 +15,6 @@ from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.profiles import Profile
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.definition import definition
-from wrcontact.profiles.files import profile_from_points
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
 from wrcontact.system import METHOD_NUMBERS
@@ -26,12 +25,12 @@ LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_
 
 def worn_wheel():
     y = np.arange(-60.0, 56.0, 0.5)
-    return profile_from_points(y, -y / 20 + np.where(y < -30, 0.05 * (y + 30) ** 2, 0.0), name="worn", kind="wheel")
+    return Profile.from_points(y, -y / 20 + np.where(y < -30, 0.05 * (y + 30) ** 2, 0.0), name="worn", kind="wheel")
 
 
 def measured_rail():
     y = np.arange(-36.0, 36.1, 0.4)
-    return profile_from_points(y, 1e3 * standard_profile("UIC60").height(1e-3 * y), name="measured", kind="rail")
+    return Profile.from_points(y, 1e3 * standard_profile("UIC60").height(1e-3 * y), name="measured", kind="rail")
 
 
 def stepped_wheel():

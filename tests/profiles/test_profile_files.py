@@ -18,12 +18,13 @@ import wrcontact
 from benchmarks.profile_noise import NAMES, case, contacts, differences, even_points, noisy_points
 from wrcontact import Profile, ProfileWarning
 from wrcontact.cli import main
-from wrcontact.fmu.build import chosen_profiles
+from wrcontact.fmu.archive import chosen_profiles
 from wrcontact.fmu.native import packed_profiles
 from wrcontact.profiles import standard_profile
-from wrcontact.profiles.files import LARGEST_FILE, prepared_text, read_profile
+from wrcontact.profiles.files import LARGEST_FILE, prepared_text
 from wrcontact.profiles.remarks import remarks_in_lines
-from wrcontact.profiles.repair import BACK, _run_errors
+from wrcontact.profiles.outliers import _run_errors
+from wrcontact.profiles.repair import BACK
 from wrcontact.profiles.smoothing import noise_of
 
 MM = 1e-3
@@ -480,8 +481,8 @@ def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     (measured / "packed" / "worn.csv").write_text(prepared_text(own["worn.csv"]))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ProfileWarning)
-        assert read_profile(measured / "packed" / "worn.csv", "wheel") == read_profile(measured / "worn.csv", "wheel")
-        assert profiles[starts["wheel_profile"]] == read_profile(measured / "worn.csv", "wheel", 2e-5)
+        assert Profile.from_file(measured / "packed" / "worn.csv", "wheel") == Profile.from_file(measured / "worn.csv", "wheel")
+        assert profiles[starts["wheel_profile"]] == Profile.from_file(measured / "worn.csv", "wheel", 2e-5)
 
 
 # --- damaged files --------------------------------------------------------------------------------------------------------

@@ -7,7 +7,8 @@ from wrcontact.kernel.layout import PIECE_SIZE, Profile, offset
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
 from wrcontact.profiles.compiled import REPAIR_WIDTH, compile_profile, evaluate_table
-from wrcontact.profiles.files import find_profile, prepared_text, profile_from_points, read_profile
+from wrcontact.profiles.files import prepared_text
+from wrcontact.profiles.find import find_profile
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Polynomial
 
@@ -148,7 +149,7 @@ def test_points_file_gives_the_profile_back(tmp_path):
     y = np.concatenate([np.arange(-0.069, -0.0305, 5e-5), np.arange(-0.03, 0.06, 5e-4)])
     path = tmp_path / "worn wheel.csv"
     path.write_text("y;z\n" + "\n".join(f"{a / MM!r}; {b / MM!r}" for a, b in zip(y.tolist(), wheel.height(y).tolist())))
-    read = read_profile(path, "wheel")
+    read = Profile.from_file(path, "wheel")
     assert read.name == "worn wheel"
     smooth = np.random.default_rng(3).uniform(-0.06, 0.059, 2000)
     assert np.max(np.abs(read.height(smooth) - wheel.height(smooth))) < 2e-7   # a spline rings where S1002 steps (1.2e-7 m)
@@ -156,10 +157,10 @@ def test_points_file_gives_the_profile_back(tmp_path):
 
 def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
     y = np.linspace(-36, 36, 145)
-    rail = profile_from_points(y + 3.0, 7.0 + y**2 / 160, name="measured", kind="rail")
+    rail = Profile.from_points(y + 3.0, 7.0 + y**2 / 160, name="measured", kind="rail")
     path = tmp_path / "measured.json"
     path.write_text(prepared_text(rail))
-    assert read_profile(path, "rail") == rail
+    assert Profile.from_file(path, "rail") == rail
     assert rail.height(0.0) == pytest.approx(0.0, abs=1e-15) and rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)
 
 
@@ -185,5 +186,5 @@ def test_unusable_points_are_refused(tmp_path, text, sentence):
     path = tmp_path / "broken.txt"
     path.write_text(text)
     with pytest.raises(ValueError, match=sentence):
-        read_profile(path, "wheel")
+        Profile.from_file(path, "wheel")
     assert WHEELS == ("S1002",)

@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 
 import wrcontact
 from wrcontact import Status
-from wrcontact.reference import halfspace, true_gap
+from wrcontact.reference import deflection, edge, halfspace, missed, one_grid, outputs, true_gap
 from wrcontact.conventions import MIRROR
 from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
@@ -39,7 +39,7 @@ def on_hertz(A, B, force, cells, precision=1e-8, **load):
     exact = hertz(A, B, force)
     x, s = (half * (1 + 4 / cells) * (2 * np.arange(cells + 4) + 1 - cells - 4) / (cells + 4) for half in exact[1:3])
     gap = paraboloid(A, B)(x, s)
-    return halfspace.solve(x, s, gap, contact_modulus=MODULUS, precision=precision, **(load or {"force": force})), exact
+    return one_grid.solve(x, s, gap, contact_modulus=MODULUS, precision=precision, **(load or {"force": force})), exact
 
 
 def test_example_of_the_module():
@@ -52,7 +52,7 @@ def test_example_of_the_module():
 def test_influence_is_the_integral_over_the_cell():
     """1/r integrated by quadrature over a cell that is far from square, one cell and one diagonal away."""
     dx, ds = 1e-4, 3e-4
-    influence = halfspace.influence(3, 3, dx, ds, contact_modulus=MODULUS)
+    influence = deflection.influence(3, 3, dx, ds, contact_modulus=MODULUS)
     for i, j in ((1, 0), (0, 1), (2, 1)):
         def distance(s, x, i=i, j=j):
             return 1.0 / math.hypot(x - i * dx, s - j * ds)
@@ -63,11 +63,11 @@ def test_influence_is_the_integral_over_the_cell():
 def test_convolution_is_the_sum():
     """Nothing wraps round: against the plain double sum, on a grid that is not square."""
     pressure = np.random.default_rng(1).random((7, 5))
-    deflection = halfspace.Deflection(pressure.shape, 2e-4, 1e-4, MODULUS)(pressure)
-    influence = halfspace.influence(7, 5, 2e-4, 1e-4, contact_modulus=MODULUS)
+    bent = deflection.Deflection(pressure.shape, 2e-4, 1e-4, MODULUS)(pressure)
+    influence = deflection.influence(7, 5, 2e-4, 1e-4, contact_modulus=MODULUS)
     for i, j in ((0, 0), (6, 4), (2, 3)):
         total = sum(pressure[k, m] * influence[abs(i - k), abs(j - m)] for k in range(7) for m in range(5))
-        assert deflection[i, j] == pytest.approx(total, rel=1e-12)
+        assert bent[i, j] == pytest.approx(total, rel=1e-12)
 
 
 # --- closed forms -----------------------------------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ def test_peak_between_cells():
     x = a * (1 + 4 / cells) * (2 * np.arange(cells + 4) + 1 - cells - 4) / (cells + 4)
     step = x[1] - x[0]
     x = x + (0.5 - third) * step
-    found = halfspace.solve(x, x, paraboloid(1.0, 1.0)(x, x), contact_modulus=MODULUS, force=1e4)
+    found = one_grid.solve(x, x, paraboloid(1.0, 1.0)(x, x), contact_modulus=MODULUS, force=1e4)
     assert found.max_pressure == pytest.approx(pressure, rel=7e-4)
     assert found.pressure.max() < found.max_pressure
 
@@ -106,10 +106,10 @@ def test_area_of_an_exact_pressure_field(aspect):
         x, s = np.arange(-30, 31) + offset, np.arange(-30, 31) + 0.7 * offset
         square = 1 - (x[:, None] / 15) ** 2 - (aspect * s / 30) ** 2 if aspect > 1 else 1 - (x[:, None] ** 2 + s**2) / 225
         area = math.pi * 15 * (30 / aspect if aspect > 1 else 15)
-        edge = halfspace.edge_field(np.sqrt(np.maximum(square, 0.0)))
-        bias = halfspace.EDGE_BIAS * 2 * math.pi * 15     # the correction belongs to solved pressures, not to exact ones
-        errors.append((halfspace.edge_area(edge) + bias * (30 / aspect / 15 + 1) / 2) / area - 1 if aspect > 1
-                      else (halfspace.edge_area(edge) + bias) / area - 1)
+        field = edge.edge_field(np.sqrt(np.maximum(square, 0.0)))
+        bias = edge.EDGE_BIAS * 2 * math.pi * 15     # the correction belongs to solved pressures, not to exact ones
+        errors.append((edge.edge_area(field) + bias * (30 / aspect / 15 + 1) / 2) / area - 1 if aspect > 1
+                      else (edge.edge_area(field) + bias) / area - 1)
     assert np.max(np.abs(errors)) < 4e-3
 
 
@@ -118,9 +118,9 @@ def test_flat_punch():
     radius, cells = 5e-3, 120
     x = radius * 1.1 * (2 * np.arange(cells) + 1 - cells) / cells
     gap = np.where(np.hypot(x[:, None], x) < radius, 0.0, np.inf)
-    found = halfspace.solve(x, x, gap, contact_modulus=MODULUS, penetration=1e-5)
+    found = one_grid.solve(x, x, gap, contact_modulus=MODULUS, penetration=1e-5)
     assert found.force == pytest.approx(2 * MODULUS * radius * 1e-5, rel=0.01)      # the edge is known to half a cell
-    by_force = halfspace.solve(x, x, gap, contact_modulus=MODULUS, force=found.force)
+    by_force = one_grid.solve(x, x, gap, contact_modulus=MODULUS, force=found.force)
     assert by_force.penetration == pytest.approx(1e-5, rel=1e-6)
 
 
@@ -138,7 +138,7 @@ def test_two_separate_patches_press_each_other_down():
     assert found.penetration == pytest.approx(alone[0] + force / 2 / (math.pi * MODULUS * distance), rel=1e-3)
     assert found.max_pressure == pytest.approx(alone[3], rel=2e-3)
     assert found.area == pytest.approx(2 * math.pi * alone[1] * alone[2], rel=5e-3)
-    patches = true_gap.split_patches(found)
+    patches = outputs.split_patches(found)
     assert len(patches) == 2
     assert patches[0].sum() == pytest.approx(patches[1].sum(), rel=1e-3)
 
@@ -184,7 +184,7 @@ def test_estimated_error_bounds_the_real_one(ratio):
 
 def test_prescribed_penetration_is_the_inverse_on_a_grid():
     found, _ = on_hertz(1.0, 3.0, 4e4, 40)
-    back = halfspace.solve(found.x, found.s, paraboloid(1.0, 3.0)(found.x, found.s), contact_modulus=MODULUS,
+    back = one_grid.solve(found.x, found.s, paraboloid(1.0, 3.0)(found.x, found.s), contact_modulus=MODULUS,
                            penetration=found.penetration, precision=1e-8)
     assert back.force == pytest.approx(4e4, rel=1e-7)
     np.testing.assert_allclose(back.pressure, found.pressure, atol=1e-4 * found.max_pressure)
@@ -193,8 +193,8 @@ def test_prescribed_penetration_is_the_inverse_on_a_grid():
 def test_a_guess_changes_the_cost_and_not_the_answer():
     plain, _ = on_hertz(1.0, 3.0, 4e4, 40)
     gap = paraboloid(1.0, 3.0)(plain.x, plain.s)
-    warm = halfspace.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, guess=plain.pressure, precision=1e-8)
-    bad = halfspace.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, precision=1e-8,
+    warm = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, guess=plain.pressure, precision=1e-8)
+    bad = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, precision=1e-8,
                           guess=np.random.default_rng(2).random(gap.shape))
     assert warm.iterations <= 2 < plain.iterations < bad.iterations
     assert bad.penetration == pytest.approx(plain.penetration, rel=1e-8)
@@ -219,7 +219,7 @@ def test_force_rises_with_penetration():
 def test_no_load_and_no_contact():
     x = np.linspace(-1e-3, 1e-3, 9)
     gap = paraboloid(1.0, 1.0)(x, x) + 1e-6
-    empty = halfspace.solve(x, x, gap, contact_modulus=MODULUS, force=0.0)
+    empty = one_grid.solve(x, x, gap, contact_modulus=MODULUS, force=0.0)
     assert (empty.force, empty.area, empty.penetration) == (0.0, 0.0, pytest.approx(1e-6))
     apart = halfspace.solve_contact(lambda x, s: paraboloid(1.0, 1.0)(x, s) + 1e-6, WIDE, contact_modulus=MODULUS,
                                     penetration=5e-7)
@@ -246,7 +246,7 @@ def test_complete_theory_on_the_planar_gap(case):
     assert found.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=6e-3)
     loads = sorted((region["fn_N"] for region in truth["regions"]), reverse=True)
     cell = (found.x[1] - found.x[0]) * (found.s[1] - found.s[0])
-    np.testing.assert_allclose([p.sum() * cell for p in true_gap.split_patches(found)], loads, rtol=1e-3)
+    np.testing.assert_allclose([p.sum() * cell for p in outputs.split_patches(found)], loads, rtol=1e-3)
 
 
 POSES = {  # lateral shift [m], yaw [deg], force [N], side
@@ -431,7 +431,7 @@ def test_tolerance_decides_the_grid(system):
     assert FINEST["halfspace"] == halfspace.TOLERANCE_RANGE[0]
     coarse = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.03)
     fine = wrcontact.ContactSystem(normal_model="halfspace", tolerance=2e-3)
-    assert pickle.loads(pickle.dumps(coarse)).stepper().tolerance == 0.03
+    assert pickle.loads(pickle.dumps(coarse)).stepper()._bound.tolerance == 0.03
     for shift in (2e-3, 6e-3):
         truth = fine.evaluate(shift).right
         for given, allowed in ((coarse, 0.03), (system, halfspace.TOLERANCE)):
@@ -489,7 +489,7 @@ def test_no_patch_is_missed(name, monkeypatch):
     x, s = np.linspace(-true_gap.REACH_X, true_gap.REACH_X, 151), np.linspace(-true_gap.REACH_S, true_gap.REACH_S, 1067)
     i, j = np.nonzero(plane.gap(x, s) < found.penetration)
     contact = solved(plane, pose[2], 0.02)
-    away = np.array([not halfspace._is_loaded(contact, x[a], s[b]) for a, b in zip(i, j)], dtype=bool)
+    away = np.array([not missed.is_loaded(contact, x[a], s[b]) for a, b in zip(i, j)], dtype=bool)
     i, j = i[away], j[away]
     bent = deflection_at(contact, x[i], s[j])
     overlap = contact.penetration - plane.gap(x, s)[i, j] - bent
@@ -499,7 +499,7 @@ def test_no_patch_is_missed(name, monkeypatch):
 def analyn_in_one_plane(monkeypatch, **parameters):
     """ANALYN, uncompiled, whose regions lie in the contact point's plane however far they lean away from it."""
     monkeypatch.setattr(planes, "SPLIT", 2.0)                                     # no sine is that large
-    monkeypatch.setattr(wrcontact.system, "default_kernel", Kernel)
+    monkeypatch.setattr(wrcontact.stepper, "default_kernel", Kernel)
     return wrcontact.ContactSystem(**parameters)
 
 
@@ -548,7 +548,7 @@ def deflection_at(contact, x, s):
     bent = []
     for one, other in zip(x, s):
         away_x, away_s = one - contact.x[rows] + 1e-12, other - contact.s[columns] + 1e-12     # not on an edge
-        corners = [sign * halfspace.corner_potential(away_x + a * dx / 2, away_s + b * ds / 2)
+        corners = [sign * deflection.corner_potential(away_x + a * dx / 2, away_s + b * ds / 2)
                    for a, b, sign in ((1, 1, 1), (-1, 1, -1), (1, -1, -1), (-1, -1, 1))]
         modulus = wrcontact.ContactSystem()._tables[layout.SET_CONTACT_MODULUS]
         bent.append(np.sum(contact.pressure[rows, columns] * sum(corners)) / (math.pi * modulus))
@@ -562,8 +562,8 @@ def test_grids_of_two_patches_press_each_other_down():
     pressure = random.random(shape)
     whole = np.zeros((13, 8))
     whole[:4, :3], whole[9:, 5:] = pressure
-    bent = halfspace.Deflection(whole.shape, 2e-4, 1e-4, MODULUS)(whole)
-    parts = halfspace.BlockDeflection(shape, corners, 2e-4, 1e-4, MODULUS)(pressure)
+    bent = deflection.Deflection(whole.shape, 2e-4, 1e-4, MODULUS)(whole)
+    parts = deflection.BlockDeflection(shape, corners, 2e-4, 1e-4, MODULUS)(pressure)
     np.testing.assert_allclose(parts[0], bent[:4, :3], rtol=1e-10)
     np.testing.assert_allclose(parts[1], bent[9:, 5:], rtol=1e-10)
 
@@ -576,11 +576,11 @@ def test_a_missed_patch_with_its_own_grid():
 
     domain = (-0.15, 0.15, -0.08, 0.08)
     found = halfspace.solve_contact(gap, domain, contact_modulus=MODULUS, force=1e4, tolerance=0.02)
-    patches = true_gap.split_patches(found)
+    patches = outputs.split_patches(found)
     assert len(patches) == 2 and np.all(np.diff(found.x) > 0.0)
     back = halfspace.solve_contact(gap, domain, contact_modulus=MODULUS, penetration=found.penetration, tolerance=0.02)
     assert back.force == pytest.approx(1e4, rel=5e-3)
-    assert len(true_gap.split_patches(back)) == 2
+    assert len(outputs.split_patches(back)) == 2
     held = np.isfinite(found.clearance)
     assert found.clearance[held].min() > -1e-3 * found.penetration     # the residual is 2e-5 in the root mean square
 
@@ -606,7 +606,7 @@ def test_the_resultant_is_that_of_the_patches(system, shift, yaw):
                                atol=0.02 * 78.5e3)
     assert np.linalg.norm(state.values[layout.OUT_MOMENT:layout.OUT_LEFT]) > 1e4
     other = system.evaluate(-shift, -yaw).values[layout.OUT_FORCE:layout.OUT_LEFT]
-    np.testing.assert_allclose(other * true_gap.MIRRORED_RESULTANT, state.values[layout.OUT_FORCE:layout.OUT_LEFT],
+    np.testing.assert_allclose(other * outputs.MIRRORED_RESULTANT, state.values[layout.OUT_FORCE:layout.OUT_LEFT],
                                rtol=1e-4, atol=1.0)
 
 
@@ -670,7 +670,7 @@ GRID = (np.linspace(0, 1e-3, 5), np.linspace(0, 1e-3, 4), np.zeros((5, 4)))
 ])
 def test_wrong_grids_and_loads_are_refused_in_a_sentence(arguments, load, words):
     with pytest.raises(ValueError) as refusal:
-        halfspace.solve(*arguments, **{"contact_modulus": MODULUS, **load})
+        one_grid.solve(*arguments, **{"contact_modulus": MODULUS, **load})
     assert str(refusal.value).startswith(words) and "\n" not in str(refusal.value)
 
 

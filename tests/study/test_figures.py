@@ -20,7 +20,8 @@ from wrcontact.plots.source_figures import DRAWN, source_figure
 from wrcontact.profiles.compiled import compile_profile
 from wrcontact.study.analyn import corrected, solve_analyn
 from wrcontact.study.compare import lever_share
-from wrcontact.study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute, known, rows_of
+from wrcontact.study.figure import FAILS, HOLDS, PARTLY, Study, rows_of
+from wrcontact.study.figures import chosen, compute, known
 from wrcontact.study.sections import Section, circle_curvature, rough_curvature
 
 from tests.reference import brute_force
@@ -128,7 +129,7 @@ def test_curvatures_are_those_of_the_kernels_tables(shift):
 @pytest.mark.parametrize("separation", ["normal", "equidistant", "equidistant_chord"])
 def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
     """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the kernel with the same options."""
-    from wrcontact.study.figures_patch import study_patch
+    from wrcontact.study.patch_tables import study_patch
 
     section = STUDY.section(shift)
     nodes = {"normal": section.normal, "equidistant": section.equidistant,

@@ -10,7 +10,7 @@ import typer
 from .. import ContactSystem
 from ..profiles.remarks import remarks_in_lines
 from ..status import Status
-from ..files.whole_file import write_whole
+from ..storage.atomic import write_atomically
 from .door import Door, Refused, sentences
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
 from .report import (columns_of, is_compliant, print_state, print_sweep, sentence, state_text, sweep_remark,
@@ -153,7 +153,7 @@ def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="F
     print_check(report)
     with sentences():
         if file:
-            write_whole(file, check_text(report).encode())
+            write_atomically(file, check_text(report).encode())
         save(check_figure(report), output)
     print(f"\npicture written to {output}")
     if not report.usable:

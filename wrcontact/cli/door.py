@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import typer
 from typer.core import TyperGroup
 
-from ..files.whole_file import sentence_of
+from ..storage.atomic import sentence_of
 
 #: The class that typer raises for a wrong option; its name differs between versions of typer.
 UsageError = typer.BadParameter.__base__

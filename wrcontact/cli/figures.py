@@ -5,8 +5,9 @@ from pathlib import Path
 from rich import box
 from rich.table import Table
 
-from ..study.figures import FAILS, HOLDS, PARTLY, Study, chosen, compute
-from ..files.whole_file import write_whole
+from ..study.figure import FAILS, HOLDS, PARTLY, Study
+from ..study.figures import chosen, compute
+from ..storage.atomic import write_atomically
 from .report import console
 
 INDEX = "figures.md"
@@ -28,7 +29,7 @@ def run_figures(output, words):
         figure.write(folder / f"{figure.stem}.csv")
         save(source_figure(figure), folder / f"{figure.stem}.png")
         figures.append(figure)
-    write_whole(folder / INDEX, index(figures).encode())
+    write_atomically(folder / INDEX, index(figures).encode())
     out.print(summary(figures))
     out.print(f"{len(figures)} figures, their tables and {INDEX} written to {folder}", soft_wrap=True)
 

@@ -14,7 +14,7 @@ from ..conventions import SIDES
 from ..interface.variables import INPUT, INTEGER, OUTLINE_TABLE, OUTPUT, PATCH_TABLE, SIDE_TABLE, UNITS, VARIABLES
 from ..kernel import layout
 from ..status import INPUT_NAMES, Status, explain
-from ..files.whole_file import whole_file
+from ..storage.atomic import open_atomically
 
 #: Digits after the point by display unit.
 DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}
@@ -149,7 +149,7 @@ INTEGERS = {v.name for v in VARIABLES if v.type == INTEGER}
 
 def write_table(path, columns):
     """Write ``columns`` (n,) by name to a CSV file with all digits; a cell without a value is empty."""
-    with whole_file(path, "w", newline="", encoding="utf-8") as file:
+    with open_atomically(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(zip(*([_cell(name, value) for value in column] for name, column in columns.items())))

@@ -5,28 +5,20 @@ Therefore the package in an FMU has a name that contains a hash of everything pa
 of another FMU and not that of an installed wrcontact.
 """
 
-import argparse
-import hashlib
-import io
-import sys
-import zipfile
-from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 import pythonfmu
 
-from .. import ContactSystem, __version__
+from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.binding.platforms import PLATFORMS
-from ..profiles.catalogue import BUILDERS
 from ..profiles.files import prepared_text
-from ..profiles.remarks import remarks_in_lines
-from ..files.whole_file import sentence_of, write_whole
+from ..storage.atomic import write_atomically
 from . import SOURCES
-from .compilers import has_zig
+from .archive import archive, chosen_profiles, fingerprint, licence, problems_of
 from .description import MODEL, model_description
 from .documentation import about_python, documentation_page
-from .online import PACKAGE, kernel_libraries, online_files
+from .online import kernel_libraries, online_files
 from .terminals import terminals_and_icons
 
 SLAVE = "wheelset_contact"
@@ -42,8 +34,6 @@ library.default_kernel()
 '''
 #: Text of documentation/externalDependencies.txt, which FMI 2.0 requires.
 DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
-#: Time of every entry in the archive, so that the time of the build does not change the bytes.
-TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
 def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
@@ -69,23 +59,8 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
         raise ValueError("the FMU would not be valid: " + " ".join(problems))
     target = Path(output, f"{MODEL}.fmu")
     target.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(target, data)
+    write_atomically(target, data)
     return target
-
-
-def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the profiles that come from files, by file name; each file is read once.
-
-    Files are packed as prepared profiles with their own names: reading points needs scipy, which an FMU does not have.
-    """
-    starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
-    given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
-    system = ContactSystem(**given, smoothing=smoothing)
-    profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
-    files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
-    if len(set(files.values())) < len(files):
-        raise ValueError(f"wheel and rail profile have the same file name, {files['wheel_profile']}; rename one of them")
-    return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def runtime():
@@ -117,17 +92,6 @@ def documentation(starts):
     return entries | {f"documentation/licenses/{name}.txt": text for name, text in texts.items() if text}
 
 
-def licence(name):
-    """Licence text (bytes) of an installed distribution or of the checkout; None if there is none."""
-    try:
-        files = [Path(str(file.locate())) for file in distribution(name).files or () if file.name.startswith("LICENSE")]
-    except PackageNotFoundError:
-        files = []
-    if name == "wrcontact":
-        files.append(PACKAGE.parent / "LICENSE")
-    return next((file.read_bytes() for file in files if file.is_file()), None)
-
-
 def sealed(contents, starts):
     """All entries, renamed with a hash of the contents, with the slave module and the model description."""
     slave = (SOURCES / f"{SLAVE}.py").read_text(encoding="utf-8")
@@ -139,73 +103,3 @@ def sealed(contents, starts):
     entries["resources/slavemodule.txt"] = module.encode()
     entries["modelDescription.xml"] = model_description(f"{{{seal[:32]}}}", tool, __version__, starts)
     return entries
-
-
-def fingerprint(entries):
-    """SHA-256 over all names and contents, as hexadecimal digits."""
-    digest = hashlib.sha256()
-    for name, content in sorted(entries.items()):
-        digest.update(f"{name}\0{len(content)}\0".encode() + content)
-    return digest.hexdigest()
-
-
-def archive(entries):
-    """The zip archive of the entries as bytes; equal entries give equal bytes."""
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w") as file:
-        for name, content in sorted(entries.items()):
-            entry = zipfile.ZipInfo(name, TIMESTAMP)
-            entry.compress_type, entry.create_system, entry.external_attr = zipfile.ZIP_DEFLATED, 3, 0o100644 << 16
-            file.writestr(entry, content)
-    return stream.getvalue()
-
-
-def problems_of(data):
-    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU."""
-    from fmpy.validation import validate_fmu
-
-    return validate_fmu(io.BytesIO(data))
-
-
-def main(arguments=None):
-    """The command line of build_fmu.py; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="build_fmu.py", description="Pack the FMU of a wheelset on track and print its path.")
-    parser.add_argument("--output", metavar="DIR", default="dist", help="folder of the FMU (default: dist)")
-    for kind in ("wheel", "rail"):
-        meaning = f"{kind} profile to pack and use as the default: a file of points in mm, or a built-in name"
-        parser.add_argument(f"--{kind}", metavar="FILE", help=meaning)
-    parser.add_argument("--smoothing-um", metavar="NUMBER", type=float, help="smoothing of measured points: root mean square "
-                        "distance between the curve and the points, in um (default: their estimated noise; 0: no smoothing)")
-    parser.add_argument("--native", action="store_true",
-                        help="pack the two native FMUs instead, for FMI 2.0 and FMI 3.0, which need no Python")
-    names = ", ".join(PLATFORMS)
-    parser.add_argument("--platforms", metavar="NAME[,NAME]", help="platforms of the native FMUs: by default this "
-                        f"machine's; or any of {names}; or all. Other platforms than this machine's need ziglang")
-    chosen = vars(parser.parse_args(arguments))
-    native, platforms = chosen.pop("native"), chosen.pop("platforms")
-    if platforms and not native:
-        parser.error("--platforms is permitted only with --native")
-    smoothing = chosen.pop("smoothing_um")
-    chosen["smoothing"] = None if smoothing is None else 1e-6 * smoothing
-    if has_zig():
-        print("compiling with ziglang; the first build for a platform takes up to two minutes", file=sys.stderr)
-    try:
-        with remarks_in_lines("build_fmu.py"):
-            print(*_built(native, platforms, chosen), sep="\n")
-    except (ValueError, OSError) as problem:
-        print(f"build_fmu.py: {sentence_of(problem) if isinstance(problem, OSError) else problem}", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print("build_fmu.py: interrupted; no file is half written", file=sys.stderr)
-        return 130
-    return 0
-
-
-def _built(native, platforms, chosen):
-    """Build the requested FMUs and return their paths."""
-    if not native:
-        return [build_fmu(**chosen)]
-    from .native import build_native_fmus
-
-    names = list(PLATFORMS) if platforms == "all" else platforms and platforms.split(",")
-    return build_native_fmus(**chosen, platforms=names)

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from ..kernel.binding.files import HERE, fingerprint
 from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
-from ..files.whole_file import write_whole
+from ..storage.atomic import write_atomically
 
 #: No fused a*b + c, so that results have the same bits as the kernel's Python source.
 FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
@@ -60,7 +60,7 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
             if not kept.exists():
                 made = Path(scratch, f"{threading.get_ident()}.o")
                 run("-c", source, "-o", str(made))
-                write_whole(kept, made.read_bytes())
+                write_atomically(kept, made.read_bytes())
             return str(kept)
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -11,9 +11,9 @@ from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.binding.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
-from ..files.whole_file import write_whole
+from ..storage.atomic import write_atomically
 from . import SOURCES, description, description3, native_model
-from .build import archive, chosen_profiles, fingerprint, licence, problems_of
+from .archive import archive, chosen_profiles, fingerprint, licence, problems_of
 from .compilers import compile_platform
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
@@ -51,7 +51,7 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     Path(output).mkdir(parents=True, exist_ok=True)
     targets = {Path(output, f"{MODEL}_native_fmi{version}.fmu"): data for version, data in made.items()}
     for target, data in targets.items():
-        write_whole(target, data)
+        write_atomically(target, data)
     return list(targets)
 
 
@@ -103,7 +103,7 @@ def sources(version, token, starts, profiles):
     headers = Path(fmpy.__file__).parent / "c-code"
     blocks = [(first, run) for _, first, run in description3.variable_blocks()]
     kernel = [file for folder in ("native", "generated") for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
-    adapters = [NATIVE / name for name in ("model.h", "wheelset.h", "wheelset.c", f"fmi{version}.c")]
+    adapters = [NATIVE / name for name in (*adapter_headers(version), *adapter_units(version))]
     return {
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
         **{file.name: file.read_bytes() for file in adapters},
@@ -120,10 +120,21 @@ def variable_names(version):
     return [name for name, *_ in description3.variable_blocks()]
 
 
+def adapter_units(version):
+    """The hand-written C files of one version of FMI."""
+    return (*(f"fmi{version}{part}.c" for part in ("", "_values", "_absent")),
+            "wheelset.c", "wheelset_tables.c", "wheelset_states.c", "sentences.c")
+
+
+def adapter_headers(version):
+    """The hand-written headers of one version of FMI."""
+    return f"fmi{version}_instance.h", "wheelset.h", "wheelset_parts.h", "sentences.h", "model.h"
+
+
 def compiled_units(version):
     """The sources that are compiled; all others are included by them."""
     kernel = [f"kernel/native/wrcontact_{unit}.c" for unit in ("kernel", "prepare", "tangent")]
-    return [f"fmi{version}.c", "wheelset.c", "model.c", *kernel]
+    return [*adapter_units(version), "model.c", *kernel]
 
 
 def libraries(contents, units, platforms, folder, cache):

@@ -18,7 +18,8 @@ import numpy as np
 
 from .. import status as outcomes
 from ..kernel import layout
-from ..system import ContactSystem, check_choice
+from ..methods.choices import check_choice
+from ..system import ContactSystem
 from .variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, STATUS, STRING, VARIABLES
 
 INPUTS = layout.INPUT_COUNT

@@ -6,7 +6,7 @@ Lines are exact, dots are the source's searches, broken lines are elastic contac
 
 import numpy as np
 
-from ..study.figures import rows_of
+from ..study.figure import rows_of
 from .patch import FINER
 from .pose import HIGH
 from .style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR, ZONE_COLOUR, new_figure, styled
@@ -21,7 +21,7 @@ WIDE = 10.5  # [in]
 
 @styled
 def source_figure(figure):
-    """The picture of a :class:`~wrcontact.study.figures.SourceFigure`."""
+    """The picture of a :class:`~wrcontact.study.figure.SourceFigure`."""
     picture = new_figure(*SIZES.get(figure.number, (WIDE, 4.2)))
     picture.suptitle(f"{figure.number}  {figure.title}", x=0.01, ha="left")
     DRAWN[figure.number](picture, figure)

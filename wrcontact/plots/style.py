@@ -12,7 +12,7 @@ import matplotlib
 from matplotlib.figure import Figure
 
 from ..conventions import MILLIMETRE as MM  # noqa: F401  beside the other units
-from ..files.whole_file import whole_file
+from ..storage.atomic import open_atomically
 
 DEGREE = radians(1)
 KILONEWTON = 1e3  #: [N]
@@ -84,6 +84,6 @@ def new_figure(width, height):
 @styled
 def save(figure, path):
     """Write ``figure`` to ``path``; the ending says the format (png, svg, pdf)."""
-    with whole_file(path) as file:
+    with open_atomically(path) as file:
         figure.savefig(file, format=Path(path).suffix[1:].lower(), dpi=RESOLUTION)
     return path

@@ -1,9 +1,11 @@
-"""Profiles from files and by name; the only module that opens a profile file.
+"""Profiles from files; the only module that opens a profile file.
 
 A file of points is text in one of the formats of formats.py.  The points are repaired where the repair is certain enough
 (repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve.  A :class:`ProfileWarning` reports what
 was done.  A prepared file (.json) contains the pieces themselves and needs only numpy; an FMU contains its profiles in this
 form.
+
+The functions get the class that they make, :class:`~wrcontact.Profile`, as ``make``.
 """
 
 import json
@@ -14,9 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
-from .catalogue import BUILDERS, RAILS, WHEELS, standard_profile
 from .formats import read_points
-from .profile import Profile
 from .reading import Reading
 from .remarks import Refusal, remark
 from .repair import LEAST_POINTS, WIDTHS, mend
@@ -31,28 +31,7 @@ SMOOTHING = (0.0, 0.5e-3)
 LEVEL = 1e-9
 
 
-def find_profile(source, kind, smoothing=None):
-    """The profile for ``source``: a :class:`Profile`, a standard name, or the path of a file.
-
-    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :func:`read_profile`.  ValueError, in one sentence, if
-    ``source`` is none of these.
-    """
-    _checked_smoothing(smoothing)
-    if isinstance(source, Profile):
-        if source.kind != kind:
-            raise ValueError(f"{kind} is a {source.kind} profile ({source.name}); permitted are {kind} profiles")
-        return source
-    names = WHEELS if kind == "wheel" else RAILS
-    if isinstance(source, str) and source in names:
-        return standard_profile(source)
-    if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
-        return read_profile(source, kind, smoothing)
-    other = " (a profile of the other kind)" if source in BUILDERS else ""
-    raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a profile file, "
-                     f"or a Profile")
-
-
-def read_profile(path, kind, smoothing=None):
+def read_profile(path, kind, smoothing, make):
     """The profile in the file at ``path``; ValueError, in one sentence, if the file cannot be used.
 
     Parameters
@@ -61,23 +40,24 @@ def read_profile(path, kind, smoothing=None):
     kind : "wheel" or "rail".
     smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through every point; None is
         the estimated noise of the points, and no smoothing if that is below 0.01 um.
+    make : the class of the profile.
     """
-    tolerance = _checked_smoothing(smoothing)
+    tolerance = smoothing_in_mm(smoothing)
     try:
         text = _text(path)
         if text.lstrip().startswith("{"):
-            return _prepared(text, kind)
+            return _prepared(text, kind, make)
         name, extension = os.path.splitext(os.path.basename(path))
         points = read_points(text, extension.lower(), kind)
         remarks = [*points.remarks]
-        profile = _smooth_profile(mend(points, kind, remarks), name, kind, tolerance, remarks)
+        profile = _smooth_profile(mend(points, kind, remarks), name, kind, tolerance, remarks, make)
     except Refusal as problem:
         raise ValueError(f"{kind} profile {os.fspath(path)} {problem}") from None
     remark(kind, os.path.basename(path), remarks)
     return profile
 
 
-def _checked_smoothing(smoothing):
+def smoothing_in_mm(smoothing):
     """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside SMOOTHING."""
     if smoothing is None:
         return None
@@ -108,14 +88,14 @@ def _text(path):
         return content.decode("latin-1")
 
 
-def _smooth_profile(found, name, kind, tolerance, remarks):
+def _smooth_profile(found, name, kind, tolerance, remarks, make):
     """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is None."""
     if found.noise > SMOOTHING[1] / MM:
         raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
     asked = tolerance is not None
     tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
     try:
-        profile = _curve_through(found, name, kind, tolerance, asked, remarks)
+        profile = make(name, kind, *_zones_along(found, name, kind, tolerance, asked, remarks))
     except Refusal:
         raise
     except ValueError as problem:
@@ -130,10 +110,10 @@ def _reading(found, tolerance, remarks):
                    tuple(remarks))
 
 
-def _curve_through(found, name, kind, tolerance, asked, remarks):
-    """The profile through the ``found`` points, or within ``tolerance`` [mm] of them; adds to ``remarks``."""
+def _zones_along(found, name, kind, tolerance, asked, remarks):
+    """Zones through or, to ``tolerance`` [mm], along ``found`` points, and whether they meet smoothly."""
     if tolerance == 0.0 and np.all(np.diff(found.y) > 0.0):
-        return profile_from_points(found.y, found.z, name=name, kind=kind)
+        return zones_through(found.y, found.z, name, kind), True
     curve = Curve(found.y, found.z, found.weight, tolerance)
     if tolerance > 0.0:
         done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed"
@@ -143,19 +123,11 @@ def _curve_through(found, name, kind, tolerance, asked, remarks):
     if zones[-1].stop - zones[0].start < WIDTHS[0]:
         raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted is a "
                       f"distance of {WIDTHS[0]:g} mm or more between")
-    return Profile(name, kind, zones, smooth)
+    return zones, smooth
 
 
-def profile_from_points(y, z, *, name, kind):
-    """A profile through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline.
-
-    A rail is shifted so that its highest point is the origin.
-
-    Raises
-    ------
-    ValueError
-        if the points are too few, not finite, not rising in y, or do not have the size of a profile.
-    """
+def zones_through(y, z, name, kind):
+    """Zones through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline, as :meth:`wrcontact.Profile.from_points`."""
     from scipy.interpolate import CubicSpline  # not needed for prepared profiles
 
     y, z = np.asarray(y, dtype=float), np.asarray(z, dtype=float)
@@ -177,9 +149,8 @@ def profile_from_points(y, z, *, name, kind):
         top = _top(spline)
         y, z = y - top, z - spline(top)
         spline = CubicSpline(y, z)
-    zones = tuple(Polynomial(float(low), float(high), tuple(map(float, piece[::-1])), float(low))
-                  for low, high, piece in zip(y[:-1], y[1:], spline.c.T))
-    return Profile(name, kind, zones)
+    return tuple(Polynomial(float(low), float(high), tuple(map(float, piece[::-1])), float(low))
+                 for low, high, piece in zip(y[:-1], y[1:], spline.c.T))
 
 
 def _top(spline):
@@ -198,15 +169,22 @@ def prepared_text(profile):
     return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1)
 
 
-def _prepared(text, kind):
+def _prepared(text, kind, make):
     """The profile in the text of a prepared file."""
     try:
         content = json.loads(text)
         zones = tuple(_zone(dict(entry)) for entry in content["zones"])
-        profile = Profile(str(content["name"]), content["kind"], zones, bool(content["smooth"]))
+        profile = make(str(content["name"]), content["kind"], zones, bool(content["smooth"]))
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as error:
         raise Refusal(f"is not a prepared profile ({type(error).__name__}: {error})") from None
-    return find_profile(profile, kind)
+    return of_kind(profile, kind)
+
+
+def of_kind(profile, kind):
+    """``profile``; ValueError where it is not of this ``kind``, "wheel" or "rail"."""
+    if profile.kind != kind:
+        raise ValueError(f"{kind} is a {profile.kind} profile ({profile.name}); permitted are {kind} profiles")
+    return profile
 
 
 def _zone(entry):

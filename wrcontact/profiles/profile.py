@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
+from .files import read_profile, zones_through
 from .reading import Reading
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
@@ -84,11 +85,22 @@ class Profile:
         ValueError
             if the file cannot be used.  Repairs are reported by a :class:`~wrcontact.ProfileWarning`.
         """
-        from .files import read_profile
-
         if kind not in ("wheel", "rail"):
             raise ValueError(f"kind is {kind!r}, permitted are 'wheel' and 'rail'")
-        return read_profile(path, kind, smoothing)
+        return read_profile(path, kind, smoothing, cls)
+
+    @classmethod
+    def from_points(cls, y, z, *, name, kind):
+        """A profile through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline.
+
+        A rail is shifted so that its highest point is the origin.
+
+        Raises
+        ------
+        ValueError
+            if the points are too few, not finite, not rising in y, or do not have the size of a profile.
+        """
+        return cls(name, kind, zones_through(y, z, name, kind))
 
     @property
     def start(self):

@@ -17,7 +17,7 @@ class Refusal(ValueError):
 def remark(kind, name, remarks):
     """Give one :class:`ProfileWarning` with all ``remarks`` on a profile, if there are any."""
     if remarks:
-        warnings.warn(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning, stacklevel=3)
+        warnings.warn(f"{kind} profile {name}: {'; '.join(remarks)}", ProfileWarning, stacklevel=4)
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""The true gap of wheel and rail over the plane of a rigid contact, and a half-space contact as a wheel's outputs.
+"""The true gap of wheel and rail over the plane of a rigid contact.
 
 The plane is tangent to the rail at the rigid contact point: x along the track, s to the field side, heights t along its
 normal from rail to wheel.  Both surfaces are met along the normals, the wheel as the rolled and yawed surface of revolution
@@ -14,27 +14,17 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy import ndimage
 
-from . import halfspace
 from ..conventions import MIRROR
 from ..kernel import layout
 from ..kernel.layout import Profile
-from ..kernel.binding.library import default_kernel
 from ..profiles.compiled import evaluate_table
-from ..state import outline_of
-from ..status import Status
-from ..system import Stepper
 
 NEWTON_LIMIT = 15
 NEWTON_STEP = 1e-8       # [m]; the step after one this small is below 1e-14 m
 GUESSES = 600            # points of a profile from which Newton's method starts
 #: Half the extent of the domain along and across [m]: a rail head is 72 mm wide; with 4 deg of yaw a flange is 80 mm ahead.
 REACH_X, REACH_S = 0.15, 0.08
-#: Components of the loaded cells with less than this share of the load are no patches.
-STRAY_SHARE = 1e-6
-#: The mirror of a force and of a moment, which is an axial vector.
-MIRRORED_RESULTANT = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 
 
 @dataclass(frozen=True)
@@ -210,173 +200,3 @@ def _newton(function, t):
         if np.max(np.abs(step)) < NEWTON_STEP:
             break
     return t, np.abs(step) < NEWTON_STEP
-
-
-# --- outputs of a wheel ---------------------------------------------------------------------------------------------------
-
-
-def write_side(side, plane, contact, outline=None):
-    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline``
-    (3, stations), if that is wanted."""
-    dx = contact.x[1] - contact.x[0]
-    patches = split_patches(contact)
-    line = contact.pressure.sum(axis=0)
-    edge = halfspace.edge_field(contact.pressure)
-    lengths, (low, high) = chords(edge) * dx, extent(edge)
-    side[layout.SIDE_PATCH_COUNT] = len(patches)
-    side[layout.SIDE_PENETRATION] = contact.penetration
-    side[layout.SIDE_NORMAL_FORCE] = contact.force
-    side[layout.SIDE_AREA] = contact.area
-    side[layout.SIDE_MAX_PRESSURE] = contact.max_pressure
-    side[layout.SIDE_PATCH_LENGTH] = lengths.max()
-    low, high = (_station(contact, place) for place in (low, high))
-    side[layout.SIDE_PATCH_WIDTH] = high - low
-    side[layout.SIDE_PATCH_CENTROID] = line @ contact.s / line.sum()
-    for number, pressure in enumerate(patches[:layout.PATCH_LIMIT]):
-        start = layout.SIDE_PATCH + number * layout.PATCH_SIZE
-        write_patch(side[start:start + layout.PATCH_SIZE], plane, contact, pressure)
-    if outline is not None:
-        write_outline(outline, contact, lengths, low, high)
-
-
-def split_patches(contact):
-    """Pressures (n, m) of each connected run of loaded cells, corners included, by falling load."""
-    labels, count = ndimage.label(contact.pressure > 0.0, np.ones((3, 3)))
-    loads = ndimage.sum_labels(contact.pressure, labels, np.arange(1, count + 1))
-    ranked = [int(k) + 1 for k in np.argsort(-loads, kind="stable") if loads[k] >= STRAY_SHARE * loads.sum()]
-    return [np.where(labels == number, contact.pressure, 0.0) for number in ranked]
-
-
-def write_patch(patch, plane, contact, pressure):
-    """One patch into its outputs (7,); its contact angle is the rail's at its centroid."""
-    dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
-    edge, line = halfspace.edge_field(pressure), pressure.sum(axis=0)
-    low, high = extent(edge)
-    centroid = float(line @ contact.s / line.sum())
-    patch[layout.PATCH_NORMAL_FORCE] = line.sum() * dx * ds
-    patch[layout.PATCH_AREA] = halfspace.edge_area(edge) * dx * ds
-    patch[layout.PATCH_MAX_PRESSURE] = halfspace.peak_pressure(pressure)
-    patch[layout.PATCH_LENGTH] = chords(edge).max() * dx
-    patch[layout.PATCH_WIDTH] = (high - low) * ds
-    patch[layout.PATCH_CENTROID] = centroid
-    patch[layout.PATCH_CONTACT_ANGLE] = plane.rail_angle(centroid)
-
-
-def write_outline(outline, contact, lengths, low, high):
-    """Stations from ``low`` to ``high`` [m], half the loaded length and the largest pressure there, into ``outline``."""
-    station = np.linspace(low, high, outline.shape[1])
-    # both are roots at the ends of a Hertzian patch: their squares are straight there
-    half = np.sqrt(np.interp(station, contact.s, (0.5 * lengths) ** 2))
-    pressure = np.sqrt(np.interp(station, contact.s, contact.pressure.max(axis=0) ** 2))
-    half[[0, -1]] = pressure[[0, -1]] = 0.0
-    outline[:] = station, half, pressure
-
-
-def chords(edge):
-    """Length of the positive part along x of each column of an edge field [cells], (m,): the sum over its runs."""
-    low, high = edge[:-1], edge[1:]
-    larger, smaller = np.maximum(low, high), np.minimum(low, high)
-    spread = np.where(larger > smaller, larger - smaller, 1.0)
-    share = np.where(smaller > 0.0, 1.0, np.where(larger > 0.0, larger / spread, 0.0))
-    ends = np.count_nonzero((larger > 0.0) & (smaller <= 0.0), axis=0)
-    pad = halfspace.EDGE_PAD
-    return np.maximum(share.sum(axis=0) - halfspace.EDGE_BIAS * ends, 0.0)[pad:-pad]
-
-
-def _station(contact, place):
-    """s [m] at ``place``, counted in cells: columns of grids far from each other follow with a jump."""
-    ds, near = contact.s[1] - contact.s[0], min(max(round(place), 0), len(contact.s) - 1)
-    return contact.s[near] + (place - near) * ds
-
-
-def extent(edge):
-    """First and last place along s where an edge field is positive [cells], from the centre of the first cell."""
-    start = _first_positive(edge) - halfspace.EDGE_PAD
-    stop = edge.shape[1] - 1 - _first_positive(edge[:, ::-1]) - halfspace.EDGE_PAD
-    return start + halfspace.EDGE_BIAS, stop - halfspace.EDGE_BIAS
-
-
-def _first_positive(edge):
-    """The lowest place along s where a row of ``edge`` becomes positive [cells]."""
-    first = np.argmax(edge > 0.0, axis=1)
-    rows = np.flatnonzero(first > 0)
-    inside, outside = edge[rows, first[rows]], edge[rows, first[rows] - 1]
-    return float(np.min(first[rows] - inside / (inside - outside)))
-
-
-def resultant(plane, contact, index):
-    """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the track's axes.
-
-    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its pressure.
-    """
-    total = np.zeros(6)
-    for pressure in split_patches(contact):
-        load = pressure.sum() * (contact.x[1] - contact.x[0]) * (contact.s[1] - contact.s[0])
-        x, s = pressure.sum(axis=1) @ contact.x / pressure.sum(), pressure.sum(axis=0) @ contact.s / pressure.sum()
-        height, angle = plane.rail_height(np.array([s]))[0], plane.rail_angle(s)
-        place = plane.origin - plane.centre + [x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
-        force = load * np.array([0.0, -math.sin(angle), -math.cos(angle)])
-        total += np.concatenate([force, np.cross(place, force)])
-    return total if index == 1 else total * MIRRORED_RESULTANT
-
-
-# --- a wheelset moved in time -----------------------------------------------------------------------------------------------
-
-
-class HalfspaceStepper(Stepper):
-    """As :class:`~wrcontact.system.Stepper`, with the half-space contact of both wheels; a few hundredths of a second a step.
-
-    The kernel finds roll and rigid contacts; each loaded wheel is then solved on its true gap.  A step in which a wheel does
-    not converge has status 3 and leaves the outputs as they are.
-    """
-
-    def __init__(self, tables, tolerance=None):
-        super().__init__(tables)
-        self.tolerance = halfspace.TOLERANCE if tolerance is None else tolerance
-        self._rigid = np.zeros_like(self.outputs)
-        self._bound = default_kernel().bind(self._tables, self.state, self._workspace, self.inputs, self._rigid)
-        self.step = self._step
-        self._answer, self._status = None, None
-
-    def _step(self):
-        known = (self._answer is not None and self._workspace[layout.WORK_KNOWN] == 1.0
-                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self.inputs))
-        if known:
-            self.outputs[:] = self._answer
-            return self._status
-        self._answer = None
-        status = self._bound.step()
-        if status > Status.UNLOADED:
-            return status
-        answer, total = self._rigid.copy(), np.zeros(len(MIRRORED_RESULTANT))
-        try:
-            for index, first in enumerate((layout.OUT_LEFT, layout.OUT_RIGHT)):
-                side = answer[first:first + layout.SIDE_SIZE]
-                if side[layout.SIDE_NORMAL_FORCE] > 0.0:
-                    total += self._solve(index, side, outline_of(answer, first))
-        except ArithmeticError:
-            return int(Status.NOT_CONVERGED)
-        if math.isfinite(answer[layout.OUT_FORCE]):     # both sides are wanted
-            answer[layout.OUT_FORCE:layout.OUT_FORCE + len(total)] = total
-        self.outputs[:] = answer
-        self._answer, self._status = answer, status
-        return status
-
-    def _solve(self, index, side, outline):
-        """Replace the normal contact and outline of one loaded side by the half-space's; its part of the resultant (6,)."""
-        plane = contact_plane(self._tables, self._rigid, self.inputs, index)
-        penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
-        load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
-        contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S), tolerance=self.tolerance,
-                                          contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
-        side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
-        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
-        return resultant(plane, contact, index)
-
-    def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,)."""
-        for row, values in enumerate(inputs):
-            self.inputs[:] = values
-            status[row] = self.step()
-            if status[row] <= Status.UNLOADED:
-                outputs[row] = self.outputs

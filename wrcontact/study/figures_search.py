@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .figures import FAILS, FORCE, HOLDS, PARTLY, SourceFigure, listed, stacked
+from .figure import FAILS, FORCE, HOLDS, PARTLY, SourceFigure, listed, stacked
 from .search import Search2D, Search3D
 
 STEP = 0.1      # [mm] of lateral shift between the source's searches

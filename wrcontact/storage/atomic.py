@@ -1,7 +1,7 @@
-"""Files that are whole or not there: written under another name beside their place, then moved to it.
+"""Files are written atomically: under another name in the same folder, then moved to their place.
 
-A process that is killed, interrupted or out of disk space leaves the file from before, or none.  What it has written stays
-behind as ``.wrcontact-*.part`` and is removed when the next file is written to the same folder, once it is ABANDONED.
+A process that is killed, interrupted or out of disk space leaves the previous file, or none.  The part that it has written
+stays behind as ``.wrcontact-*.part``; the next write to the same folder removes it, once it is ABANDONED.
 
 Standard library only and no imports from the package, so that build tools can run this file by its path.
 """
@@ -15,22 +15,22 @@ import tempfile
 import time
 from pathlib import Path
 
-#: A part that has not grown for so long is that of a process that has ended [s].
+#: Time without growth after which a part belongs to a process that has ended [s].
 ABANDONED = 3600.0
 
 
-def write_whole(target, data):
+def write_atomically(target, data):
     """Write the bytes ``data`` to the file ``target``."""
-    with whole_file(target) as file:
+    with open_atomically(target) as file:
         file.write(data)
 
 
 @contextlib.contextmanager
-def whole_file(target, mode="wb", **options):
-    """An open file that becomes ``target`` where the ``with`` block ends well; ``mode`` and ``options`` are those of open().
+def open_atomically(target, mode="wb", **options):
+    """An open file that becomes ``target`` when the ``with`` block ends without an error; ``mode`` and ``options`` as for open().
 
-    A link stays a link, and an existing file keeps its permissions.  What is no ordinary file, such as a pipe, is written to
-    where it is.  An OSError names ``target``.
+    A link stays a link, and an existing file keeps its permissions.  A target that is not an ordinary file, such as a pipe,
+    is written in place.  An OSError names ``target``.
     """
     try:
         with _part_of(target, mode, options) as file:
@@ -48,7 +48,7 @@ def _part_of(target, mode, options):
         with open(target, mode, **options) as file:
             yield file
         return
-    if before and not os.access(target, os.W_OK):       # moving would not mind
+    if before and not os.access(target, os.W_OK):       # os.replace does not check this
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), os.fspath(target))
     place = Path(os.path.realpath(target))
     part = place.with_name(f".wrcontact-{secrets.token_hex(8)}.part")
@@ -68,7 +68,7 @@ def _part_of(target, mode, options):
 
 
 def _remove_abandoned(folder):
-    """Remove what killed processes have left in ``folder``."""
+    """Remove the parts that killed processes have left in ``folder``."""
     for part in folder.glob(".wrcontact-*.part"):
         with contextlib.suppress(OSError):
             if time.time() - part.stat().st_mtime > ABANDONED:
@@ -76,6 +76,6 @@ def _remove_abandoned(folder):
 
 
 def sentence_of(problem):
-    """What an OSError says, in one sentence with the name of the file; only scratch files have none."""
+    """The message of an OSError, in one sentence with the name of the file; only scratch files have no name."""
     where = os.fsdecode(problem.filename or tempfile.tempdir or "the folder for temporary files")
     return f"{where}: {problem.strerror or problem}"

@@ -1,0 +1,134 @@
+/* FMI 2.0: values of variables, and their directional derivatives. */
+#include "fmi2_instance.h"
+
+static int check_pointers(instance *self, const char *function, const void *references, size_t count, const void *values)
+{
+    if (count > 0 && (!references || !values))
+        return wheelset_refuse(self->wheelset, "%s: %s is a NULL pointer", function, references ? "value" : "vr");
+    return 0;
+}
+
+/* Whether all of a list of values can be read. */
+static int check_list(instance *self, const char *function, const fmi2ValueReference references[], size_t count,
+                      const void *values, model_type type)
+{
+    int refused = check_pointers(self, function, references, count, values);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_get(self->wheelset, references[i], type);
+    return refused;
+}
+
+fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Real values[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi2Error;
+    if (check_list(self, "fmi2GetReal", references, count, values, MODEL_REAL) || wheelset_refresh(self->wheelset))
+        return fmi2_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = self->wheelset->core.values[references[i]];
+    return fmi2OK;
+}
+
+fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Integer values[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi2Error;
+    if (check_list(self, "fmi2GetInteger", references, count, values, MODEL_INTEGER) || wheelset_refresh(self->wheelset))
+        return fmi2_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = wheelset_integer(self->wheelset, references[i]);
+    return fmi2OK;
+}
+
+fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2String values[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi2Error;
+    if (check_list(self, "fmi2GetString", references, count, values, MODEL_STRING))
+        return fmi2_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = self->wheelset->core.text[model_variables[references[i]].slot];
+    return fmi2OK;
+}
+
+fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Boolean values[])
+{
+    (void)references, (void)values;
+    return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2GetBoolean", "there are no Booleans");
+}
+
+fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], size_t count, const fmi2Real values[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi2Error;
+    int refused = check_pointers(self, "fmi2SetReal", references, count, values);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_set_real(self->wheelset, references[i], values[i]);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_real(self->wheelset, references[i], values[i]);
+    return fmi2_answer(self, refused);
+}
+
+fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], size_t count,
+                          const fmi2Integer values[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi2Error;
+    int refused = check_pointers(self, "fmi2SetInteger", references, count, values);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_set_integer(self->wheelset, references[i]);
+    return fmi2_answer(self, refused);
+}
+
+fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference references[], size_t count, const fmi2String values[])
+{
+    instance *self = component;
+    if (!self)
+        return fmi2Error;
+    int refused = check_pointers(self, "fmi2SetString", references, count, values);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_set_string(self->wheelset, references[i], values[i]);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_string(self->wheelset, references[i], values[i]);
+    return fmi2_answer(self, refused);
+}
+
+fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count,
+                          const fmi2Boolean values[])
+{
+    (void)references, (void)values;
+    return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2SetBoolean", "there are no Booleans");
+}
+
+/* --- directional derivatives ------------------------------------------------------------------------ */
+
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[], size_t unknown_count,
+                                        const fmi2ValueReference knowns[], size_t known_count, const fmi2Real seed[],
+                                        fmi2Real sensitivity[])
+{
+    instance *self = component;
+    double along[MODEL_INPUTS] = {0.0}, rates[ROW];
+    if (!self)
+        return fmi2Error;
+    if ((unknown_count > 0 && (!unknowns || !sensitivity)) || (known_count > 0 && (!knowns || !seed)))
+        return fmi2_refuse(self, "fmi2GetDirectionalDerivative", "a list is a NULL pointer");
+    for (size_t i = 0; i < unknown_count; i += 1)
+        if (wheelset_check_unknown(self->wheelset, unknowns[i]))
+            return fmi2_answer(self, 1);
+    for (size_t i = 0; i < known_count; i += 1)
+    {
+        if (wheelset_check_known(self->wheelset, knowns[i]))
+            return fmi2_answer(self, 1);
+        along[knowns[i]] += seed[i];
+    }
+    if (wheelset_differentiate(self->wheelset, along, rates))
+        return fmi2_answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+        sensitivity[i] = rates[unknowns[i] - MODEL_FIRST_OUTPUT];
+    return fmi2OK;
+}

@@ -1,0 +1,279 @@
+/* FMI 3.0: values of variables, and their directional derivatives.
+ *
+ * A variable of FMI 3 is a block of neighbouring values of the wheelset: one value, or an outline's array.
+ */
+#include <string.h>
+
+#include "fmi3_instance.h"
+
+/* How many values a variable has. */
+static size_t block_size(const instance *self, const model_block *block)
+{
+    return block->run < 0 ? 1 : (size_t)self->wheelset->core.stations;
+}
+
+/* The values of a Float64. */
+static const double *block_values(const instance *self, const model_block *block)
+{
+    const wheelset_core *core = &self->wheelset->core;
+    if (block->first == BLOCK_TIME)
+        return &core->time;
+    if (block->run < 0 || core->stations == MODEL_STATIONS)
+        return core->values + block->first;
+    return core->values + MODEL_STATUS + (size_t)block->run * core->stations;
+}
+
+/* Where the values of an output begin in the kernel's row. */
+static size_t place_in_row(const instance *self, const model_block *block)
+{
+    return (size_t)(block_values(self, block) - (self->wheelset->core.values + MODEL_FIRST_OUTPUT));
+}
+
+/* Whether a variable is of this type; `reading`: and can be read. */
+static int check_type(instance *self, const model_block *block, model_type type, bool reading)
+{
+    if (block->first >= 0 && reading)
+        return wheelset_may_get(self->wheelset, (uint32_t)block->first, type);
+    if (block->first >= 0)
+        return wheelset_check(self->wheelset, (uint32_t)block->first, type);
+    if (type == (block->first == BLOCK_TIME ? MODEL_REAL : MODEL_UNSIGNED))
+        return 0;
+    return wheelset_refuse(self->wheelset, "%s, not of this function's",
+                           block->first == BLOCK_TIME ? "time is of type Real" : "stations is of type UInt64");
+}
+
+static int check_reference(instance *self, fmi3ValueReference reference)
+{
+    if (reference < 1 || reference > MODEL_BLOCKS)
+        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
+                               (unsigned long)reference, MODEL_BLOCKS);
+    return 0;
+}
+
+/* Whether a list of variables is known and of this type, with as many values as they hold; `reading`: and can be read. */
+static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
+                      size_t value_count, model_type type, bool reading)
+{
+    size_t needed = 0;
+    if (count > 0 && (!references || !values))
+        return wheelset_refuse(self->wheelset, "%s: %s is a NULL pointer", function, references ? "values" : "valueReferences");
+    if (count > 0 && self->wheelset->core.phase == PHASE_CONFIGURING && type != MODEL_UNSIGNED)
+        return wheelset_refuse(self->wheelset, "%s: permitted in configuration mode is stations", function);
+    for (size_t i = 0; i < count; i += 1)
+    {
+        if (check_reference(self, references[i]))
+            return 1;
+        const model_block *block = model_blocks + references[i];
+        if (check_type(self, block, type, reading))
+            return 1;
+        needed += block_size(self, block);
+    }
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
+fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Float64 values[],
+                          size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetFloat64", references, count, values, value_count, MODEL_REAL, true)
+        || wheelset_refresh(self->wheelset))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+    {
+        const model_block *block = model_blocks + references[i];
+        const double *from = block_values(self, block);
+        for (size_t k = block_size(self, block); k > 0; k -= 1)
+            *values++ = *from++;
+    }
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetInt32(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Int32 values[],
+                        size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetInt32", references, count, values, value_count, MODEL_INTEGER, true)
+        || wheelset_refresh(self->wheelset))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = wheelset_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetUInt64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3UInt64 values[],
+                         size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetUInt64", references, count, values, value_count, MODEL_UNSIGNED, true))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = self->wheelset->core.stations;
+    return fmi3OK;
+}
+
+fmi3Status fmi3GetString(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3String values[],
+                         size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    if (check_list(self, "fmi3GetString", references, count, values, value_count, MODEL_STRING, true))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < count; i += 1)
+        values[i] = self->wheelset->core.text[model_variables[model_blocks[references[i]].first].slot];
+    return fmi3OK;
+}
+
+fmi3Status fmi3SetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count,
+                          const fmi3Float64 values[], size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL, false);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* arrays are outputs, which the first of their values tells */
+    {
+        const int first = model_blocks[references[i]].first;
+        refused = first == BLOCK_TIME ? wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set")
+                                      : wheelset_may_set_real(self->wheelset, (uint32_t)first, values[i]);
+    }
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_real(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
+    return fmi3_answer(self, refused);
+}
+
+fmi3Status fmi3SetInt32(fmi3Instance component, const fmi3ValueReference references[], size_t count, const fmi3Int32 values[],
+                        size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetInt32", references, count, values, value_count, MODEL_INTEGER, false);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_set_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
+    return fmi3_answer(self, refused);
+}
+
+fmi3Status fmi3SetUInt64(fmi3Instance component, const fmi3ValueReference references[], size_t count,
+                         const fmi3UInt64 values[], size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetUInt64", references, count, values, value_count, MODEL_UNSIGNED, false);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_set_stations(self->wheelset, values[i]);
+    return fmi3_answer(self, refused);
+}
+
+fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference references[], size_t count, const fmi3String values[],
+                         size_t value_count)
+{
+    instance *self = component;
+    if (!self)
+        return fmi3Error;
+    int refused = check_list(self, "fmi3SetString", references, count, values, value_count, MODEL_STRING, false);
+    for (size_t i = 0; i < count && !refused; i += 1)
+        refused = wheelset_may_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
+    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
+        wheelset_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
+    return fmi3_answer(self, refused);
+}
+
+/* --- directional derivatives ------------------------------------------------------------------------ */
+
+typedef int check(wheelset *wheelset, uint32_t reference);
+
+/* Whether every variable of a list passes `check`, and together they have `value_count` values. */
+static int check_derivative(instance *self, const char *function, reference_list references, size_t count, const void *values,
+                            size_t value_count, check *check)
+{
+    size_t needed = 0;
+    if ((count > 0 && !references) || (value_count > 0 && !values))
+        return wheelset_refuse(self->wheelset, "%s: a list is a NULL pointer", function);
+    for (size_t i = 0; i < count; i += 1)
+    {
+        if (check_reference(self, references[i]))
+            return 1;
+        const model_block *block = model_blocks + references[i];
+        if (block->first < 0)
+            return wheelset_refuse(self->wheelset, "%s: %s is neither an input nor an output", function,
+                                   block->first == BLOCK_TIME ? "time" : "stations");
+        if (check(self->wheelset, (uint32_t)block->first))
+            return 1;
+        needed += block_size(self, block);
+    }
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
+fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count,
+                                        reference_list knowns, size_t known_count, const fmi3Float64 seed[], size_t seed_count,
+                                        fmi3Float64 sensitivity[], size_t sensitivity_count)
+{
+    static const char NAME[] = "fmi3GetDirectionalDerivative";
+    instance *self = component;
+    double along[MODEL_INPUTS] = {0.0}, rates[ROW];
+    if (!self)
+        return fmi3Error;
+    if (check_derivative(self, NAME, unknowns, unknown_count, sensitivity, sensitivity_count, wheelset_check_unknown)
+        || check_derivative(self, NAME, knowns, known_count, seed, seed_count, wheelset_check_known))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < known_count; i += 1)
+        along[model_blocks[knowns[i]].first] += seed[i];
+    if (wheelset_differentiate(self->wheelset, along, rates))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+    {
+        const model_block *block = model_blocks + unknowns[i];
+        memcpy(sensitivity, rates + place_in_row(self, block), block_size(self, block) * sizeof(double));
+        sensitivity += block_size(self, block);
+    }
+    return fmi3OK;
+}
+
+/* Seeds of outputs, sensitivities of inputs: one directional derivative along each input that is asked for. */
+fmi3Status fmi3GetAdjointDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count, reference_list knowns,
+                                    size_t known_count, const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[],
+                                    size_t sensitivity_count)
+{
+    static const char NAME[] = "fmi3GetAdjointDerivative";
+    instance *self = component;
+    double weights[ROW] = {0.0}, rates[ROW], sums[MODEL_INPUTS] = {0.0};
+    if (!self)
+        return fmi3Error;
+    if (check_derivative(self, NAME, unknowns, unknown_count, seed, seed_count, wheelset_check_unknown)
+        || check_derivative(self, NAME, knowns, known_count, sensitivity, sensitivity_count, wheelset_check_known))
+        return fmi3_answer(self, 1);
+    for (size_t i = 0; i < unknown_count; i += 1)
+    {
+        const model_block *block = model_blocks + unknowns[i];
+        double *weight = weights + place_in_row(self, block);
+        for (size_t k = 0; k < block_size(self, block); k += 1)
+            weight[k] += *seed++;
+    }
+    for (size_t i = 0; i < known_count; i += 1)
+    {
+        double along[MODEL_INPUTS] = {0.0}, *sum = sums + model_blocks[knowns[i]].first;
+        along[model_blocks[knowns[i]].first] = 1.0;
+        if (wheelset_differentiate(self->wheelset, along, rates))
+            return fmi3_answer(self, 1);
+        *sum = 0.0;
+        for (int k = 0; k < ROW; k += 1)
+            *sum += weights[k] * rates[k];
+    }
+    for (size_t i = 0; i < known_count; i += 1)
+        sensitivity[i] = sums[model_blocks[knowns[i]].first];
+    return fmi3OK;
+}

@@ -1,0 +1,11 @@
+/* What the parts of the wheelset's life cycle need of each other. */
+#ifndef WHEELSET_PARTS_H
+#define WHEELSET_PARTS_H
+
+#include "wheelset.h"
+
+/* wheelset_tables.c */
+bool wheelset_is_built(const wheelset *self);   /* whether the tables are those of the present parameters */
+int wheelset_build(wheelset *self);             /* the tables for the present parameters and stations */
+
+#endif

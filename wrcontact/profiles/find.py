@@ -1,0 +1,26 @@
+"""The profile that an argument means: one of the standards, a file, or the profile itself."""
+
+import os
+
+from .catalogue import BUILDERS, RAILS, WHEELS, standard_profile
+from .files import of_kind, smoothing_in_mm
+from .profile import Profile
+
+
+def find_profile(source, kind, smoothing=None):
+    """The profile for ``source``: a :class:`Profile`, a standard name, or the path of a file.
+
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`.  ValueError, in one sentence, if
+    ``source`` is none of these.
+    """
+    smoothing_in_mm(smoothing)
+    if isinstance(source, Profile):
+        return of_kind(source, kind)
+    names = WHEELS if kind == "wheel" else RAILS
+    if isinstance(source, str) and source in names:
+        return standard_profile(source)
+    if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
+        return Profile.from_file(source, kind, smoothing)
+    other = " (a profile of the other kind)" if source in BUILDERS else ""
+    raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a profile file, "
+                     f"or a Profile")

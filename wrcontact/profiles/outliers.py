@@ -1,0 +1,86 @@
+"""Outliers among measured points: single points and short runs that deviate from the curve of their neighbours."""
+
+import numpy as np
+
+from .mended import SIDE
+from .remarks import Refusal, counted, stretch
+from .smoothing import in_chords, pseudo_inverse
+
+#: An outlier deviates from the curve of its neighbours by more than OUTLIER times the noise and by more than LEAST_OUTLIER
+#: [mm].  If points are farther apart than CLOSE [mm], that limit grows with the square of the spacing, since joints of exact
+#: profiles deviate by as much.
+OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
+#: It also deviates AGREED times more than the neighbours themselves do from their common curve; at a kink it is 7 times.
+AGREED = 8.0
+#: Outliers are removed in passes, one from each neighbourhood per pass.
+MOST_PASSES = 50
+#: Longest run of outliers.
+LONGEST_RUN = 3
+#: Points at either end that are not judged, for lack of neighbours.
+ENDS = 2
+#: Neighbours that are ignored because they may be outliers themselves.
+TRIMMED = 2
+#: Largest share of outliers.
+MOST_OUTLIERS = 0.1
+
+
+def without_outliers(found, remarks):
+    """Remove outliers: single points and runs of up to three that deviate from the curve of their neighbours."""
+    count, most, taken = len(found.y), 0.0, []
+    for _ in range(MOST_PASSES):
+        index, length, height = _runs_off(found)
+        if not len(index):
+            break
+        most = max(most, height.max())
+        gone = np.unique(np.concatenate([np.arange(i, i + n) for i, n in zip(index, length)]))
+        taken += found.y[gone].tolist()
+        if len(taken) > MOST_OUTLIERS * count:
+            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at most "
+                          f"{MOST_OUTLIERS:.0%}")
+        found = found.only(np.delete(np.arange(len(found.y)), gone))
+    if taken:
+        remarks.append(f"{counted(len(taken), 'outlier')} of up to {most:.3g} mm left out ({stretch(taken)})")
+    return found
+
+
+def _runs_off(found):
+    """Runs of outliers whose neighbourhoods do not overlap: first indices, lengths and deviations [mm]."""
+    runs = [_run_errors(found.y, found.z, length) for length in range(1, LONGEST_RUN + 1)]
+    index = np.concatenate([np.arange(len(error)) for error, _ in runs])
+    length = np.repeat(np.arange(1, LONGEST_RUN + 1), [len(error) for error, _ in runs])
+    error, quarrel = (np.concatenate(part) for part in zip(*runs))
+    spacing = np.median(np.hypot(np.diff(found.y), np.diff(found.z)))
+    least = LEAST_OUTLIER * max(1.0, spacing / CLOSE) ** 2
+    between = (index >= ENDS) & (index + length <= len(found.y) - ENDS)
+    off = between & (error > max(OUTLIER * found.noise, least)) & (error > AGREED * quarrel)
+    order = np.flatnonzero(off)[np.argsort(-(error / length)[off], kind="stable")]
+    free, picked = np.ones(len(found.y), dtype=bool), []
+    for k in order:
+        around = slice(max(index[k] - SIDE, 0), index[k] + length[k] + SIDE)
+        if free[around].all():
+            free[around] = False
+            picked.append(k)
+    return index[picked], length[picked], error[picked]
+
+
+def _run_errors(y, z, length):
+    """For every run of ``length`` points: the deviation of its closest point from the cubic through its neighbours, and the
+    deviation of the neighbours themselves, both [mm], divided by their expected value for noise of 1."""
+    near = 2 * SIDE
+    if len(y) < near + length:
+        return np.zeros(0), np.zeros(0)
+    start = np.arange(len(y) - length + 1)
+    left = np.clip(start - SIDE, 0, len(y) - near - length)
+    others = left[:, None] + np.arange(near)
+    others += length * (others >= start[:, None])
+    run = start[:, None] + np.arange(length)
+    along, across = in_chords(y[others], z[others], y[run], z[run])
+    powers = (along / np.abs(along).max(axis=1, keepdims=True))[:, :, None] ** np.arange(4)
+    heard = np.ones((len(start), near, 1))
+    for _ in range(TRIMMED + 1):
+        solved = pseudo_inverse(powers[:, :near] * heard)
+        misses = across - np.einsum("ijk,ikl,il->ij", powers, solved, across[:, :near] * heard[:, :, 0])
+        quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1) / (heard.sum(axis=(1, 2)) - 4))
+        heard[np.arange(len(start)), np.argmax(np.abs(misses[:, :near]) * heard[:, :, 0], axis=1)] = 0.0
+    lever = np.sum(np.einsum("ijk,ikl->ijl", powers[:, near:], solved) ** 2, axis=2)
+    return np.min(np.abs(misses[:, near:]) / np.sqrt(1.0 + lever), axis=1), quarrel

@@ -1,0 +1,97 @@
+"""One wheelset that is moved in time.
+
+A stepper holds the arrays of one wheelset and a solver that works on them: the kernel, or the half-space model of
+wrcontact/reference/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
+"""
+
+import math
+
+import numpy as np
+
+from .kernel import layout
+from .kernel.binding.library import default_kernel
+from .kernel.patch.outline import row_size
+from .methods.choices import check_choice
+
+#: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
+SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
+DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
+#: Permitted penetration, where it is prescribed [m].
+PENETRATION_RANGE = (0.0, 0.01)
+
+
+class Stepper:
+    """One wheelset moved in time: write ``inputs``, call :meth:`step`, read ``outputs``.
+
+    Parameters
+    ----------
+    tables : settings and tables of the system; the stepper works on a copy.
+    bind : called with tables, state, workspace, inputs and outputs; returns the solver that works on these arrays.  None
+        is the kernel.
+
+    Attributes
+    ----------
+    inputs : (7,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1],
+        vertical_shift_input [m], roll_input [rad].
+    outputs : (276,) in the order of wrcontact/kernel/layout/records.py; SI.  Zero until the first valid step.  With n stations
+        other than 31 the outlines follow behind them, (276 + 6 n,), see wrcontact/kernel/patch/outline.py.
+    state : (11,) where the next roll search starts, and counters; it never changes an answer.
+    compiled : whether the compiled kernel is used.
+    """
+
+    def __init__(self, tables, bind=None):
+        self._tables = tables.copy()
+        self.inputs = np.zeros(layout.INPUT_COUNT)
+        self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
+        self.state = np.zeros(layout.STATE_SIZE)
+        self._workspace = np.zeros(layout.WORK_SIZE)
+        bind = bind or default_kernel().bind
+        self._bound = bind(self._tables, self.state, self._workspace, self.inputs, self.outputs)
+        self.compiled = self._bound.compiled
+        self._penetration = None
+        self._wanted = ("both", "all")
+
+    def step(self):
+        """Evaluate the inputs into the outputs; return the status (an int).
+
+        Status 2, 3 and 4 leave the outputs as they are.  Inputs that equal those of the last valid step are not evaluated
+        again.
+        """
+        return self._bound.step()
+
+    def step_many(self, inputs, outputs, status):
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous float64."""
+        self._bound.step_many(len(inputs), inputs, outputs, status)
+
+    def prescribe(self, penetration):
+        """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to the force.
+
+        Raises
+        ------
+        ValueError
+            where the contact mode is not rigid, or the penetration is out of its range.
+        """
+        if penetration is self._penetration:
+            return
+        if self._tables[layout.SET_MODE] != layout.MODE_RIGID:
+            raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' is none, since "
+                             "it follows from the load or from the height")
+        left, right = np.broadcast_to(np.nan if penetration is None else np.asarray(penetration, dtype=float), 2)
+        low, high = PENETRATION_RANGE
+        for side, value in (("left", left), ("right", right)):
+            if not (math.isnan(value) or low <= value <= high):
+                raise ValueError(f"penetration ({side}) is {value:g} m; permitted is {low:g} ... {high:g} m")
+        self._tables[layout.SET_PENETRATION_LEFT] = left
+        self._tables[layout.SET_PENETRATION_RIGHT] = right
+        self._workspace[layout.WORK_KNOWN] = 0.0
+        self._penetration = penetration
+
+    def want(self, side="both", outputs="all"):
+        """Compute only this from now on; the arguments of :meth:`wrcontact.ContactSystem.stepper`."""
+        if self._wanted == (side, outputs):
+            return
+        for name, value, choices in (("side", side, SIDES), ("outputs", outputs, DEPTHS)):
+            check_choice(name, value, choices)
+        self._tables[layout.SET_SIDES], self._tables[layout.SET_DEPTH] = SIDES[side], DEPTHS[outputs]
+        self._workspace[layout.WORK_KNOWN] = 0.0
+        self._wanted = (side, outputs)

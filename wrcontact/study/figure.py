@@ -1,0 +1,114 @@
+"""A figure of the source as we find it, the wheelset in the variants that the figures need, and tables of columns.
+
+Everything in a :class:`SourceFigure` is in the units that people read: mm, deg, kN, MPa, 1/m.
+"""
+
+import csv
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from ..storage.atomic import open_atomically
+from ..system import ContactSystem
+from .sections import Section
+
+FORCE = 78.5e3      #: normal force of every figure [N]
+MODULUS = 210e9 / (2 * (1 - 0.28**2))   #: E* of source eq. (2.9) [Pa]
+HOLDS, PARTLY, FAILS = "holds", "partly", "fails"   # verdicts
+
+
+@dataclass(frozen=True)
+class SourceFigure:
+    """A figure of the source as we find it.
+
+    Attributes
+    ----------
+    number, title, short : "7.10", what the picture shows, and the same in a few words.
+    claim, finding : what the source says of it, and what we find with exact geometry; sentences.
+    verdict : of the claim: "holds", "partly" or "fails".
+    key : the number to remember, with its unit, in a few words.
+    numbers : what the finding rests on, by name with unit.
+    columns : the table, by name with unit; arrays or lists (n,), of numbers or of words. NaN is an empty cell.
+    """
+
+    number: str
+    title: str
+    short: str
+    claim: str
+    finding: str
+    verdict: str
+    key: str
+    numbers: dict
+    columns: dict
+
+    def write(self, path):
+        """Write the columns to a CSV file, numbers with seven digits."""
+        with open_atomically(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(self.columns)
+            writer.writerows([_cell(value) for value in row] for row in zip(*self.columns.values(), strict=True))
+
+    @property
+    def stem(self):
+        """Name of its files, "fig_7_10"."""
+        return "fig_" + self.number.replace(".", "_")
+
+
+def _cell(value):
+    if isinstance(value, str):
+        return value
+    return f"{value + 0.0:.7g}" if math.isfinite(value) else ""
+
+
+class Study:
+    """The wheelset of the source's figures in every variant that they need; each is made once."""
+
+    @lru_cache(maxsize=None)
+    def system(self, **parameters):
+        """S1002 on UIC60 1:40, gauge 1435 mm, radius 460 mm, with other methods if ``parameters`` say so."""
+        return ContactSystem(**parameters)
+
+    @property
+    def elastic(self):
+        """The same with the wheelset in elastic equilibrium."""
+        return self.system(contact_mode="elastic")
+
+    @lru_cache(maxsize=None)
+    def section(self, shift):
+        """:class:`~wrcontact.study.sections.Section` at a lateral shift [mm]."""
+        return Section(self.system(), shift / 1e3)
+
+    @lru_cache(maxsize=None)
+    def right(self, shift, yaw=0.0, **parameters):
+        """The right wheel's contact under the load, at a lateral shift [mm] and yaw [deg]."""
+        return self.system(**parameters).evaluate(lateral_shift=shift / 1e3, yaw=math.radians(yaw), normal_force=FORCE).right
+
+    def complete(self, shift, yaw=0.0):
+        """The same by the complete theory."""
+        return self.right(shift, yaw, normal_model="halfspace")
+
+
+def stacked(*tables):
+    """One table (dict of columns) from several: rows below each other, empty cells where a column is missing."""
+    names = list(dict.fromkeys(name for table in tables for name in table))
+    columns = {name: [] for name in names}
+    for table in tables:
+        count = max(len(column) for column in table.values() if not isinstance(column, str))
+        for name in names:
+            values = table.get(name, math.nan)
+            columns[name] += [values] * count if isinstance(values, (str, float)) else list(values)
+    return columns
+
+
+def listed(values, digits):
+    """Numbers in words: "28.4, 25.5, 21.7"."""
+    return ", ".join(f"{value:.{digits}f}" for value in values)
+
+
+def rows_of(columns, **wanted):
+    """The rows of a table whose columns hold these words: dict of arrays; numeric columns as floats."""
+    keep = [k for k in range(len(next(iter(columns.values()))))
+            if all(columns[name][k] == word for name, word in wanted.items())]
+    return {name: np.array([values[k] for k in keep]) for name, values in columns.items()}
