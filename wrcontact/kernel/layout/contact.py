@@ -94,4 +94,8 @@ class Region:
     carried: float                  # that load [N]
     lean: float                     # slope of the rail at its minimum
     along: float                    # track coordinate x of the minimum [m], where regions lean apart
-    spare_42: Float * 6
+    strip: int                      # the strip of the solved patches at its minimum
+    spare_43: Float * 5
+
+
+Regions = Region * REGION_LIMIT

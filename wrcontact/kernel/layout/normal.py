@@ -2,9 +2,10 @@
 
 from typing import Final
 
+from .contact import REGION_LIMIT
 from .record import centred, record
 
-NODE_FIELDS: Final[int] = 9          # node arrays of each
+NODE_FIELDS: Final[int] = 6          # node arrays of each
 NODE_LIMIT: Final[int] = 256         # their length
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
 STRIP_FIELDS: Final[int] = 16        # strip arrays
@@ -21,7 +22,7 @@ class Nodes:
     rise: NodeRun                   # (1 + beta) times the gap's rise [m]
     line: NodeRun                   # E* / (n r): line load per local penetration [N/m^2]
     length: NodeRun                 # (1 + alpha) A [1/m]
-    load: NodeRun                   # line load [N/m] at the solved level; negative where unloaded, likewise
-    square: NodeRun                 # square of the half-length [m^2] and
-    pressure: NodeRun               # square of the pressure on x = 0 [Pa^2]
     B: NodeRun                      # lateral curvature B [1/m]
+
+
+NodesOfRegions = Nodes * REGION_LIMIT

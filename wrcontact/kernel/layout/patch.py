@@ -1,6 +1,72 @@
-"""Records of the room patch: what is solved of each contact patch."""
+"""Records of the room patch: the solved contact patches of one wheel.
+
+A model of normal contact fills them; totals, outline and resultant read them, and so will a model of tangential contact.
+"""
 
 from typing import Final
 
+from .choices import STATION_LIMIT
+from .record import Float, record
 
-ISLAND_BLOCK: Final[int] = 80        # loaded islands of one wheel
+SOLVED_PATCH_LIMIT: Final[int] = 8       # contact patches of one wheel
+SOLVED_STRIP_LIMIT: Final[int] = 768     # strips of all of them: the nodes of three regions
+
+# how half-length and pressure follow between the strips of a patch (patch/interpolation.py)
+RULE_ELLIPSE: Final[int] = 0         # the patch is an ellipse and has no strips: in closed form
+RULE_QUADRATIC: Final[int] = 1       # quadratics through the squares at evenly spaced strips
+RULE_STRAIGHT: Final[int] = 2        # straight lines through the squares, which fall to zero at the patch's edges
+
+
+@record
+class SolvedStrip:
+    station: float                  # of its middle, along the rail's profile, from the contact point [m]
+    width: float                    # along the profile [m]; 0: it lies outside its patch and serves the interpolation
+    x: float                        # track coordinate x of its middle [m]
+    curvature: float                # relative longitudinal curvature 1/R_x [1/m]
+    line_load: float                # load per width [N/m]; not above zero where the strip is not loaded, and so are
+    half_length_square: float       # the square of its half-length [m^2] and
+    pressure_square: float          # the square of the pressure on its middle [Pa^2]
+    region: int                     # the region that it belongs to
+
+
+@record
+class SolvedPatch:
+    load: float                     # [N]
+    area: float                     # [m^2]
+    moment: float                   # of the load about station zero [N m]
+    max_pressure: float             # [Pa]
+    max_half_length: float          # [m]
+    start: float                    # stations of its edges [m]
+    stop: float
+    contact_angle: float            # of the rail at its point [rad]
+    cos: float                      # of the angle along which its force acts
+    sin: float
+    rail: float                     # its point, where wheel and rail are closest or overlap most: rail abscissa [m],
+    wheel: float                    # wheel abscissa [m],
+    station: float                  # station [m],
+    x: float                        # track coordinate x [m]
+    slant: float                    # of the line through the strips' middles, dx/ds [-]; 0 without yaw
+    local_penetration: float        # of the undeformed surfaces at its point [m]
+    rule: int                       # how to interpolate between its strips, one of RULE_...
+    first: int                      # the strips that it lies between: the outermost may have no width
+    last: int
+    rank: int                       # its place among the patches by load, from 1
+
+
+SolvedStrips = SolvedStrip * SOLVED_STRIP_LIMIT
+
+
+@record
+class SolvedPatches:
+    count: int
+    pressure_square: float          # of the patch that is being filled: the squares of its largest pressure [Pa^2] and
+    half_length_square: float       # half-length [m^2] so far
+    patches: SolvedPatch * SOLVED_PATCH_LIMIT
+    strips: SolvedStrips
+
+
+@record
+class Outline:
+    """Stations, half-lengths and pressures of one wheel, as many of each as stations are wanted, one run after the other."""
+
+    numbers: Float * (3 * STATION_LIMIT)

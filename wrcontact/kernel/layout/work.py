@@ -1,10 +1,9 @@
 """The array ``work``: the workspace of one step."""
 
-from .choices import STATION_LIMIT
-from .contact import CONTACT_BLOCK, OVERLAP_BLOCK, REGION_LIMIT, Frame, Origin, Region
+from .contact import CONTACT_BLOCK, OVERLAP_BLOCK, REGION_LIMIT, Frame, Origin, Regions
 from .interface import Inputs, Outputs
-from .normal import STRIP_FIELDS, STRIP_LIMIT, Nodes
-from .patch import ISLAND_BLOCK
+from .normal import STRIP_FIELDS, STRIP_LIMIT, NodesOfRegions
+from .patch import Outline, SolvedPatches
 from .record import Float, record
 from .search import ROLLS_BLOCK, SideSearch
 from .surface import Place
@@ -18,13 +17,13 @@ class Work:
     known: float
     status: float
     outputs: Outputs
-    outlines: Float * (6 * STATION_LIMIT)
+    outlines: Outline * 2           # with another number of stations than STATION_COUNT; one right after the other
     places: Place * 2
     sides: SideSearch * 2
     frame: Frame
-    regions: Region * REGION_LIMIT
-    nodes: Nodes * REGION_LIMIT
-    islands: Float * ISLAND_BLOCK
+    regions: Regions
+    nodes: NodesOfRegions
+    solved: SolvedPatches
     strips: Float * (STRIP_FIELDS * STRIP_LIMIT)
     distance: Float * (STRIP_LIMIT * STRIP_LIMIT)
     influence: Float * (STRIP_LIMIT * STRIP_LIMIT)

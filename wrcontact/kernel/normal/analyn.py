@@ -17,6 +17,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..layout import Region, State, Tables, Work
+from ..patch.quadrature import bend_of, cell_part, quadratic_integral
 from .interaction import region_influence
 from .nodes import NODE_LINE, NODE_RISE, node_field
 
@@ -36,54 +37,7 @@ CLOSED: Final[float] = 1e-10
 HIGHEST: Final[float] = 1e3
 
 
-def bend_of(before: float, low: float, high: float):
-    """Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
-
-    Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
-    """
-    bend = 0.5 * (before - 2.0 * low + high)
-    limit = 0.5 * (fabs(low) + fabs(high))
-    if bend > limit:
-        bend = limit
-    if bend < -limit:
-        bend = -limit
-    return bend
-
-
-def cell_part(d_before: float, d_low: float, d_high: float):
-    """The loaded part [from, to] of a cell, as shares of it counted from its inner node."""
-    start = 0.0
-    stop = 1.0
-    if d_low <= 0.0 and d_high <= 0.0:
-        stop = 0.0
-    elif d_low <= 0.0 or d_high <= 0.0:
-        bend = bend_of(d_before, d_low, d_high)
-        slope = d_high - d_low - bend
-        # the root between two values of opposite sign, in the form that does not cancel
-        spread = slope * slope - 4.0 * bend * d_low
-        if spread < 0.0:
-            spread = 0.0
-        spread = sqrt(spread)
-        root = 0.0
-        if d_low > 0.0:
-            root = 2.0 * d_low / (spread - slope)
-            stop = root
-        else:
-            root = -2.0 * d_low / (spread + slope)
-            start = root
-    return start, stop
-
-
-def quadratic_integral(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of the quadratic of ``bend_of``."""
-    bend = bend_of(before, low, high)
-    slope = high - low - bend
-    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
-    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0))
-    return upper - lower
-
-
-def clip_to_bound(work: Work, block: Region, k: int, outward: int, stop: float):
+def clip_to_bound(block: Region, k: int, outward: int, stop: float):
     """``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell."""
     spacing = block.spacing
     reach = (block.high - block.station) / spacing - float(k)
@@ -126,7 +80,7 @@ def region_load(work: Work, region: int, level: float):
                 elif d_low > 0.0 or d_high > 0.0:
                     start, stop = cell_part(d_before, d_low, d_high)
                     if k == last - 1:
-                        stop = clip_to_bound(work, block, outward * k, outward, stop)
+                        stop = clip_to_bound(block, outward * k, outward, stop)
                     if stop > start:
                         load += quadratic_integral(c_before * d_before, f_low, f_high, start, stop)
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))

@@ -41,10 +41,7 @@ NODE_A: Final[int] = 1               # longitudinal A = 1/(2 R_x) [1/m]
 NODE_RISE: Final[int] = 2            # (1 + beta) times the gap's rise [m]
 NODE_LINE: Final[int] = 3            # E* / (n r): line load per local penetration [N/m^2]
 NODE_LENGTH: Final[int] = 4          # (1 + alpha) A [1/m]
-NODE_LOAD: Final[int] = 5            # line load [N/m] at the solved level; negative where unloaded, likewise
-NODE_SQUARE: Final[int] = 6          # square of the half-length [m^2] and
-NODE_PRESSURE: Final[int] = 7        # square of the pressure on x = 0 [Pa^2]
-NODE_B: Final[int] = 8               # lateral curvature B [1/m]
+NODE_B: Final[int] = 5               # lateral curvature B [1/m]
 
 #: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
 FLOOR: Final[float] = 0.02

@@ -8,15 +8,14 @@
 The estimate depends on pose and force alone and moves smoothly with them, and so does the result.
 """
 
-from math import isfinite, log, pi, sqrt
+from math import isfinite, log, sqrt
 from typing import Final
 
 from ..contact.contact_plane import is_yawed, ridge_place
 from ..contact.overlaps import gather_overlaps, keep_deepest
-from ..contact.planes import enter_plane, give_planes, leave_plane
+from ..contact.planes import enter_plane, give_planes, leave_plane, line_up
 from ..contact.regions import FAR, bound_regions, find_regions, open_contact_region, zone_width
 from ..layout import (
-    DEPTH_ALL,
     LATERAL_ADAPTIVE,
     LOAD_VERTICAL,
     MODEL_ANALYN_STRIP,
@@ -30,12 +29,12 @@ from ..layout import (
     Tables,
     Work,
 )
-from ..patch.outline import outline_place
-from ..patch.patches import gather_islands, write_outline, write_patches
-from ..patch.strip_patches import gather_strips, write_strip_outline
+from ..patch.strip_patches import gather_strips
 from ..surface.profile_table import height_slope
 from .analyn import FORCE_SHARP, solve_levels
-from .hertz import hertz_coefficients, hertz_stiffness, table_value
+from .hertz import hertz_stiffness, table_value
+from .hertz_contact import solve_hertz
+from .node_patches import fill_from_nodes
 from .nodes import FLOOR, NODE_LENGTH, NODE_LINE, NODE_RISE, lay_nodes, node_field, weigh_nodes
 from .strips import correct_strips
 
@@ -372,87 +371,26 @@ def solve_fine(tables: Tables, work: Work, state: State, count: int, force: floa
     return penetration, met
 
 
-def solve_hertz(tables: Tables, work: Work, side: SideOutputs, force: float, prescribed: float):
-    """Hertz's ellipse with the curvatures at the contact point, written to the outputs at ``side``; its penetration.
-
-    A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
-    """
-    base = int(tables.hertz)
-    A = 0.5 * side.curvature_x
-    B = 0.5 * side.curvature_y
-    if not B > FLOOR * A:
-        B = FLOOR * A
-    block = work.regions[0]
-    stiffness = hertz_stiffness(tables.raw, base, A, B, tables.contact_modulus)
-    penetration = prescribed
-    if not isfinite(prescribed):
-        penetration = (force / (block.share * stiffness)) ** (2.0 / 3.0)
-    load = stiffness * penetration * sqrt(penetration)
-    block.stiffness = 1.5 * stiffness * sqrt(penetration)
-    block.carried = load
-    block.moment = 0.0
-    block.slant = 0.0
-    one_alpha, one_beta, nr = hertz_coefficients(tables.raw, base, A, B)
-    a = sqrt(penetration / (one_alpha * A))
-    b = sqrt(penetration / (one_beta * B))
-    area = pi * a * b
-    pressure = 1.5 * load / area
-    side.patch_count = 1.0
-    side.penetration = penetration
-    side.normal_force = load
-    side.area = area
-    side.max_pressure = pressure
-    side.patch_length = 2.0 * a
-    side.patch_width = 2.0 * b
-    side.patch_centroid = 0.0
-    side.patch[0].normal_force = load
-    side.patch[0].area = area
-    side.patch[0].max_pressure = pressure
-    side.patch[0].length = 2.0 * a
-    side.patch[0].width = 2.0 * b
-    side.patch[0].centroid = 0.0
-    side.patch[0].contact_angle = side.contact_angle
-    if int(tables.depth) == DEPTH_ALL:
-        write_ellipse(work.raw, outline_place(tables, work, side), int(tables.stations), a, b, pressure)
-    return penetration
-
-
-def write_ellipse(work: 'float[:]', place: int, stations: int, a: float, b: float, pressure: float):
-    """Outline and pressure of an ellipse of half-length ``a`` and half-width ``b`` [m] at ``stations`` stations, to
-    ``place``."""
-    for j in range(stations):
-        share = 2.0 * float(j) / float(stations - 1) - 1.0
-        height = sqrt(1.0 - share * share)
-        work[place + j] = share * b
-        work[place + stations + j] = a * height
-        work[place + 2 * stations + j] = pressure * height
-    return 0
-
-
 def solve_normal(tables: Tables, work: Work, state: State, side: SideSearch, outputs: SideOutputs, force: float,
                  prescribed: float):
-    """Normal contact of the side whose frame is open, into the outputs at ``outputs``; the number of regions, and 1 when
-    met, else 0."""
+    """Solve the normal contact of the side whose frame is open, under ``force`` [N] or at ``prescribed`` penetration [m] if that
+    is a number, into the solved patches; penetration [m], number of regions, and 1 when the force is satisfied, else 0."""
     met = 1
     count = 1
     if int(tables.normal_model) == MODEL_HERTZ:
-        solve_hertz(tables, work, outputs, force, prescribed)
-    else:
-        penetration, count, met = solve_analyn(tables, work, state, side, force, prescribed)
-        if met == 1 and int(tables.normal_model) == MODEL_ANALYN_STRIP:
+        line_up(tables, work, 1)
+        penetration = solve_hertz(tables, outputs, work.regions[0], work.solved, force, prescribed)
+        return penetration, count, met
+    penetration, count, met = solve_analyn(tables, work, state, side, force, prescribed)
+    if met == 1:
+        line_up(tables, work, count)
+        if int(tables.normal_model) == MODEL_ANALYN_STRIP:
             by_penetration = 0
             if isfinite(prescribed):
                 by_penetration = 1
             penetration, strips, met = correct_strips(tables, work, state, count, force, penetration, by_penetration)
             if met == 1:
-                islands = gather_strips(work, strips)
-                write_patches(work, outputs, islands)
-                if int(tables.depth) == DEPTH_ALL:
-                    write_strip_outline(work.raw, outline_place(tables, work, outputs), int(tables.stations), strips, islands)
-        elif met == 1:
-            islands = gather_islands(tables.raw, work, count)
-            write_patches(work, outputs, islands)
-            if int(tables.depth) == DEPTH_ALL:
-                write_outline(work, outputs, outline_place(tables, work, outputs), int(tables.stations), count, islands)
-        outputs.penetration = penetration
-    return count, met
+                gather_strips(work, strips)
+        else:
+            fill_from_nodes(work.regions, work.nodes, work.solved, count)
+    return penetration, count, met

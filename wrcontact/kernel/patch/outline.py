@@ -1,42 +1,24 @@
-"""Where the outline of a side lies: three runs of equal length, its stations, half-lengths and pressures.
+"""The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge to the last.
 
-With STATION_COUNT stations it is part of the side's outputs.  With another number the outlines of both sides, left then
-right, follow behind all outputs, and the places for it among the side's own stay zero.
+With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both sides, left then
+right, follow all outputs, and the places for it among the outputs of the side stay zero.
 """
 
+from math import sqrt
+
 from ..layout import (
-    OUT_LEFT,
     OUTPUT_COUNT,
-    SIDE_STATION,
+    RULE_ELLIPSE,
+    RULE_QUADRATIC,
     STATION_COUNT,
-    WORK_OUTLINES,
-    WORK_OUTPUTS,
+    Outline,
+    Regions,
     SideOutputs,
+    SolvedPatch,
+    SolvedPatches,
     Tables,
-    Work,
-    offset,
 )
-
-
-def outline_place(tables: Tables, work: Work, out: SideOutputs):
-    """Offset in the workspace of the outline of the side whose outputs are at ``out``."""
-    stations = int(tables.stations)
-    place = offset(out, work) + SIDE_STATION
-    if stations != STATION_COUNT:
-        place = WORK_OUTLINES
-        if offset(out, work) > WORK_OUTPUTS + OUT_LEFT:
-            place += 3 * stations
-    return place
-
-
-def fill_apart(tables: Tables, work: Work, out: SideOutputs, value: float):
-    """Write ``value`` all over a side's outline, where it is not part of the side's outputs."""
-    stations = int(tables.stations)
-    if stations != STATION_COUNT:
-        place = outline_place(tables, work, out)
-        for i in range(3 * stations):
-            work[place + i] = value
-    return 0
+from .interpolation import quadratic_at, straight_at
 
 
 def row_size(tables: Tables):
@@ -46,3 +28,91 @@ def row_size(tables: Tables):
     if stations != STATION_COUNT:
         size += 6 * stations
     return size
+
+
+def fill_outline(outline: Outline, stations: int, value: float):
+    """Write ``value`` all over an outline."""
+    for i in range(3 * stations):
+        outline.numbers[i] = value
+    return 0
+
+
+def write_outline(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, side: SideOutputs):
+    """The outline of the solved patches at ``stations`` stations; the totals of ``side`` are known."""
+    if solved.count > 0:
+        if solved.patches[0].rule == RULE_ELLIPSE:
+            write_ellipse(outline, stations, solved.patches[0])
+        elif solved.patches[0].rule == RULE_QUADRATIC:
+            write_quadratic(outline, stations, solved, regions, side)
+        else:
+            write_straight(outline, stations, solved)
+    return 0
+
+
+def write_station(outline: Outline, stations: int, j: int, station: float, half_length: float, pressure: float):
+    """Station ``j`` of an outline."""
+    outline.numbers[j] = station
+    outline.numbers[stations + j] = half_length
+    outline.numbers[2 * stations + j] = pressure
+    return 0
+
+
+def write_ellipse(outline: Outline, stations: int, patch: SolvedPatch):
+    """The outline of a single elliptic patch around station zero."""
+    for j in range(stations):
+        share = 2.0 * float(j) / float(stations - 1) - 1.0
+        height = sqrt(1.0 - share * share)
+        write_station(outline, stations, j, share * patch.stop, patch.max_half_length * height, patch.max_pressure * height)
+    return 0
+
+
+def patch_beside(solved: SolvedPatches, index: int, station: float):
+    """The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do."""
+    while index < solved.count - 1 and station > solved.patches[index].stop:
+        index += 1
+    return index
+
+
+def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, side: SideOutputs):
+    """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the surfaces have a
+    kink; they are cut there."""
+    start = solved.patches[0].start
+    last = solved.patches[solved.count - 1]
+    stop = last.stop
+    index = 0
+    for j in range(stations):
+        station = start + (stop - start) * float(j) / float(stations - 1)
+        half_length = 0.0
+        pressure = 0.0
+        if j > 0 and j < stations - 1:
+            index = patch_beside(solved, index, station)
+            half_length, pressure = quadratic_at(solved, regions, index, station)
+        if half_length > 0.5 * side.patch_length:
+            half_length = 0.5 * side.patch_length
+        if pressure > side.max_pressure:
+            pressure = side.max_pressure
+        write_station(outline, stations, j, station, half_length, pressure)
+    return 0
+
+
+def write_straight(outline: Outline, stations: int, solved: SolvedPatches):
+    """The outline of patches with RULE_STRAIGHT."""
+    start = solved.patches[0].start
+    last = solved.patches[solved.count - 1]
+    stop = last.stop
+    index = 0
+    strip = 0
+    for j in range(stations):
+        station = start + (stop - start) * float(j) / float(stations - 1)
+        half_length = 0.0
+        pressure = 0.0
+        index = patch_beside(solved, index, station)
+        patch = solved.patches[index]
+        if j > 0 and j < stations - 1 and station > patch.start and station < patch.stop:
+            if strip < patch.first:
+                strip = patch.first
+            while strip <= patch.last and solved.strips[strip].station < station:
+                strip += 1
+            half_length, pressure = straight_at(patch, solved.strips, strip, station)
+        write_station(outline, stations, j, station, half_length, pressure)
+    return 0

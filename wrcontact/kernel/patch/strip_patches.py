@@ -1,4 +1,4 @@
-"""From corrected strips to contact patches: edges, loads, areas, pressures, and the outline at evenly spaced stations.
+"""From corrected strips to contact patches: edges, loads, areas and pressures.
 
 A patch is a run of loaded strips that touch each other.  Near its edge the line load falls to zero in proportion to the
 distance, so the edge is where the straight line through the last two strips' line loads ends.
@@ -6,8 +6,9 @@ distance, so the edge is where the straight line through the last two strips' li
 
 from math import atan, sqrt
 
-from ..layout import REGION_LIMIT, WORK_ISLANDS, Work
+from ..layout import REGION_LIMIT, RULE_STRAIGHT, SOLVED_PATCH_LIMIT, Work
 from ..normal.strips import (
+    STRIP_A,
     STRIP_LINE,
     STRIP_PRESSURE,
     STRIP_REGION,
@@ -18,19 +19,8 @@ from ..normal.strips import (
     run_end,
     strip_field,
 )
-from .patches import (
-    ISLAND_AREA,
-    ISLAND_HALF_LENGTH,
-    ISLAND_LIMIT,
-    ISLAND_LOAD,
-    ISLAND_MOMENT,
-    ISLAND_PRESSURE,
-    ISLAND_SIZE,
-    ISLAND_START,
-    ISLAND_STOP,
-    open_island,
-    root_integral,
-)
+from .filling import begin_patch, clear_patches, finish_patch, rank_patches
+from .quadrature import root_integral
 
 
 def divided_bend(work: 'float[:]', field: int, i: int):
@@ -101,84 +91,50 @@ def largest_of(work: 'float[:]', field: int, first: int, last: int):
 
 
 def gather_strips(work: Work, strips: int):
-    """Collect the runs of loaded strips as islands; their number."""
+    """Fill the solved patches from the runs of loaded strips."""
     for region in range(REGION_LIMIT):
         work.regions[region].carried = 0.0
         work.regions[region].moment = 0.0
+    clear_patches(work.solved)
     stations = strip_field(STRIP_STATION)
     widths = strip_field(STRIP_WIDTH)
     lines = strip_field(STRIP_LINE)
     squares = strip_field(STRIP_SQUARE)
     pressures = strip_field(STRIP_PRESSURE)
-    islands = 0
     first = 0
-    while first < strips and islands < ISLAND_LIMIT:
+    while first < strips and work.solved.count < SOLVED_PATCH_LIMIT:
         last = first
         if work[lines + first] > 0.0:
             last = run_end(work.raw, strips, first)
             block = work.regions[int(work[strip_field(STRIP_REGION) + first])]
             start = run_edge(work.raw, strips, first, last, -1)
             stop = run_edge(work.raw, strips, last, first, 1)
-            open_island(work.raw, islands, start, -atan(block.lean))
-            at = WORK_ISLANDS + ISLAND_SIZE * islands
+            index = begin_patch(work.solved, block, start, first, RULE_STRAIGHT, -atan(block.lean))
+            patch = work.solved.patches[index]
             for i in range(first, last + 1):
                 load = work[lines + i] * work[widths + i]
-                work[at + ISLAND_LOAD] += load
-                work[at + ISLAND_MOMENT] += load * work[stations + i]
-                carrier = work.regions[int(work[strip_field(STRIP_REGION) + i])]
+                patch.load += load
+                patch.moment += load * work[stations + i]
+                region = int(work[strip_field(STRIP_REGION) + i])
+                carrier = work.regions[region]
                 carrier.carried += load
                 carrier.moment += load * work[stations + i]
-            work[at + ISLAND_STOP] = stop
-            work[at + ISLAND_AREA] = run_area(work.raw, first, last, start, stop)
+                strip = work.solved.strips[i]
+                strip.station = work[stations + i]
+                strip.width = work[widths + i]
+                strip.x = carrier.along + carrier.slant * (work[stations + i] - carrier.offset - carrier.station)
+                strip.curvature = 2.0 * work[strip_field(STRIP_A) + i]
+                strip.line_load = work[lines + i]
+                strip.half_length_square = work[squares + i]
+                strip.pressure_square = work[pressures + i] * work[pressures + i]
+                strip.region = region
+            patch.stop = stop
+            patch.last = last
+            patch.area = run_area(work.raw, first, last, start, stop)
             pressure = top_value(work.raw, pressures, largest_of(work.raw, pressures, first, last), first, last)
-            work[at + ISLAND_PRESSURE] = pressure * pressure
-            work[at + ISLAND_HALF_LENGTH] = top_value(work.raw, squares, largest_of(work.raw, squares, first, last), first, last)
-            islands += 1
+            work.solved.pressure_square = pressure * pressure
+            work.solved.half_length_square = top_value(work.raw, squares, largest_of(work.raw, squares, first, last), first, last)
+            finish_patch(work.solved)
         first = last + 1
-    return islands
-
-
-def write_strip_outline(work: 'float[:]', place: int, count: int, strips: int, islands: int):
-    """Half-length and pressure at ``count`` stations from the first edge to the last, to ``place``."""
-    start = work[WORK_ISLANDS + ISLAND_START]
-    stop = work[WORK_ISLANDS + ISLAND_SIZE * (islands - 1) + ISLAND_STOP]
-    stations = strip_field(STRIP_STATION)
-    squares = strip_field(STRIP_SQUARE)
-    pressures = strip_field(STRIP_PRESSURE)
-    island = 0
-    i = 0
-    for j in range(count):
-        station = start + (stop - start) * float(j) / float(count - 1)
-        half = 0.0
-        pressure = 0.0
-        while island < islands - 1 and station > work[WORK_ISLANDS + ISLAND_SIZE * island + ISLAND_STOP]:
-            island += 1
-        at = WORK_ISLANDS + ISLAND_SIZE * island
-        if j > 0 and j < count - 1 and station > work[at + ISLAND_START] and station < work[at + ISLAND_STOP]:
-            while i < strips and work[stations + i] < station:
-                i += 1
-            # between strips i - 1 and i, or between one of them and the edge
-            low = work[at + ISLAND_START]
-            low_square = 0.0
-            low_pressure = 0.0
-            if i > 0:
-                if work[stations + i - 1] > low:
-                    low = work[stations + i - 1]
-                    low_square = work[squares + i - 1]
-                    low_pressure = work[pressures + i - 1]
-            high = work[at + ISLAND_STOP]
-            high_square = 0.0
-            high_pressure = 0.0
-            if i < strips:
-                if work[stations + i] < high:
-                    high = work[stations + i]
-                    high_square = work[squares + i]
-                    high_pressure = work[pressures + i]
-            share = (station - low) / (high - low)
-            half = sqrt(low_square + share * (high_square - low_square))
-            pressure = sqrt(low_pressure * low_pressure
-                            + share * (high_pressure * high_pressure - low_pressure * low_pressure))
-        work[place + j] = station
-        work[place + count + j] = half
-        work[place + 2 * count + j] = pressure
+    rank_patches(work.solved)
     return 0

@@ -8,7 +8,6 @@ that about the wheelset's centre, which stands the nominal radius above the runn
 from math import sqrt
 from typing import Final
 
-from ..contact.contact_plane import ridge_place
 from ..layout import LOAD_VERTICAL, Resultant, Tables, Work
 from ..surface.profile_table import height_slope
 
@@ -41,7 +40,7 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
         if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:
             normal_cos = block.cos
             normal_sin = block.sin
-        x = ridge_place(tables, work, block.wheel) + block.slant * away
+        x = block.along + block.slant * away
         y = mirror * (tables.rail_y + abscissa)
         z = height
         force_y = mirror * normal_sin * load

@@ -14,6 +14,7 @@ from ..contact.overlaps import (
     touching_shift,
 )
 from ..layout import (
+    DEPTH_ALL,
     DEPTH_GEOMETRY,
     DEPTH_PATCHES,
     NOT_CONVERGED,
@@ -21,15 +22,19 @@ from ..layout import (
     SIDE_PENETRATION,
     SIDE_SIZE,
     SIDE_STATION,
+    STATION_COUNT,
     UNLOADED,
     VALID,
+    Outline,
     SideOutputs,
     State,
     Tables,
     Work,
+    offset,
 )
 from ..normal.normal_contact import solve_normal
-from ..patch.outline import fill_apart
+from ..patch.outline import fill_outline, write_outline
+from ..patch.totals import write_patches
 from ..surface.gap import gap_per_roll
 from .resultant import add_region, clear_resultant
 
@@ -63,16 +68,38 @@ def first_unwanted(tables: Tables):
     return first
 
 
+def outline_place(tables: Tables, work: Work, out: SideOutputs):
+    """Offset in the workspace of the outline of the side whose outputs are at ``out``."""
+    stations = int(tables.stations)
+    place = offset(out.station, work)
+    if stations != STATION_COUNT:
+        place = offset(work.outlines[0], work)
+        if offset(out, work) > offset(work.outputs.left[0], work):
+            place += 3 * stations
+    return place
+
+
+def fill_apart(tables: Tables, work: Work, out: SideOutputs, value: float):
+    """Write ``value`` all over a side's outline, where it is not part of the side's outputs."""
+    stations = int(tables.stations)
+    if stations != STATION_COUNT:
+        fill_outline(Outline.at(work, outline_place(tables, work, out)), stations, value)
+    return 0
+
+
 def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome."""
-    status = VALID
-    count, met = solve_normal(tables, work, state, work.sides[index], work.outputs.left[index], force, prescribed)
+    out = work.outputs.left[index]
+    penetration, count, met = solve_normal(tables, work, state, work.sides[index], out, force, prescribed)
+    out.penetration = penetration
     if met == 0:
-        status = NOT_CONVERGED
-    else:
-        for region in range(count):
-            add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
-    return count, status
+        return count, NOT_CONVERGED
+    write_patches(work.solved, out)
+    if int(tables.depth) == DEPTH_ALL:
+        write_outline(Outline.at(work, outline_place(tables, work, out)), int(tables.stations), work.solved, work.regions, out)
+    for region in range(count):
+        add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
+    return count, VALID
 
 
 def rest_side(tables: Tables, work: Work, state: State, index: int):

@@ -1,0 +1,48 @@
+"""Hertz's contact of one side in closed form: one elliptic patch with the curvatures at the contact point."""
+
+from math import isfinite, pi, sqrt
+
+from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables
+from ..patch.filling import begin_patch, clear_patches
+from .hertz import hertz_coefficients, hertz_stiffness
+from .nodes import FLOOR
+
+
+def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float, prescribed: float):
+    """Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration [m] if that is a
+    number; the penetration [m].
+
+    point : the outputs of the side, which describe its contact point.
+    region : the region at this point.
+
+    A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+    """
+    base = int(tables.hertz)
+    A = 0.5 * point.curvature_x
+    B = 0.5 * point.curvature_y
+    if not B > FLOOR * A:
+        B = FLOOR * A
+    stiffness = hertz_stiffness(tables.raw, base, A, B, tables.contact_modulus)
+    penetration = prescribed
+    if not isfinite(prescribed):
+        penetration = (force / (region.share * stiffness)) ** (2.0 / 3.0)
+    load = stiffness * penetration * sqrt(penetration)
+    region.stiffness = 1.5 * stiffness * sqrt(penetration)
+    region.carried = load
+    region.moment = 0.0
+    region.slant = 0.0
+    region.level = penetration
+    one_alpha, one_beta, nr = hertz_coefficients(tables.raw, base, A, B)
+    half_length = sqrt(penetration / (one_alpha * A))
+    half_width = sqrt(penetration / (one_beta * B))
+    area = pi * half_length * half_width
+    clear_patches(solved)
+    index = begin_patch(solved, region, -half_width, 0, RULE_ELLIPSE, point.contact_angle)
+    patch = solved.patches[index]
+    patch.load = load
+    patch.area = area
+    patch.max_pressure = 1.5 * load / area
+    patch.max_half_length = half_length
+    patch.stop = half_width
+    patch.rank = 1
+    return penetration

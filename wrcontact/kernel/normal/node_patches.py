@@ -1,0 +1,177 @@
+"""From ANALYN's regions to solved patches: every node becomes a strip, every run of loaded cells a patch.
+
+Between the strips the line load and the squares of half-length and pressure follow quadratics (:mod:`quadrature`), so that an
+ellipse comes out exactly.  A patch may reach over the bound between two regions, and a region may hold two patches.
+"""
+
+from math import atan, fabs, pi, sqrt
+from typing import Final
+
+from ..layout import (
+    RULE_QUADRATIC,
+    Nodes,
+    NodesOfRegions,
+    Region,
+    Regions,
+    SolvedPatch,
+    SolvedPatches,
+    SolvedStrip,
+    SolvedStrips,
+)
+from ..patch.filling import begin_patch, clear_patches, finish_patch, rank_patches
+from ..patch.quadrature import cell_part, quadratic_integral, quadratic_moment, root_integral
+from .analyn import clip_to_bound
+
+#: Loaded parts closer than this share of the spacing are one patch.
+JOINED: Final[float] = 1e-9
+
+
+def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatches, count: int):
+    """Fill the solved patches from ``count`` regions at their local penetrations."""
+    clear_patches(solved)
+    strips = 0
+    for index in range(count):
+        region = regions[index]
+        region.carried = 0.0
+        region.moment = 0.0
+        if region.level > 0.0:
+            region.strip = strips - region.first
+            fill_strips(region, index, nodes[index], solved.strips)
+            strips += region.last - region.first + 1
+            angle = -atan(region.lean)
+            for k in range(region.first, region.last):
+                add_cell(solved, region, nodes[index], k, angle)
+    finish_patch(solved)
+    rank_patches(solved)
+    return 0
+
+
+def fill_strips(region: Region, index: int, nodes: Nodes, strips: SolvedStrips):
+    """The strips of region ``index``, one at each node, also where it is not loaded; they have no width yet.
+
+    The pressure on x = 0 is p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
+    """
+    level = region.level
+    middle = region.strip
+    for k in range(region.first, region.last + 1):
+        strip = strips[middle + k]
+        d = level - nodes.rise[k]
+        load = nodes.line[k] * d
+        strip.line_load = load
+        strip.half_length_square = d / nodes.length[k]
+        strip.pressure_square = 4.0 / (pi * pi) * nodes.line[k] * load * nodes.length[k]
+        away = region.spacing * float(k)
+        strip.station = region.offset + region.station + away
+        strip.width = 0.0
+        strip.x = region.along + region.slant * away
+        strip.curvature = 2.0 * nodes.A[k]
+        strip.region = index
+    return 0
+
+
+def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contact_angle: float):
+    """Add the cell between nodes ``k`` and ``k`` + 1 to the last patch, or to a new one that begins in it."""
+    spacing = region.spacing
+    level = region.level
+    outward = 1
+    low = k
+    if k < 0:
+        outward = -1
+        low = k + 1
+    before = low - outward
+    high = low + outward
+    start, stop = cell_part(level - nodes.rise[before], level - nodes.rise[low], level - nodes.rise[high])
+    if k == region.first or k == region.last - 1:
+        stop = clip_to_bound(region, low, outward, stop)
+    if stop > start:
+        strips = region.strip
+        inner = solved.strips[strips + low]
+        begin = inner.station + spacing * start
+        end = inner.station + spacing * stop
+        if outward < 0:
+            begin = inner.station - spacing * stop
+            end = inner.station - spacing * start
+        index = patch_from(solved, region, begin, strips + k, contact_angle)
+        patch = solved.patches[index]
+        patch.stop = end
+        patch.last = strips + k + 1
+        widen_strips(inner, solved.strips[strips + high], start, stop, spacing)
+        add_load(patch, region, solved.strips[strips + before], inner, solved.strips[strips + high], start, stop,
+                 spacing * float(outward))
+        keep_largest(solved, strips + low)
+    return 0
+
+
+def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, contact_angle: float):
+    """Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs to: the last one if
+    that ends there, else a new one."""
+    index = solved.count - 1
+    joined = 0
+    if index >= 0:
+        last = solved.patches[index]
+        if start - last.stop < JOINED * region.spacing:
+            joined = 1
+    if joined == 0:
+        finish_patch(solved)
+        index = begin_patch(solved, region, start, strip, RULE_QUADRATIC, contact_angle)
+    return index
+
+
+def widen_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: float, spacing: float):
+    """Share the loaded part [start, stop] of a cell out among the strips at its ends: half each, or all to the one inside the
+    patch.  So the widths of a patch's strips add up to its own."""
+    width = spacing * (stop - start)
+    if stop < 1.0:
+        inner.width += width
+    elif start > 0.0:
+        outer.width += width
+    else:
+        inner.width += 0.5 * width
+        outer.width += 0.5 * width
+    return 0
+
+
+def add_load(patch: SolvedPatch, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip, start: float,
+             stop: float, step: float):
+    """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
+
+    ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and ``before`` the next one
+    further in.
+    """
+    width = fabs(step)
+    load = width * quadratic_integral(before.line_load, low.line_load, high.line_load, start, stop)
+    moment = quadratic_moment(before.line_load, low.line_load, high.line_load, start, stop)
+    area = root_integral(before.half_length_square, low.half_length_square, high.half_length_square, start, stop)
+    moment = low.station * load + width * step * moment
+    region.carried += load
+    region.moment += moment
+    patch.load += load
+    patch.moment += moment
+    patch.area += 2.0 * width * area
+    return 0
+
+
+def keep_largest(solved: SolvedPatches, strip: int):
+    """Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest ones so far."""
+    low = solved.strips[strip - 1]
+    here = solved.strips[strip]
+    high = solved.strips[strip + 1]
+    if here.half_length_square > solved.half_length_square:
+        solved.half_length_square = peak_square(low.half_length_square, here.half_length_square, high.half_length_square)
+    if here.pressure_square > solved.pressure_square:
+        solved.pressure_square = peak_square(low.pressure_square, here.pressure_square, high.pressure_square)
+    return 0
+
+
+def peak_square(before: float, square: float, after: float):
+    """Square of the largest value of the parabola through the roots of three squares, where the middle one is a peak and both
+    others are loaded; else the middle one."""
+    if before > 0.0 and after > 0.0 and square >= before and square >= after:
+        top = sqrt(square)
+        left = sqrt(before)
+        right = sqrt(after)
+        bend = left - 2.0 * top + right
+        if bend < 0.0:
+            top -= (right - left) * (right - left) / (8.0 * bend)
+            square = top * top
+    return square
