@@ -17,80 +17,6 @@
 
 #include "analyn.h"
 
-/* Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
- *
- * Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
- */
-static inline double analyn__bend_of(double before, double low, double high)
-{
-    double limit;
-    double bend;
-    bend = 0.5 * (before - 2.0 * low + high);
-    limit = 0.5 * (fabs(low) + fabs(high));
-    if (bend > limit)
-    {
-        bend = limit;
-    }
-    if (bend < -limit)
-    {
-        bend = -limit;
-    }
-    return bend;
-}
-
-/* The loaded part [from, to] of a cell, as shares of it counted from its inner node. */
-static inline int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high)
-{
-    double bend;
-    double slope;
-    double spread;
-    double root;
-    (*start) = 0.0;
-    (*stop) = 1.0;
-    if ((d_low <= 0.0) && (d_high <= 0.0))
-    {
-        (*stop) = 0.0;
-    }
-    else if ((d_low <= 0.0) || (d_high <= 0.0))
-    {
-        bend = analyn__bend_of(d_before, d_low, d_high);
-        slope = d_high - d_low - bend;
-        /* the root between two values of opposite sign, in the form that does not cancel */
-        spread = slope * slope - 4.0 * bend * d_low;
-        if (spread < 0.0)
-        {
-            spread = 0.0;
-        }
-        spread = sqrt(spread);
-        root = 0.0;
-        if (d_low > 0.0)
-        {
-            root = 2.0 * d_low / (spread - slope);
-            (*stop) = root;
-        }
-        else
-        {
-            root = (-2.0) * d_low / (spread + slope);
-            (*start) = root;
-        }
-    }
-    return 0;
-}
-
-/* Integral over [start, stop] of the quadratic of ``bend_of``. */
-static inline double analyn__quadratic_integral(double before, double low, double high, double start, double stop)
-{
-    double bend;
-    double slope;
-    double upper;
-    double lower;
-    bend = analyn__bend_of(before, low, high);
-    slope = high - low - bend;
-    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
-    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0));
-    return upper - lower;
-}
-
 /* ``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell. */
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop)
 {
@@ -165,19 +91,19 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
                 if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
                 {
                     /* a fully loaded cell: quadratic_integral from 0 to 1 */
-                    load += 0.5 * (f_low + f_high) - analyn__bend_of(c_before * d_before, f_low, f_high) / 6.0;
+                    load += 0.5 * (f_low + f_high) - quadrature__bend_of(c_before * d_before, f_low, f_high) / 6.0;
                     stiffness += 0.5 * (c_low + c_high);
                 }
                 else if ((d_low > 0.0) || (d_high > 0.0))
                 {
-                    analyn__cell_part(&start, &stop, d_before, d_low, d_high);
+                    quadrature__cell_part(&start, &stop, d_before, d_low, d_high);
                     if (k == last - INT64_C(1))
                     {
                         stop = analyn__clip_to_bound(work, block, outward * k, outward, stop);
                     }
                     if (stop > start)
                     {
-                        load += analyn__quadratic_integral(c_before * d_before, f_low, f_high, start, stop);
+                        load += quadrature__quadratic_integral(c_before * d_before, f_low, f_high, start, stop);
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low));
                     }
                 }

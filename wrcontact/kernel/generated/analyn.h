@@ -22,6 +22,7 @@
 #include "interaction.h"
 #include "layout.h"
 #include "nodes.h"
+#include "quadrature.h"
 
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
 static const double analyn__FORCE_SHARP = 1e-12;
@@ -32,9 +33,6 @@ static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
 static const double analyn__HIGHEST = 1000.0;
 
-static inline double analyn__bend_of(double before, double low, double high);
-static inline int64_t analyn__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
-static inline double analyn__quadratic_integral(double before, double low, double high, double start, double stop);
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
 static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
 static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);

@@ -519,135 +519,42 @@ static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t*
     return 0;
 }
 
-/* Hertz's ellipse with the curvatures at the contact point, written to the outputs at ``side``; its penetration.
- *
- * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
+/* Solve the normal contact of the side whose frame is open, under ``force`` [N] or at ``prescribed`` penetration [m] if that
+ * is a number, into the solved patches; penetration [m], number of regions, and 1 when the force is satisfied, else 0.
  */
-static inline double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed)
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
 {
-    int64_t base;
-    double A;
-    double B;
-    double stiffness;
-    double load;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double a;
-    double b;
-    double area;
-    double pressure;
-    double penetration;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_X));
-    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_Y));
-    if (!(B > nodes__FLOOR * A))
-    {
-        B = nodes__FLOOR * A;
-    }
-    stiffness = hertz__hertz_stiffness(tables, base, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    penetration = prescribed;
-    if (!isfinite(prescribed))
-    {
-        penetration = pow((force / ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness)), (2.0 / 3.0));
-    }
-    load = stiffness * penetration * sqrt(penetration);
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt(penetration);
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SLANT)) = 0.0;
-    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
-    a = sqrt(penetration / (one_alpha * A));
-    b = sqrt(penetration / (one_beta * B));
-    area = M_PI * a * b;
-    pressure = 1.5 * load / area;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 1.0;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-    {
-        normal_contact__write_ellipse(work, outline__outline_place(tables, work, side), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), a, b, pressure);
-    }
-    return penetration;
-}
-
-/* Outline and pressure of an ellipse of half-length ``a`` and half-width ``b`` [m] at ``stations`` stations, to
- * ``place``.
- */
-static inline int64_t normal_contact__write_ellipse(array_double_1d work, int64_t place, int64_t stations, double a, double b, double pressure)
-{
-    int64_t j;
-    double share;
-    double height;
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
-    {
-        share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
-        height = sqrt(1.0 - share * share);
-        (*cspan_at(&work, place + j)) = share * b;
-        (*cspan_at(&work, place + stations + j)) = a * height;
-        (*cspan_at(&work, place + INT64_C(2) * stations + j)) = pressure * height;
-    }
-    return INT64_C(0);
-}
-
-/* Normal contact of the side whose frame is open, into the outputs at ``outputs``; the number of regions, and 1 when
- * met, else 0.
- */
-static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed)
-{
-    double penetration;
     int64_t by_penetration;
     int64_t strips;
-    int64_t islands;
     (*met) = INT64_C(1);
     (*count) = INT64_C(1);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_HERTZ)
     {
-        normal_contact__solve_hertz(tables, work, outputs, force, prescribed);
+        planes__line_up(tables, work, INT64_C(1));
+        (*penetration) = hertz_contact__solve_hertz(work, tables, outputs, layout__WORK_REGIONS, force, prescribed);
+        return 0;
     }
-    else
+    normal_contact__solve_analyn(penetration, count, met, tables, work, state, side, force, prescribed);
+    if ((*met) == INT64_C(1))
     {
-        normal_contact__solve_analyn(&penetration, count, met, tables, work, state, side, force, prescribed);
-        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
+        planes__line_up(tables, work, (*count));
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
         {
             by_penetration = INT64_C(0);
             if (isfinite(prescribed))
             {
                 by_penetration = INT64_C(1);
             }
-            strips__correct_strips(&penetration, &strips, met, tables, work, state, (*count), force, penetration, by_penetration);
+            strips__correct_strips(penetration, &strips, met, tables, work, state, (*count), force, (*penetration), by_penetration);
             if ((*met) == INT64_C(1))
             {
-                islands = strip_patches__gather_strips(work, strips);
-                patches__write_patches(work, outputs, islands);
-                if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-                {
-                    strip_patches__write_strip_outline(work, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), strips, islands);
-                }
+                strip_patches__gather_strips(work, strips);
             }
         }
-        else if ((*met) == INT64_C(1))
+        else
         {
-            islands = patches__gather_islands(tables, work, (*count));
-            patches__write_patches(work, outputs, islands);
-            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-            {
-                patches__write_outline(work, outputs, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count), islands);
-            }
+            node_patches__fill_from_nodes(work, (*count));
         }
-        (*cspan_at(&work, outputs + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     }
     return 0;
 }

@@ -17,11 +17,11 @@
 #include "analyn.h"
 #include "contact_plane.h"
 #include "hertz.h"
+#include "hertz_contact.h"
 #include "layout.h"
+#include "node_patches.h"
 #include "nodes.h"
-#include "outline.h"
 #include "overlaps.h"
-#include "patches.h"
 #include "planes.h"
 #include "profile_table.h"
 #include "regions.h"
@@ -60,8 +60,6 @@ static inline double normal_contact__first_penetration(array_double_1d tables, a
 static inline int64_t normal_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration);
 static inline int64_t normal_contact__solve_estimated(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration);
 static inline int64_t normal_contact__solve_analyn(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed);
-static inline int64_t normal_contact__write_ellipse(array_double_1d work, int64_t place, int64_t stations, double a, double b, double pressure);
-static inline double normal_contact__solve_hertz(array_double_1d tables, array_double_1d work, int64_t side, double force, double prescribed);
-static inline int64_t normal_contact__solve_normal(int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t outputs, double force, double prescribed);
 
 #endif

@@ -1,19 +1,25 @@
 /* Generated from patch/outline.py by tools/transpile_kernel.py; change that one.
  *
- * Where the outline of a side lies: three runs of equal length, its stations, half-lengths and pressures.
+ * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge to the last.
  *
- * With STATION_COUNT stations it is part of the side's outputs.  With another number the outlines of both sides, left then
- * right, follow behind all outputs, and the places for it among the side's own stay zero.
+ * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both sides, left then
+ * right, follow all outputs, and the places for it among the outputs of the side stay zero.
  */
 
 #ifndef WRCONTACT_KERNEL_OUTLINE_H
 #define WRCONTACT_KERNEL_OUTLINE_H
 
 #include "../native/spans.h"
+#include "interpolation.h"
 #include "layout.h"
 
-static inline int64_t outline__outline_place(array_double_1d tables, array_double_1d work, int64_t out);
-static inline int64_t outline__fill_apart(array_double_1d tables, array_double_1d work, int64_t out, double value);
 static inline int64_t outline__row_size(array_double_1d tables);
+static inline int64_t outline__fill_outline(array_double_1d work, int64_t outline, int64_t stations, double value);
+static inline int64_t outline__write_station(array_double_1d work, int64_t outline, int64_t stations, int64_t j, double station, double half_length, double pressure);
+static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
+static inline int64_t outline__patch_beside(array_double_1d work, int64_t index, double station);
+static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t side);
+static inline int64_t outline__write_straight(array_double_1d work, int64_t outline, int64_t stations);
+static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t side);
 
 #endif

@@ -60,7 +60,7 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
             normal_cos = (*cspan_at(&work, block + layout__REGION_COS));
             normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
         }
-        x = contact_plane__ridge_place(tables, work, (*cspan_at(&work, block + layout__REGION_WHEEL))) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
+        x = (*cspan_at(&work, block + layout__REGION_ALONG)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
         y = mirror * ((*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa);
         z = height;
         force_y = mirror * normal_sin * load;

@@ -11,7 +11,6 @@
 #define WRCONTACT_KERNEL_RESULTANT_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "layout.h"
 #include "profile_table.h"
 

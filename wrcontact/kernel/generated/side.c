@@ -13,7 +13,7 @@ static inline int64_t side__clear_side(array_double_1d tables, array_double_1d w
     {
         (*cspan_at(&work, out + i)) = 0.0;
     }
-    outline__fill_apart(tables, work, out, 0.0);
+    side__fill_apart(tables, work, out, 0.0);
     return INT64_C(0);
 }
 
@@ -25,7 +25,7 @@ static inline int64_t side__clear_from(array_double_1d tables, array_double_1d w
     {
         (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
-    outline__fill_apart(tables, work, out, (*cspan_at(&tables, layout__TABLES_ABSENT)));
+    side__fill_apart(tables, work, out, (*cspan_at(&tables, layout__TABLES_ABSENT)));
     if (first <= layout__SIDE_PENETRATION)
     {
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
@@ -51,24 +51,61 @@ static inline int64_t side__first_unwanted(array_double_1d tables)
     return first;
 }
 
-/* Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome. */
-static inline int64_t side__load_side(int64_t* count, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed)
+/* Offset in the workspace of the outline of the side whose outputs are at ``out``. */
+static inline int64_t side__outline_place(array_double_1d tables, array_double_1d work, int64_t out)
 {
-    int64_t met;
-    int64_t region;
-    (*status) = layout__VALID;
-    normal_contact__solve_normal(count, &met, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, force, prescribed);
-    if (met == INT64_C(0))
+    int64_t stations;
+    int64_t place;
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    place = out + layout__SIDE_OUTPUTS_STATION;
+    if (stations != layout__STATION_COUNT)
     {
-        (*status) = layout__NOT_CONVERGED;
-    }
-    else
-    {
-        for (region = INT64_C(0); region < (*count); region += INT64_C(1))
+        place = layout__WORK_OUTLINES;
+        if (out > layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT)
         {
-            resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+            place += INT64_C(3) * stations;
         }
     }
+    return place;
+}
+
+/* Write ``value`` all over a side's outline, where it is not part of the side's outputs. */
+static inline int64_t side__fill_apart(array_double_1d tables, array_double_1d work, int64_t out, double value)
+{
+    int64_t stations;
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    if (stations != layout__STATION_COUNT)
+    {
+        outline__fill_outline(work, side__outline_place(tables, work, out), stations, value);
+    }
+    return INT64_C(0);
+}
+
+/* Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome. */
+static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed)
+{
+    int64_t out;
+    double penetration;
+    int64_t met;
+    int64_t region;
+    out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
+    normal_contact__solve_normal(&penetration, count, &met, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
+    if (met == INT64_C(0))
+    {
+        (*result_1) = layout__NOT_CONVERGED;
+        return 0;
+    }
+    totals__write_patches(work, out);
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+    {
+        outline__write_outline(work, side__outline_place(tables, work, out), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), out);
+    }
+    for (region = INT64_C(0); region < (*count); region += INT64_C(1))
+    {
+        resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+    }
+    (*result_1) = layout__VALID;
     return 0;
 }
 

@@ -1,6 +1,6 @@
 /* Generated from patch/strip_patches.py by tools/transpile_kernel.py; change that one.
  *
- * From corrected strips to contact patches: edges, loads, areas, pressures, and the outline at evenly spaced stations.
+ * From corrected strips to contact patches: edges, loads, areas and pressures.
  *
  * A patch is a run of loaded strips that touch each other.  Near its edge the line load falls to zero in proportion to the
  * distance, so the edge is where the straight line through the last two strips' line loads ends.
@@ -10,8 +10,9 @@
 #define WRCONTACT_KERNEL_STRIP_PATCHES_H
 
 #include "../native/spans.h"
+#include "filling.h"
 #include "layout.h"
-#include "patches.h"
+#include "quadrature.h"
 #include "strips.h"
 
 static inline double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i);
@@ -21,6 +22,5 @@ static inline double strip_patches__run_area(array_double_1d work, int64_t first
 static inline double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
 static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last);
 static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t strips);
-static inline int64_t strip_patches__write_strip_outline(array_double_1d work, int64_t place, int64_t count, int64_t strips, int64_t islands);
 
 #endif

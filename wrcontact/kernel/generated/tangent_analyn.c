@@ -5,147 +5,6 @@
 
 #include "tangent_analyn.h"
 
-/* Tangent of ``bend_of``. */
-static inline int64_t tangent_analyn__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t)
-{
-    double v1;
-    double v2;
-    double limit_t;
-    double limit;
-    v1 = before - 2.0 * low + high;
-    (*bend_t) = 0.5 * (before_t - 2.0 * low_t + high_t);
-    (*bend) = 0.5 * v1;
-    v2 = fabs(low) + fabs(high);
-    limit_t = 0.5 * (tangent_rates__size_rate(low, low_t) + tangent_rates__size_rate(high, high_t));
-    limit = 0.5 * v2;
-    if ((*bend) > limit)
-    {
-        (*bend_t) = limit_t;
-        (*bend) = limit;
-    }
-    if ((*bend) < -limit)
-    {
-        (*bend_t) = -limit_t;
-        (*bend) = -limit;
-    }
-    return 0;
-}
-
-/* Tangent of ``cell_part``. */
-static inline int64_t tangent_analyn__cell_part_t(double* start, double* start_t, double* stop, double* stop_t, double d_before, double d_before_t, double d_low, double d_low_t, double d_high, double d_high_t)
-{
-    double v1;
-    double v1_t;
-    double bend_t;
-    double bend;
-    double slope_t;
-    double slope;
-    double v2;
-    double spread_t;
-    double spread;
-    double v3;
-    double root_t;
-    double root;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    (*start_t) = 0.0;
-    (*start) = 0.0;
-    (*stop_t) = 0.0;
-    (*stop) = 1.0;
-    if ((d_low <= 0.0) && (d_high <= 0.0))
-    {
-        (*stop_t) = 0.0;
-        (*stop) = 0.0;
-    }
-    else if ((d_low <= 0.0) || (d_high <= 0.0))
-    {
-        tangent_analyn__bend_of_t(&v1, &v1_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
-        bend_t = v1_t;
-        bend = v1;
-        slope_t = d_high_t - d_low_t - bend_t;
-        slope = d_high - d_low - bend;
-        v2 = 4.0 * bend;
-        spread_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * d_low + v2 * d_low_t);
-        spread = slope * slope - v2 * d_low;
-        if (spread < 0.0)
-        {
-            spread_t = 0.0;
-            spread = 0.0;
-        }
-        v3 = sqrt(spread);
-        spread_t = tangent_rates__root_rate(v3, spread_t);
-        spread = v3;
-        root_t = 0.0;
-        root = 0.0;
-        if (d_low > 0.0)
-        {
-            v4 = 2.0 * d_low;
-            v5 = spread - slope;
-            v6 = v4 / v5;
-            root_t = (2.0 * d_low_t - v6 * (spread_t - slope_t)) / v5;
-            root = v6;
-            (*stop_t) = root_t;
-            (*stop) = root;
-        }
-        else
-        {
-            v7 = -2.0;
-            v8 = v7 * d_low;
-            v9 = spread + slope;
-            v10 = v8 / v9;
-            root_t = (v7 * d_low_t - v10 * (spread_t + slope_t)) / v9;
-            root = v10;
-            (*start_t) = root_t;
-            (*start) = root;
-        }
-    }
-    return 0;
-}
-
-/* Tangent of ``quadratic_integral``. */
-static inline int64_t tangent_analyn__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t)
-{
-    double v1;
-    double v1_t;
-    double bend_t;
-    double bend;
-    double slope_t;
-    double slope;
-    double v2;
-    double v3;
-    double v4;
-    double upper_t;
-    double upper;
-    double v5;
-    double v6;
-    double v7;
-    double lower_t;
-    double lower;
-    tangent_analyn__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    bend_t = v1_t;
-    bend = v1;
-    slope_t = high_t - low_t - bend_t;
-    slope = high - low - bend;
-    v2 = stop * bend;
-    v3 = slope / 2.0 + v2 / 3.0;
-    v4 = low + stop * v3;
-    upper_t = stop_t * v4 + stop * (low_t + (stop_t * v3 + stop * (slope_t / 2.0 + (stop_t * bend + stop * bend_t) / 3.0)));
-    upper = stop * v4;
-    v5 = start * bend;
-    v6 = slope / 2.0 + v5 / 3.0;
-    v7 = low + start * v6;
-    lower_t = start_t * v7 + start * (low_t + (start_t * v6 + start * (slope_t / 2.0 + (start_t * bend + start * bend_t) / 3.0)));
-    lower = start * v7;
-    (*result_0) = upper - lower;
-    (*result_1) = upper_t - lower_t;
-    return 0;
-}
-
 /* Tangent of ``clip_to_bound``. */
 static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t block, int64_t k, int64_t outward, double stop, double stop_t)
 {
@@ -274,7 +133,7 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
                 if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
                 {
                     v1 = f_low + f_high;
-                    tangent_analyn__bend_of_t(&v2, &v2_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t);
+                    tangent_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t);
                     load_t = load_t + (0.5 * (f_low_t + f_high_t) - v2_t / 6.0);
                     load = load + (0.5 * v1 - v2 / 6.0);
                     v3 = c_low + c_high;
@@ -283,7 +142,7 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
                 }
                 else if ((d_low > 0.0) || (d_high > 0.0))
                 {
-                    tangent_analyn__cell_part_t(&start, &start_t, &stop, &stop_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
+                    tangent_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
                     if (k == last - INT64_C(1))
                     {
                         tangent_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, block, outward * k, outward, stop, stop_t);
@@ -292,7 +151,7 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
                     }
                     if (stop > start)
                     {
-                        tangent_analyn__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t, stop, stop_t);
+                        tangent_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t, stop, stop_t);
                         load_t = load_t + v5_t;
                         load = load + v5;
                         v6 = stop - start;

@@ -12,11 +12,8 @@
 #include "nodes.h"
 #include "strips.h"
 #include "tangent_interaction.h"
-#include "tangent_rates.h"
+#include "tangent_quadrature.h"
 
-static inline int64_t tangent_analyn__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t);
-static inline int64_t tangent_analyn__cell_part_t(double* start, double* start_t, double* stop, double* stop_t, double d_before, double d_before_t, double d_low, double d_low_t, double d_high, double d_high_t);
-static inline int64_t tangent_analyn__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t);
 static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t block, int64_t k, int64_t outward, double stop, double stop_t);
 static inline int64_t tangent_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, double level, double level_t);
 static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count);

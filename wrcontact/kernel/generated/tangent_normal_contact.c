@@ -705,216 +705,44 @@ static inline int64_t tangent_normal_contact__solve_fine_t(double* result_0_0001
     return 0;
 }
 
-/* Tangent of ``solve_hertz``. */
-static inline int64_t tangent_normal_contact__solve_hertz_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+/* Tangent of ``solve_normal``. */
+static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t outputs, double force, double force_t, double prescribed, double prescribed_t)
 {
-    int64_t base;
-    double A_t;
-    double A;
-    double B_t;
-    double B;
     double v1;
     double v1_t;
-    double stiffness_t;
-    double stiffness;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double load_t;
-    double load;
-    double v8;
-    double v9;
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
-    double v10;
-    double v11;
-    double v12;
-    double a_t;
-    double a;
-    double v13;
-    double v14;
-    double v15;
-    double b_t;
-    double b;
-    double v16;
-    double area_t;
-    double area;
-    double v17;
-    double v18;
-    double pressure_t;
-    double pressure;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    A_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_CURVATURE_X));
-    A = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_X));
-    B_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_CURVATURE_Y));
-    B = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CURVATURE_Y));
-    if (!(B > nodes__FLOOR * A))
-    {
-        B_t = nodes__FLOOR * A_t;
-        B = nodes__FLOOR * A;
-    }
-    tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, base, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v1_t;
-    stiffness = v1;
-    (*penetration_t) = prescribed_t;
-    (*penetration) = prescribed;
-    if (!isfinite(prescribed))
-    {
-        v2 = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness;
-        v3 = force / v2;
-        v4 = 2.0 / 3.0;
-        v5 = pow(v3, v4);
-        (*penetration_t) = tangent_rates__power_rate(v5, v3, v4, (force_t - v3 * ((*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness + (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)) * stiffness_t)) / v2);
-        (*penetration) = v5;
-    }
-    v6 = stiffness * (*penetration);
-    v7 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v7 + v6 * tangent_rates__root_rate(v7, (*penetration_t));
-    load = v6 * v7;
-    v8 = 1.5 * stiffness;
-    v9 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v9 + v8 * tangent_rates__root_rate(v9, (*penetration_t));
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STIFFNESS)) = v8 * v9;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CARRIED)) = load_t;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SLANT)) = 0.0;
-    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
-    v10 = one_alpha * A;
-    v11 = (*penetration) / v10;
-    v12 = sqrt(v11);
-    a_t = tangent_rates__root_rate(v12, ((*penetration_t) - v11 * (one_alpha_t * A + one_alpha * A_t)) / v10);
-    a = v12;
-    v13 = one_beta * B;
-    v14 = (*penetration) / v13;
-    v15 = sqrt(v14);
-    b_t = tangent_rates__root_rate(v15, ((*penetration_t) - v14 * (one_beta_t * B + one_beta * B_t)) / v13);
-    b = v15;
-    v16 = M_PI * a;
-    area_t = M_PI * a_t * b + v16 * b_t;
-    area = v16 * b;
-    v17 = 1.5 * load;
-    v18 = v17 / area;
-    pressure_t = (1.5 * load_t - v18 * area_t) / area;
-    pressure = v18;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 1.0;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PENETRATION)) = (*penetration_t);
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PENETRATION)) = (*penetration);
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_AREA)) = area_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * a_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = 2.0 * b_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_NORMAL_FORCE)) = load_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_NORMAL_FORCE)) = load;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_AREA)) = area_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_AREA)) = area;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_LENGTH)) = 2.0 * a_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_LENGTH)) = 2.0 * a;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_WIDTH)) = 2.0 * b_t;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_WIDTH)) = 2.0 * b;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CENTROID)) = 0.0;
-    (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_CONTACT_ANGLE));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-    {
-        tangent_normal_contact__write_ellipse_t(work, work_t, outline__outline_place(tables, work, side), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), a, a_t, b, b_t, pressure, pressure_t);
-    }
-    return 0;
-}
-
-/* Tangent of ``write_ellipse``. */
-static inline int64_t tangent_normal_contact__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t stations, double a, double a_t, double b, double b_t, double pressure, double pressure_t)
-{
-    int64_t j;
-    double share;
-    double height;
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
-    {
-        share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
-        height = sqrt(1.0 - share * share);
-        (*cspan_at(&work_t, place + j)) = share * b_t;
-        (*cspan_at(&work, place + j)) = share * b;
-        (*cspan_at(&work_t, place + stations + j)) = a_t * height;
-        (*cspan_at(&work, place + stations + j)) = a * height;
-        (*cspan_at(&work_t, place + INT64_C(2) * stations + j)) = pressure_t * height;
-        (*cspan_at(&work, place + INT64_C(2) * stations + j)) = pressure * height;
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``solve_normal``. */
-static inline int64_t tangent_normal_contact__solve_normal_t(int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t outputs, double force, double force_t, double prescribed, double prescribed_t)
-{
-    double n1;
-    double n2;
-    double penetration;
-    double penetration_t;
     int64_t by_penetration;
     int64_t strips;
-    int64_t n3;
-    int64_t islands;
-    int64_t n4;
     (*met) = INT64_C(1);
     (*count) = INT64_C(1);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_HERTZ)
     {
-        tangent_normal_contact__solve_hertz_t(&n1, &n2, tables, work, work_t, outputs, force, force_t, prescribed, prescribed_t);
+        tangent_planes__line_up_t(tables, work, work_t, INT64_C(1));
+        tangent_hertz_contact__solve_hertz_t(&v1, &v1_t, work, work_t, tables, outputs, layout__WORK_REGIONS, force, force_t, prescribed, prescribed_t);
+        (*penetration_t) = v1_t;
+        (*penetration) = v1;
+        return 0;
     }
-    else
+    tangent_normal_contact__solve_analyn_t(penetration, penetration_t, count, met, tables, work, work_t, state, side, force, force_t, prescribed, prescribed_t);
+    if ((*met) == INT64_C(1))
     {
-        tangent_normal_contact__solve_analyn_t(&penetration, &penetration_t, count, met, tables, work, work_t, state, side, force, force_t, prescribed, prescribed_t);
-        if (((*met) == INT64_C(1)) && ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP))
+        tangent_planes__line_up_t(tables, work, work_t, (*count));
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
         {
             by_penetration = INT64_C(0);
             if (isfinite(prescribed))
             {
                 by_penetration = INT64_C(1);
             }
-            tangent_strips__correct_strips_t(&penetration, &penetration_t, &strips, met, tables, work, work_t, state, (*count), force, force_t, penetration, penetration_t, by_penetration);
+            tangent_strips__correct_strips_t(penetration, penetration_t, &strips, met, tables, work, work_t, state, (*count), force, force_t, (*penetration), (*penetration_t), by_penetration);
             if ((*met) == INT64_C(1))
             {
-                n3 = tangent_strip_patches__gather_strips_t(work, work_t, strips);
-                islands = n3;
-                tangent_patches__write_patches_t(work, work_t, outputs, islands);
-                if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-                {
-                    tangent_strip_patches__write_strip_outline_t(work, work_t, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), strips, islands);
-                }
+                tangent_strip_patches__gather_strips_t(work, work_t, strips);
             }
         }
-        else if ((*met) == INT64_C(1))
+        else
         {
-            n4 = tangent_patches__gather_islands_t(tables, work, work_t, (*count));
-            islands = n4;
-            tangent_patches__write_patches_t(work, work_t, outputs, islands);
-            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-            {
-                tangent_patches__write_outline_t(work, work_t, outputs, outline__outline_place(tables, work, outputs), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count), islands);
-            }
+            tangent_node_patches__fill_from_nodes_t(work, work_t, (*count));
         }
-        (*cspan_at(&work_t, outputs + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
-        (*cspan_at(&work, outputs + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     }
     return 0;
 }

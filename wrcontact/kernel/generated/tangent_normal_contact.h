@@ -12,13 +12,13 @@
 #include "layout.h"
 #include "nodes.h"
 #include "normal_contact.h"
-#include "outline.h"
 #include "tangent_analyn.h"
 #include "tangent_contact_plane.h"
 #include "tangent_hertz.h"
+#include "tangent_hertz_contact.h"
+#include "tangent_node_patches.h"
 #include "tangent_nodes.h"
 #include "tangent_overlaps.h"
-#include "tangent_patches.h"
 #include "tangent_planes.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
@@ -40,8 +40,6 @@ static inline int64_t tangent_normal_contact__first_penetration_t(double* v1, do
 static inline int64_t tangent_normal_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t by_penetration);
 static inline int64_t tangent_normal_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double estimate, double estimate_t, int64_t by_penetration);
 static inline int64_t tangent_normal_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t tangent_normal_contact__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t stations, double a, double a_t, double b, double b_t, double pressure, double pressure_t);
-static inline int64_t tangent_normal_contact__solve_hertz_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t tangent_normal_contact__solve_normal_t(int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t outputs, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t outputs, double force, double force_t, double prescribed, double prescribed_t);
 
 #endif

@@ -9,7 +9,6 @@
 #include "../native/spans.h"
 #include "layout.h"
 #include "resultant.h"
-#include "tangent_contact_plane.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
 

@@ -14,7 +14,7 @@ static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_d
         (*cspan_at(&work_t, out + i)) = 0.0;
         (*cspan_at(&work, out + i)) = 0.0;
     }
-    tangent_outline__fill_apart_t(tables, work, work_t, out, 0.0, 0.0);
+    tangent_side__fill_apart_t(tables, work, work_t, out, 0.0, 0.0);
     return INT64_C(0);
 }
 
@@ -27,7 +27,7 @@ static inline int64_t tangent_side__clear_from_t(array_double_1d tables, array_d
         (*cspan_at(&work_t, out + i)) = 0.0;
         (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
-    tangent_outline__fill_apart_t(tables, work, work_t, out, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
+    tangent_side__fill_apart_t(tables, work, work_t, out, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
     if (first <= layout__SIDE_PENETRATION)
     {
         (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
@@ -36,24 +36,45 @@ static inline int64_t tangent_side__clear_from_t(array_double_1d tables, array_d
     return INT64_C(0);
 }
 
-/* Tangent of ``load_side``. */
-static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
+/* Tangent of ``fill_apart``. */
+static inline int64_t tangent_side__fill_apart_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out, double value, double value_t)
 {
+    int64_t stations;
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    if (stations != layout__STATION_COUNT)
+    {
+        tangent_outline__fill_outline_t(work, work_t, side__outline_place(tables, work, out), stations, value, value_t);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``load_side``. */
+static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
+{
+    int64_t out;
+    double penetration;
+    double penetration_t;
     int64_t met;
     int64_t region;
-    (*status) = layout__VALID;
-    tangent_normal_contact__solve_normal_t(count, &met, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index, force, force_t, prescribed, prescribed_t);
+    out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
+    tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &met, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     if (met == INT64_C(0))
     {
-        (*status) = layout__NOT_CONVERGED;
+        (*result_1) = layout__NOT_CONVERGED;
+        return 0;
     }
-    else
+    tangent_totals__write_patches_t(work, work_t, out);
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        for (region = INT64_C(0); region < (*count); region += INT64_C(1))
-        {
-            tangent_resultant__add_region_t(tables, work, work_t, region, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-        }
+        tangent_outline__write_outline_t(work, work_t, side__outline_place(tables, work, out), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), out);
     }
+    for (region = INT64_C(0); region < (*count); region += INT64_C(1))
+    {
+        tangent_resultant__add_region_t(tables, work, work_t, region, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+    }
+    (*result_1) = layout__VALID;
     return 0;
 }
 

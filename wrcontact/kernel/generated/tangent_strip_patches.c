@@ -85,7 +85,7 @@ static inline int64_t tangent_strip_patches__cell_area_t(double* result_0, doubl
     double v1_t;
     v2 = 2.0 * bend;
     v3 = v2 * width;
-    tangent_patches__root_integral_t(&v1, &v1_t, 2.0 * low - high + v3 * width, 2.0 * low_t - high_t + ((2.0 * bend_t * width + v2 * width_t) * width + v3 * width_t), low, low_t, high, high_t, 0.0, 0.0, 1.0, 0.0);
+    tangent_quadrature__root_integral_t(&v1, &v1_t, 2.0 * low - high + v3 * width, 2.0 * low_t - high_t + ((2.0 * bend_t * width + v2 * width_t) * width + v3 * width_t), low, low_t, high, high_t, 0.0, 0.0, 1.0, 0.0);
     (*result_0) = width * v1;
     (*result_1) = width_t * v1 + width * v1_t;
     return 0;
@@ -204,20 +204,24 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
     double v2_t;
     double stop_t;
     double stop;
-    int64_t at;
+    int64_t n3;
+    int64_t index;
+    int64_t patch;
     int64_t i;
     double load_t;
     double load;
     int64_t carrier;
-    double v3;
-    double v3_t;
+    int64_t strip;
     double v4;
-    double v4_t;
+    int64_t k5;
+    double v6;
+    double v6_t;
+    double v7;
+    double v7_t;
     double pressure_t;
     double pressure;
-    double v5;
-    double v5_t;
-    int64_t islands;
+    double v8;
+    double v8_t;
     for (region = INT64_C(0); region < layout__REGION_LIMIT; region += INT64_C(1))
     {
         (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_CARRIED)) = 0.0;
@@ -225,14 +229,14 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
         (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = 0.0;
         (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_MOMENT)) = 0.0;
     }
+    tangent_filling__clear_patches_t(work, work_t);
     stations = strips__strip_field(strips__STRIP_STATION);
     widths = strips__strip_field(strips__STRIP_WIDTH);
     lines = strips__strip_field(strips__STRIP_LINE);
     squares = strips__strip_field(strips__STRIP_SQUARE);
     pressures = strips__strip_field(strips__STRIP_PRESSURE);
-    islands = INT64_C(0);
     first = INT64_C(0);
-    while((first < strips) && (islands < patches__ISLAND_LIMIT))
+    while((first < strips) && ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
     {
         last = first;
         if ((*cspan_at(&work, lines + first)) > 0.0)
@@ -245,179 +249,62 @@ static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d wor
             tangent_strips__run_edge_t(&v2, &v2_t, work, work_t, strips, last, first, INT64_C(1));
             stop_t = v2_t;
             stop = v2;
-            tangent_patches__open_island_t(work, work_t, islands, start, start_t, -atan((*cspan_at(&work, block + layout__REGION_LEAN))), -((*cspan_at(&work_t, block + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN)))));
-            at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * islands;
+            n3 = tangent_filling__begin_patch_t(work, work_t, block, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, block + layout__REGION_LEAN))), -((*cspan_at(&work_t, block + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN)))));
+            index = n3;
+            patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
                 load_t = (*cspan_at(&work_t, lines + i)) * (*cspan_at(&work, widths + i)) + (*cspan_at(&work, lines + i)) * (*cspan_at(&work_t, widths + i));
                 load = (*cspan_at(&work, lines + i)) * (*cspan_at(&work, widths + i));
-                (*cspan_at(&work_t, at + patches__ISLAND_LOAD)) = (*cspan_at(&work_t, at + patches__ISLAND_LOAD)) + load_t;
-                (*cspan_at(&work, at + patches__ISLAND_LOAD)) = (*cspan_at(&work, at + patches__ISLAND_LOAD)) + load;
-                (*cspan_at(&work_t, at + patches__ISLAND_MOMENT)) = (*cspan_at(&work_t, at + patches__ISLAND_MOMENT)) + (load_t * (*cspan_at(&work, stations + i)) + load * (*cspan_at(&work_t, stations + i)));
-                (*cspan_at(&work, at + patches__ISLAND_MOMENT)) = (*cspan_at(&work, at + patches__ISLAND_MOMENT)) + load * (*cspan_at(&work, stations + i));
-                carrier = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
+                (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) + load_t;
+                (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) + load;
+                (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) + (load_t * (*cspan_at(&work, stations + i)) + load * (*cspan_at(&work_t, stations + i)));
+                (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) + load * (*cspan_at(&work, stations + i));
+                region = (int64_t)((*cspan_at(&work, strips__strip_field(strips__STRIP_REGION) + i)));
+                carrier = layout__WORK_REGIONS + layout__REGION_SIZE * region;
                 (*cspan_at(&work_t, carrier + layout__REGION_CARRIED)) = (*cspan_at(&work_t, carrier + layout__REGION_CARRIED)) + load_t;
                 (*cspan_at(&work, carrier + layout__REGION_CARRIED)) = (*cspan_at(&work, carrier + layout__REGION_CARRIED)) + load;
                 (*cspan_at(&work_t, carrier + layout__REGION_MOMENT)) = (*cspan_at(&work_t, carrier + layout__REGION_MOMENT)) + (load_t * (*cspan_at(&work, stations + i)) + load * (*cspan_at(&work_t, stations + i)));
                 (*cspan_at(&work, carrier + layout__REGION_MOMENT)) = (*cspan_at(&work, carrier + layout__REGION_MOMENT)) + load * (*cspan_at(&work, stations + i));
+                strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i;
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work_t, stations + i));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, stations + i));
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, widths + i));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, widths + i));
+                v4 = (*cspan_at(&work, stations + i)) - (*cspan_at(&work, carrier + layout__REGION_OFFSET)) - (*cspan_at(&work, carrier + layout__REGION_STATION));
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, carrier + layout__REGION_ALONG)) + ((*cspan_at(&work_t, carrier + layout__REGION_SLANT)) * v4 + (*cspan_at(&work, carrier + layout__REGION_SLANT)) * ((*cspan_at(&work_t, stations + i)) - (*cspan_at(&work_t, carrier + layout__REGION_OFFSET)) - (*cspan_at(&work_t, carrier + layout__REGION_STATION))));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, carrier + layout__REGION_ALONG)) + (*cspan_at(&work, carrier + layout__REGION_SLANT)) * v4;
+                k5 = strips__strip_field(strips__STRIP_A) + i;
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, k5));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, k5));
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, lines + i));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, lines + i));
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work_t, squares + i));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, squares + i));
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work_t, pressures + i)) * (*cspan_at(&work, pressures + i)) + (*cspan_at(&work, pressures + i)) * (*cspan_at(&work_t, pressures + i));
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work, pressures + i)) * (*cspan_at(&work, pressures + i));
+                (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_REGION)) = 0.0;
+                (*cspan_at(&work, strip + layout__SOLVED_STRIP_REGION)) = (double)(region);
             }
-            (*cspan_at(&work_t, at + patches__ISLAND_STOP)) = stop_t;
-            (*cspan_at(&work, at + patches__ISLAND_STOP)) = stop;
-            tangent_strip_patches__run_area_t(&v3, &v3_t, work, work_t, first, last, start, start_t, stop, stop_t);
-            (*cspan_at(&work_t, at + patches__ISLAND_AREA)) = v3_t;
-            (*cspan_at(&work, at + patches__ISLAND_AREA)) = v3;
-            tangent_strip_patches__top_value_t(&v4, &v4_t, work, work_t, pressures, strip_patches__largest_of(work, pressures, first, last), first, last);
-            pressure_t = v4_t;
-            pressure = v4;
-            (*cspan_at(&work_t, at + patches__ISLAND_PRESSURE)) = pressure_t * pressure + pressure * pressure_t;
-            (*cspan_at(&work, at + patches__ISLAND_PRESSURE)) = pressure * pressure;
-            tangent_strip_patches__top_value_t(&v5, &v5_t, work, work_t, squares, strip_patches__largest_of(work, squares, first, last), first, last);
-            (*cspan_at(&work_t, at + patches__ISLAND_HALF_LENGTH)) = v5_t;
-            (*cspan_at(&work, at + patches__ISLAND_HALF_LENGTH)) = v5;
-            islands = islands + INT64_C(1);
+            (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)) = stop_t;
+            (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = stop;
+            (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
+            (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(last);
+            tangent_strip_patches__run_area_t(&v6, &v6_t, work, work_t, first, last, start, start_t, stop, stop_t);
+            (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) = v6_t;
+            (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = v6;
+            tangent_strip_patches__top_value_t(&v7, &v7_t, work, work_t, pressures, strip_patches__largest_of(work, pressures, first, last), first, last);
+            pressure_t = v7_t;
+            pressure = v7;
+            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
+            tangent_strip_patches__top_value_t(&v8, &v8_t, work, work_t, squares, strip_patches__largest_of(work, squares, first, last), first, last);
+            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v8_t;
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v8;
+            tangent_filling__finish_patch_t(work, work_t);
         }
         first = last + INT64_C(1);
     }
-    return islands;
-}
-
-/* Tangent of ``write_strip_outline``. */
-static inline int64_t tangent_strip_patches__write_strip_outline_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t count, int64_t strips, int64_t islands)
-{
-    double start_t;
-    double start;
-    double stop_t;
-    double stop;
-    int64_t stations;
-    int64_t squares;
-    int64_t pressures;
-    int64_t island;
-    int64_t i;
-    int64_t j;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double station_t;
-    double station;
-    double half_t;
-    double half;
-    double pressure_t;
-    double pressure;
-    int64_t at;
-    double low_t;
-    double low;
-    double low_square_t;
-    double low_square;
-    double low_pressure_t;
-    double low_pressure;
-    double high_t;
-    double high;
-    double high_square_t;
-    double high_square;
-    double high_pressure_t;
-    double high_pressure;
-    double v5;
-    double v6;
-    double v7;
-    double share_t;
-    double share;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    start_t = (*cspan_at(&work_t, layout__WORK_ISLANDS + patches__ISLAND_START));
-    start = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_START));
-    stop_t = (*cspan_at(&work_t, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP));
-    stop = (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * (islands - INT64_C(1)) + patches__ISLAND_STOP));
-    stations = strips__strip_field(strips__STRIP_STATION);
-    squares = strips__strip_field(strips__STRIP_SQUARE);
-    pressures = strips__strip_field(strips__STRIP_PRESSURE);
-    island = INT64_C(0);
-    i = INT64_C(0);
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        v1 = stop - start;
-        v2 = (double)(j);
-        v3 = v1 * v2;
-        v4 = (double)(count - INT64_C(1));
-        station_t = start_t + (stop_t - start_t) * v2 / v4;
-        station = start + v3 / v4;
-        half_t = 0.0;
-        half = 0.0;
-        pressure_t = 0.0;
-        pressure = 0.0;
-        while((island < islands - INT64_C(1)) && (station > (*cspan_at(&work, layout__WORK_ISLANDS + patches__ISLAND_SIZE * island + patches__ISLAND_STOP))))
-        {
-            island = island + INT64_C(1);
-        }
-        at = layout__WORK_ISLANDS + patches__ISLAND_SIZE * island;
-        if ((j > INT64_C(0)) && (j < count - INT64_C(1)) && (station > (*cspan_at(&work, at + patches__ISLAND_START))) && (station < (*cspan_at(&work, at + patches__ISLAND_STOP))))
-        {
-            while((i < strips) && ((*cspan_at(&work, stations + i)) < station))
-            {
-                i = i + INT64_C(1);
-            }
-            low_t = (*cspan_at(&work_t, at + patches__ISLAND_START));
-            low = (*cspan_at(&work, at + patches__ISLAND_START));
-            low_square_t = 0.0;
-            low_square = 0.0;
-            low_pressure_t = 0.0;
-            low_pressure = 0.0;
-            if (i > INT64_C(0))
-            {
-                if ((*cspan_at(&work, stations + i - INT64_C(1))) > low)
-                {
-                    low_t = (*cspan_at(&work_t, stations + i - INT64_C(1)));
-                    low = (*cspan_at(&work, stations + i - INT64_C(1)));
-                    low_square_t = (*cspan_at(&work_t, squares + i - INT64_C(1)));
-                    low_square = (*cspan_at(&work, squares + i - INT64_C(1)));
-                    low_pressure_t = (*cspan_at(&work_t, pressures + i - INT64_C(1)));
-                    low_pressure = (*cspan_at(&work, pressures + i - INT64_C(1)));
-                }
-            }
-            high_t = (*cspan_at(&work_t, at + patches__ISLAND_STOP));
-            high = (*cspan_at(&work, at + patches__ISLAND_STOP));
-            high_square_t = 0.0;
-            high_square = 0.0;
-            high_pressure_t = 0.0;
-            high_pressure = 0.0;
-            if (i < strips)
-            {
-                if ((*cspan_at(&work, stations + i)) < high)
-                {
-                    high_t = (*cspan_at(&work_t, stations + i));
-                    high = (*cspan_at(&work, stations + i));
-                    high_square_t = (*cspan_at(&work_t, squares + i));
-                    high_square = (*cspan_at(&work, squares + i));
-                    high_pressure_t = (*cspan_at(&work_t, pressures + i));
-                    high_pressure = (*cspan_at(&work, pressures + i));
-                }
-            }
-            v5 = station - low;
-            v6 = high - low;
-            v7 = v5 / v6;
-            share_t = (station_t - low_t - v7 * (high_t - low_t)) / v6;
-            share = v7;
-            v8 = high_square - low_square;
-            v9 = low_square + share * v8;
-            v10 = sqrt(v9);
-            half_t = tangent_rates__root_rate(v10, low_square_t + (share_t * v8 + share * (high_square_t - low_square_t)));
-            half = v10;
-            v11 = high_pressure * high_pressure - low_pressure * low_pressure;
-            v12 = low_pressure * low_pressure + share * v11;
-            v13 = sqrt(v12);
-            pressure_t = tangent_rates__root_rate(v13, low_pressure_t * low_pressure + low_pressure * low_pressure_t + (share_t * v11 + share * (high_pressure_t * high_pressure + high_pressure * high_pressure_t - (low_pressure_t * low_pressure + low_pressure * low_pressure_t))));
-            pressure = v13;
-        }
-        (*cspan_at(&work_t, place + j)) = station_t;
-        (*cspan_at(&work, place + j)) = station;
-        (*cspan_at(&work_t, place + count + j)) = half_t;
-        (*cspan_at(&work, place + count + j)) = half;
-        (*cspan_at(&work_t, place + INT64_C(2) * count + j)) = pressure_t;
-        (*cspan_at(&work, place + INT64_C(2) * count + j)) = pressure;
-    }
+    tangent_filling__rank_patches_t(work, work_t);
     return INT64_C(0);
 }

@@ -8,11 +8,10 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "patches.h"
 #include "strip_patches.h"
 #include "strips.h"
-#include "tangent_patches.h"
-#include "tangent_rates.h"
+#include "tangent_filling.h"
+#include "tangent_quadrature.h"
 #include "tangent_strips.h"
 
 static inline int64_t tangent_strip_patches__divided_bend_t(double* v7, double* result_1, array_double_1d work, array_double_1d work_t, int64_t field, int64_t i);
@@ -21,6 +20,5 @@ static inline int64_t tangent_strip_patches__cell_area_t(double* result_0, doubl
 static inline int64_t tangent_strip_patches__run_area_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, double start, double start_t, double stop, double stop_t);
 static inline int64_t tangent_strip_patches__top_value_t(double* value, double* value_t, array_double_1d work, array_double_1d work_t, int64_t field, int64_t i, int64_t first, int64_t last);
 static inline int64_t tangent_strip_patches__gather_strips_t(array_double_1d work, array_double_1d work_t, int64_t strips);
-static inline int64_t tangent_strip_patches__write_strip_outline_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t count, int64_t strips, int64_t islands);
 
 #endif

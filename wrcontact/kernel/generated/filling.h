@@ -1,0 +1,17 @@
+/* Generated from patch/filling.py by tools/transpile_kernel.py; change that one.
+ *
+ * How a model of normal contact fills the solved patches: one after the other by rising station, then their ranks.
+ */
+
+#ifndef WRCONTACT_KERNEL_FILLING_H
+#define WRCONTACT_KERNEL_FILLING_H
+
+#include "../native/spans.h"
+#include "layout.h"
+
+static inline int64_t filling__clear_patches(array_double_1d work);
+static inline int64_t filling__begin_patch(array_double_1d work, int64_t region, double start, int64_t first, int64_t rule, double contact_angle);
+static inline int64_t filling__finish_patch(array_double_1d work);
+static inline int64_t filling__rank_patches(array_double_1d work);
+
+#endif

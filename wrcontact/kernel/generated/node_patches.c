@@ -1,0 +1,250 @@
+/* Generated from normal/node_patches.py by tools/transpile_kernel.py; change that one.
+ *
+ * From ANALYN's regions to solved patches: every node becomes a strip, every run of loaded cells a patch.
+ *
+ * Between the strips the line load and the squares of half-length and pressure follow quadratics (:mod:`quadrature`), so that an
+ * ellipse comes out exactly.  A patch may reach over the bound between two regions, and a region may hold two patches.
+ */
+
+#include "node_patches.h"
+
+/* Fill the solved patches from ``count`` regions at their local penetrations. */
+static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t count)
+{
+    int64_t strips;
+    int64_t index;
+    int64_t region;
+    double angle;
+    int64_t k_end;
+    int64_t k;
+    filling__clear_patches(work);
+    strips = INT64_C(0);
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
+        if ((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0)
+        {
+            (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
+            node_patches__fill_strips(work, region, index, layout__WORK_NODES + layout__NODES_SIZE * index);
+            strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
+            angle = -atan((*cspan_at(&work, region + layout__REGION_LEAN)));
+            k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
+            for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+            {
+                node_patches__add_cell(work, region, layout__WORK_NODES + layout__NODES_SIZE * index, k, angle);
+            }
+        }
+    }
+    filling__finish_patch(work);
+    filling__rank_patches(work);
+    return INT64_C(0);
+}
+
+/* The strips of region ``index``, one at each node, also where it is not loaded; they have no width yet.
+ *
+ * The pressure on x = 0 is p0 = (2/pi) (E* /(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
+ */
+static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t index, int64_t nodes)
+{
+    double level;
+    int64_t middle;
+    int64_t k_end;
+    int64_t k;
+    int64_t strip;
+    double d;
+    double load;
+    double away;
+    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
+        d = level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = 4.0 / (M_PI * M_PI) * (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        away = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(k);
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION)) + away;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = 0.0;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_ALONG)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_REGION)) = (double)(index);
+    }
+    return INT64_C(0);
+}
+
+/* Add the cell between nodes ``k`` and ``k`` + 1 to the last patch, or to a new one that begins in it. */
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t region, int64_t nodes, int64_t k, double contact_angle)
+{
+    double spacing;
+    double level;
+    int64_t outward;
+    int64_t low;
+    int64_t before;
+    int64_t high;
+    double start;
+    double stop;
+    int64_t strips;
+    int64_t inner;
+    double begin;
+    double end;
+    int64_t index;
+    int64_t patch;
+    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
+    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    outward = INT64_C(1);
+    low = k;
+    if (k < INT64_C(0))
+    {
+        outward = -INT64_C(1);
+        low = k + INT64_C(1);
+    }
+    before = low - outward;
+    high = low + outward;
+    quadrature__cell_part(&start, &stop, level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
+    {
+        stop = analyn__clip_to_bound(work, region, low, outward, stop);
+    }
+    if (stop > start)
+    {
+        strips = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+        inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + low);
+        begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
+        end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * stop;
+        if (outward < INT64_C(0))
+        {
+            begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
+            end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
+        }
+        index = node_patches__patch_from(work, region, begin, strips + k, contact_angle);
+        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = end;
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strips + k + INT64_C(1));
+        node_patches__widen_strips(work, inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, stop, spacing);
+        node_patches__add_load(work, patch, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + before), inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, stop, spacing * (double)(outward));
+        node_patches__keep_largest(work, strips + low);
+    }
+    return INT64_C(0);
+}
+
+/* Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs to: the last one if
+ * that ends there, else a new one.
+ */
+static inline int64_t node_patches__patch_from(array_double_1d work, int64_t region, double start, int64_t strip, double contact_angle)
+{
+    int64_t joined;
+    int64_t last;
+    int64_t index;
+    index = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1);
+    joined = INT64_C(0);
+    if (index >= INT64_C(0))
+    {
+        last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
+        {
+            joined = INT64_C(1);
+        }
+    }
+    if (joined == INT64_C(0))
+    {
+        filling__finish_patch(work);
+        index = filling__begin_patch(work, region, start, strip, layout__RULE_QUADRATIC, contact_angle);
+    }
+    return index;
+}
+
+/* Share the loaded part [start, stop] of a cell out among the strips at its ends: half each, or all to the one inside the
+ * patch.  So the widths of a patch's strips add up to its own.
+ */
+static inline int64_t node_patches__widen_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing)
+{
+    double width;
+    width = spacing * (stop - start);
+    if (stop < 1.0)
+    {
+        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) += width;
+    }
+    else if (start > 0.0)
+    {
+        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) += width;
+    }
+    else
+    {
+        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) += 0.5 * width;
+        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) += 0.5 * width;
+    }
+    return INT64_C(0);
+}
+
+/* Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
+ *
+ * ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and ``before`` the next one
+ * further in.
+ */
+static inline int64_t node_patches__add_load(array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
+{
+    double width;
+    double load;
+    double moment;
+    double area;
+    width = fabs(step);
+    load = width * quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start, stop);
+    moment = quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start, stop);
+    area = quadrature__root_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, stop);
+    moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + width * step * moment;
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) += load;
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) += moment;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) += load;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) += moment;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) += 2.0 * width * area;
+    return INT64_C(0);
+}
+
+/* Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest ones so far. */
+static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t strip)
+{
+    int64_t low;
+    int64_t here;
+    int64_t high;
+    low = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
+    here = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
+    high = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)))
+    {
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
+    }
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)))
+    {
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
+    }
+    return INT64_C(0);
+}
+
+/* Square of the largest value of the parabola through the roots of three squares, where the middle one is a peak and both
+ * others are loaded; else the middle one.
+ */
+static inline double node_patches__peak_square(double before, double square, double after)
+{
+    double top;
+    double left;
+    double right;
+    double bend;
+    if ((before > 0.0) && (after > 0.0) && (square >= before) && (square >= after))
+    {
+        top = sqrt(square);
+        left = sqrt(before);
+        right = sqrt(after);
+        bend = left - 2.0 * top + right;
+        if (bend < 0.0)
+        {
+            top -= (right - left) * (right - left) / (8.0 * bend);
+            square = top * top;
+        }
+    }
+    return square;
+}

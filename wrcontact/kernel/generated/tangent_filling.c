@@ -1,0 +1,130 @@
+/* Generated from tangent_filling.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of filling.py.
+ */
+
+#include "tangent_filling.h"
+
+/* Tangent of ``clear_patches``. */
+static inline int64_t tangent_filling__clear_patches_t(array_double_1d work, array_double_1d work_t)
+{
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    return INT64_C(0);
+}
+
+/* Tangent of ``begin_patch``. */
+static inline int64_t tangent_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t region, double start, double start_t, int64_t first, int64_t rule, double contact_angle, double contact_angle_t)
+{
+    int64_t patch;
+    int64_t index;
+    index = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    if (index == layout__SOLVED_PATCH_LIMIT)
+    {
+        return index - INT64_C(1);
+    }
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = (double)(index + INT64_C(1));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
+    patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = 0.0;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_START)) = start_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_START)) = start;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)) = start_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = start;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = contact_angle_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = contact_angle;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_COS)) = (*cspan_at(&work_t, region + layout__REGION_COS));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_COS)) = (*cspan_at(&work, region + layout__REGION_COS));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_SIN)) = (*cspan_at(&work_t, region + layout__REGION_SIN));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_SIN)) = (*cspan_at(&work, region + layout__REGION_SIN));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_RAIL)) = (*cspan_at(&work_t, region + layout__REGION_RAIL));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_WHEEL)) = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work_t, region + layout__REGION_ALONG));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_ALONG));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work_t, region + layout__REGION_SLANT));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work_t, region + layout__REGION_LEVEL));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_RULE)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE)) = (double)(rule);
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_FIRST)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)) = (double)(first);
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(first - INT64_C(1));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_RANK)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK)) = 0.0;
+    return index;
+}
+
+/* Tangent of ``finish_patch``. */
+static inline int64_t tangent_filling__finish_patch_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t patch;
+    double v1;
+    double v2;
+    if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
+    {
+        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
+        v1 = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
+        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = tangent_rates__root_rate(v1, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = v1;
+        v2 = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = tangent_rates__root_rate(v2, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = v2;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``rank_patches``. */
+static inline int64_t tangent_filling__rank_patches_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t count;
+    int64_t rank;
+    int64_t heaviest;
+    double load_t;
+    double load;
+    int64_t index;
+    int64_t patch;
+    int64_t ranked;
+    count = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (rank = INT64_C(1); rank < count + INT64_C(1); rank += INT64_C(1))
+    {
+        heaviest = -INT64_C(1);
+        load_t = 0.0;
+        load = 0.0;
+        for (index = INT64_C(0); index < count; index += INT64_C(1))
+        {
+            patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+            if (((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK))) == INT64_C(0)) && ((*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) > load))
+            {
+                heaviest = index;
+                load_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD));
+                load = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD));
+            }
+        }
+        if (heaviest >= INT64_C(0))
+        {
+            ranked = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * heaviest;
+            (*cspan_at(&work_t, ranked + layout__SOLVED_PATCH_RANK)) = 0.0;
+            (*cspan_at(&work, ranked + layout__SOLVED_PATCH_RANK)) = (double)(rank);
+        }
+    }
+    return INT64_C(0);
+}

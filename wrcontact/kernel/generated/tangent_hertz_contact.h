@@ -1,0 +1,18 @@
+/* Generated from tangent_hertz_contact.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of hertz_contact.py.
+ */
+
+#ifndef WRCONTACT_KERNEL_TANGENT_HERTZ_CONTACT_H
+#define WRCONTACT_KERNEL_TANGENT_HERTZ_CONTACT_H
+
+#include "../native/spans.h"
+#include "layout.h"
+#include "nodes.h"
+#include "tangent_filling.h"
+#include "tangent_hertz.h"
+#include "tangent_rates.h"
+
+static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t point, int64_t region, double force, double force_t, double prescribed, double prescribed_t);
+
+#endif

@@ -1,0 +1,360 @@
+/* Generated from tangent_node_patches.py by tools/transpile_kernel.py; change that one.
+ *
+ * Tangents of node_patches.py.
+ */
+
+#include "tangent_node_patches.h"
+
+/* Tangent of ``fill_from_nodes``. */
+static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d work, array_double_1d work_t, int64_t count)
+{
+    int64_t strips;
+    int64_t index;
+    int64_t region;
+    double angle_t;
+    double angle;
+    int64_t k_end;
+    int64_t k;
+    tangent_filling__clear_patches_t(work, work_t);
+    strips = INT64_C(0);
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
+        if ((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0)
+        {
+            (*cspan_at(&work_t, region + layout__REGION_STRIP)) = 0.0;
+            (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
+            tangent_node_patches__fill_strips_t(work, work_t, region, index, layout__WORK_NODES + layout__NODES_SIZE * index);
+            strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
+            angle_t = -((*cspan_at(&work_t, region + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, region + layout__REGION_LEAN)) * (*cspan_at(&work, region + layout__REGION_LEAN))));
+            angle = -atan((*cspan_at(&work, region + layout__REGION_LEAN)));
+            k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
+            for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+            {
+                tangent_node_patches__add_cell_t(work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * index, k, angle, angle_t);
+            }
+        }
+    }
+    tangent_filling__finish_patch_t(work, work_t);
+    tangent_filling__rank_patches_t(work, work_t);
+    return INT64_C(0);
+}
+
+/* Tangent of ``fill_strips``. */
+static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, int64_t nodes)
+{
+    double level_t;
+    double level;
+    int64_t middle;
+    int64_t k_end;
+    int64_t k;
+    int64_t strip;
+    double d_t;
+    double d;
+    double load_t;
+    double load;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double away_t;
+    double away;
+    level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL));
+    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
+    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    {
+        strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
+        d_t = level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        d = level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        load_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d_t;
+        load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load_t;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
+        v1 = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (d_t - v1 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = v1;
+        v2 = 4.0 / (M_PI * M_PI);
+        v3 = v2 * (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k));
+        v4 = v3 * load;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (v2 * (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load + v3 * load_t) * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) + v4 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = v4 * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        v5 = (double)(k);
+        away_t = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v5;
+        away = (*cspan_at(&work, region + layout__REGION_SPACING)) * v5;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION)) + away_t;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION)) + away;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH)) = 0.0;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = 0.0;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, region + layout__REGION_ALONG)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * away_t);
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_ALONG)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_REGION)) = 0.0;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_REGION)) = (double)(index);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``add_cell``. */
+static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, int64_t k, double contact_angle, double contact_angle_t)
+{
+    double spacing_t;
+    double spacing;
+    double level_t;
+    double level;
+    int64_t outward;
+    int64_t low;
+    int64_t before;
+    int64_t high;
+    double start;
+    double start_t;
+    double stop;
+    double stop_t;
+    double v1;
+    double v1_t;
+    int64_t strips;
+    int64_t inner;
+    double begin_t;
+    double begin;
+    double end_t;
+    double end;
+    int64_t n2;
+    int64_t index;
+    int64_t patch;
+    double v3;
+    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
+    level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL));
+    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    outward = INT64_C(1);
+    low = k;
+    if (k < INT64_C(0))
+    {
+        outward = -INT64_C(1);
+        low = k + INT64_C(1);
+    }
+    before = low - outward;
+    high = low + outward;
+    tangent_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
+    {
+        tangent_analyn__clip_to_bound_t(&v1, &v1_t, work, work_t, region, low, outward, stop, stop_t);
+        stop_t = v1_t;
+        stop = v1;
+    }
+    if (stop > start)
+    {
+        strips = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+        inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + low);
+        begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * start + spacing * start_t);
+        begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
+        end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * stop + spacing * stop_t);
+        end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * stop;
+        if (outward < INT64_C(0))
+        {
+            begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * stop + spacing * stop_t);
+            begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
+            end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * start + spacing * start_t);
+            end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
+        }
+        n2 = tangent_node_patches__patch_from_t(work, work_t, region, begin, begin_t, strips + k, contact_angle, contact_angle_t);
+        index = n2;
+        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)) = end_t;
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = end;
+        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strips + k + INT64_C(1));
+        tangent_node_patches__widen_strips_t(work, work_t, inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, start_t, stop, stop_t, spacing, spacing_t);
+        v3 = (double)(outward);
+        tangent_node_patches__add_load_t(work, work_t, patch, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + before), inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        tangent_node_patches__keep_largest_t(work, work_t, strips + low);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``patch_from``. */
+static inline int64_t tangent_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t region, double start, double start_t, int64_t strip, double contact_angle, double contact_angle_t)
+{
+    int64_t joined;
+    int64_t last;
+    int64_t n1;
+    int64_t index;
+    index = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1);
+    joined = INT64_C(0);
+    if (index >= INT64_C(0))
+    {
+        last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
+        {
+            joined = INT64_C(1);
+        }
+    }
+    if (joined == INT64_C(0))
+    {
+        tangent_filling__finish_patch_t(work, work_t);
+        n1 = tangent_filling__begin_patch_t(work, work_t, region, start, start_t, strip, layout__RULE_QUADRATIC, contact_angle, contact_angle_t);
+        index = n1;
+    }
+    return index;
+}
+
+/* Tangent of ``widen_strips``. */
+static inline int64_t tangent_node_patches__widen_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t)
+{
+    double v1;
+    double width_t;
+    double width;
+    v1 = stop - start;
+    width_t = spacing_t * v1 + spacing * (stop_t - start_t);
+    width = spacing * v1;
+    if (stop < 1.0)
+    {
+        (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + width_t;
+        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + width;
+    }
+    else if (start > 0.0)
+    {
+        (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + width_t;
+        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + width;
+    }
+    else
+    {
+        (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width_t;
+        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width;
+        (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width_t;
+        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``add_load``. */
+static inline int64_t tangent_node_patches__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
+{
+    double width_t;
+    double width;
+    double v1;
+    double v1_t;
+    double load_t;
+    double load;
+    double v2;
+    double v2_t;
+    double moment_t;
+    double moment;
+    double v3;
+    double v3_t;
+    double area_t;
+    double area;
+    double v4;
+    double v5;
+    width_t = tangent_rates__size_rate(step, step_t);
+    width = fabs(step);
+    tangent_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t, stop, stop_t);
+    load_t = width_t * v1 + width * v1_t;
+    load = width * v1;
+    tangent_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t, stop, stop_t);
+    moment_t = v2_t;
+    moment = v2;
+    tangent_quadrature__root_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
+    area_t = v3_t;
+    area = v3;
+    v4 = width * step;
+    moment_t = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * load + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load_t + ((width_t * step + width * step_t) * moment + v4 * moment_t);
+    moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + v4 * moment;
+    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + load_t;
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + load;
+    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + moment_t;
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + moment;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) + load_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) + load;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) + moment_t;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) + moment;
+    v5 = 2.0 * width;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) + (2.0 * width_t * area + v5 * area_t);
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) + v5 * area;
+    return INT64_C(0);
+}
+
+/* Tangent of ``keep_largest``. */
+static inline int64_t tangent_node_patches__keep_largest_t(array_double_1d work, array_double_1d work_t, int64_t strip)
+{
+    int64_t low;
+    int64_t here;
+    int64_t high;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    low = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
+    here = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
+    high = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)))
+    {
+        tangent_node_patches__peak_square_t(&v1, &v1_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
+        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v1_t;
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v1;
+    }
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)))
+    {
+        tangent_node_patches__peak_square_t(&v2, &v2_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
+        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = v2_t;
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = v2;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``peak_square``. */
+static inline int64_t tangent_node_patches__peak_square_t(double* result_0, double* result_1, double before, double before_t, double square, double square_t, double after, double after_t)
+{
+    double v1;
+    double top_t;
+    double top;
+    double v2;
+    double left_t;
+    double left;
+    double v3;
+    double right_t;
+    double right;
+    double bend_t;
+    double bend;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    if ((before > 0.0) && (after > 0.0) && (square >= before) && (square >= after))
+    {
+        v1 = sqrt(square);
+        top_t = tangent_rates__root_rate(v1, square_t);
+        top = v1;
+        v2 = sqrt(before);
+        left_t = tangent_rates__root_rate(v2, before_t);
+        left = v2;
+        v3 = sqrt(after);
+        right_t = tangent_rates__root_rate(v3, after_t);
+        right = v3;
+        bend_t = left_t - 2.0 * top_t + right_t;
+        bend = left - 2.0 * top + right;
+        if (bend < 0.0)
+        {
+            v4 = right - left;
+            v5 = right - left;
+            v6 = v4 * v5;
+            v7 = 8.0 * bend;
+            v8 = v6 / v7;
+            top_t = top_t - ((right_t - left_t) * v5 + v4 * (right_t - left_t) - v8 * (8.0 * bend_t)) / v7;
+            top = top - v8;
+            square_t = top_t * top + top * top_t;
+            square = top * top;
+        }
+    }
+    (*result_0) = square;
+    (*result_1) = square_t;
+    return 0;
+}
