@@ -16,10 +16,9 @@ the angle between the two.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import Region, State, Tables, Work
+from ..layout import Nodes, NodesOfRegions, Region, Regions, State, Tables
 from ..patch.quadrature import bend_of, cell_part, quadratic_integral
 from .interaction import region_influence
-from .nodes import NODE_LINE, NODE_RISE, node_field
 
 FORCE_ITERATIONS: Final[int] = 60
 #: The force is met to this, relative; rounding of the sums is 1e-14.
@@ -37,12 +36,11 @@ CLOSED: Final[float] = 1e-10
 HIGHEST: Final[float] = 1e3
 
 
-def clip_to_bound(block: Region, k: int, outward: int, stop: float):
+def clip_to_bound(region: Region, k: int, outward: int, stop: float):
     """``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell."""
-    spacing = block.spacing
-    reach = (block.high - block.station) / spacing - float(k)
+    reach = (region.high - region.station) / region.spacing - float(k)
     if outward < 0:
-        reach = (block.station - block.low) / spacing + float(k)
+        reach = (region.station - region.low) / region.spacing + float(k)
     if reach < stop:
         stop = reach
     if stop < 0.0:
@@ -50,27 +48,23 @@ def clip_to_bound(block: Region, k: int, outward: int, stop: float):
     return stop
 
 
-def region_load(work: Work, region: int, level: float):
-    """Load [N] of ``region`` at local penetration ``level`` [m], and its derivative [N/m] to a few per mille."""
-    block = work.regions[region]
-    spacing = block.spacing
-    rises = node_field(region, NODE_RISE)
-    lines = node_field(region, NODE_LINE)
+def region_load(region: Region, nodes: Nodes, local_penetration: float):
+    """Load [N] of a region at a local penetration [m], and its derivative [N/m] to a few per mille."""
     load = 0.0
     stiffness = 0.0
-    if level > 0.0:
+    if local_penetration > 0.0:
         for outward in range(-1, 2, 2):
-            last = block.last
+            last = region.last
             if outward < 0:
-                last = -block.first
-            d_before = level - work[rises - outward]
-            c_before = work[lines - outward]
-            d_low = level - work[rises]
-            c_low = work[lines]
+                last = -region.first
+            d_before = local_penetration - nodes.rise[-outward]
+            c_before = nodes.line[-outward]
+            d_low = local_penetration - nodes.rise[0]
+            c_low = nodes.line[0]
             for k in range(last):
                 at = outward * (k + 1)
-                d_high = level - work[rises + at]
-                c_high = work[lines + at]
+                d_high = local_penetration - nodes.rise[at]
+                c_high = nodes.line[at]
                 f_low = c_low * d_low
                 f_high = c_high * d_high
                 if d_low > 0.0 and d_high > 0.0 and k < last - 1:
@@ -80,7 +74,7 @@ def region_load(work: Work, region: int, level: float):
                 elif d_low > 0.0 or d_high > 0.0:
                     start, stop = cell_part(d_before, d_low, d_high)
                     if k == last - 1:
-                        stop = clip_to_bound(block, outward * k, outward, stop)
+                        stop = clip_to_bound(region, outward * k, outward, stop)
                     if stop > start:
                         load += quadratic_integral(c_before * d_before, f_low, f_high, start, stop)
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))
@@ -88,29 +82,29 @@ def region_load(work: Work, region: int, level: float):
                 c_before = c_low
                 d_low = d_high
                 c_low = c_high
-    return load * spacing, stiffness * spacing
+    return load * region.spacing, stiffness * region.spacing
 
 
-def load_regions(tables: 'float[:]', work: Work, count: int):
-    """Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]."""
+def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
+    """Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the prescribed force [N]."""
     total = 0.0
     for i in range(count):
-        block = work.regions[i]
-        load, stiffness = region_load(work, i, block.level)
-        block.load = load
-        block.stiffness = stiffness
-        total += block.share * load
+        region = regions[i]
+        load, stiffness = region_load(region, nodes[i], region.level)
+        region.load = load
+        region.stiffness = stiffness
+        total += region.share * load
     return total
 
 
-def solve_levels(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
-                 prescribed: int, sharp: float):
-    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
-    all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int, force: float,
+                 penetration: float, prescribed: int):
+    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton's method on all
+    local penetrations together; these and the loads stay in the regions.  Second value: 1 when the force is satisfied, else 0.
     """
     for i in range(count):
-        work.regions[i].level = (work.regions[i].turn * penetration
-                                                - work.regions[i].gap)
+        region = regions[i]
+        region.level = region.turn * penetration - region.gap
     low = 0.0
     high = HIGHEST * penetration
     total_before = 0.0
@@ -118,10 +112,10 @@ def solve_levels(tables: Tables, work: Work, state: State, count: int, force: fl
     move = 0.0
     for iteration in range(FORCE_ITERATIONS):
         state.solve_count += 1.0
-        total = load_regions(tables.raw, work, count)
-        residual, slope, rest = level_residuals(tables, work, count, penetration)
+        total = load_regions(regions, nodes, count)
+        residual, slope, rest = level_residuals(tables, regions, count, penetration)
         if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
-            # what the slopes of both ends made of the last move, against what came of it
+            # the change of the load that the slopes of both ends predict for the last move, against the real one
             share = (total - total_before) / (0.5 * (slope_before + slope) * move)
             if fabs(share - 1.0) < SLOPE_ERROR:
                 slope *= share
@@ -136,26 +130,36 @@ def solve_levels(tables: Tables, work: Work, state: State, count: int, force: fl
                     low = penetration
                 else:
                     high = penetration
-            following = 0.5 * (low + high)
-            # the levels follow the penetration by their slopes, after closing their own residuals; the load's power 2/3
-            # is nearly linear
-            if slope > 0.0:
-                newton = penetration + (force - total - rest) / slope
-                if missed > NEARLY * force and total > 0.0:
-                    newton = penetration + (1.5 * total * ((force / total) ** (2.0 / 3.0) - 1.0) - rest) / slope
-                if newton > low and newton < high:
-                    following = newton
-            move = following - penetration
-        if missed <= sharp * force and residual <= sharp * penetration:
+            move = penetration_move(force, total, slope, rest, penetration, low, high)
+        if missed <= FORCE_SHARP * force and residual <= FORCE_SHARP * penetration:
             return penetration, 1
         penetration += move
-        apply_moves(work, count, move)
+        apply_moves(regions, count, move)
         if missed <= NEARLY_SHARP * force and residual <= NEARLY_SHARP * penetration:
             return penetration, 1
     return penetration, 0
 
 
-def level_residuals(tables: Tables, work: Work, count: int, penetration: float):
+def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float, high: float):
+    """Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry now [N].
+
+    slope : rate of the total load [N/m], once the local penetrations have closed their residuals.
+    rest : load that closing them adds [N].
+    low, high : bracket of the penetration [m], halved where Newton's method leaves it.
+
+    The power 2/3 of the load is nearly linear in the penetration.
+    """
+    following = 0.5 * (low + high)
+    if slope > 0.0:
+        newton = penetration + (force - total - rest) / slope
+        if fabs(force - total) > NEARLY * force and total > 0.0:
+            newton = penetration + (1.5 * total * ((force / total) ** (2.0 / 3.0) - 1.0) - rest) / slope
+        if newton > low and newton < high:
+            following = newton
+    return following - penetration
+
+
+def level_residuals(tables: Tables, regions: Regions, count: int, penetration: float):
     """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
     level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
 
@@ -164,16 +168,16 @@ def level_residuals(tables: Tables, work: Work, count: int, penetration: float):
     """
     largest = 0.0
     for i in range(count):
-        block = work.regions[i]
+        region = regions[i]
         pushed = 0.0
         for j in range(count):
             if j != i:
-                pushed += region_influence(tables, block, work.regions[j]) * work.regions[j].load
-        turn = block.turn
-        residual = turn * penetration - block.gap - pushed - block.level
-        block.residual = residual
-        block.slope = turn
-        block.move = residual
+                pushed += region_influence(tables, region, regions[j]) * regions[j].load
+        turn = region.turn
+        residual = turn * penetration - region.gap - pushed - region.level
+        region.residual = residual
+        region.slope = turn
+        region.move = residual
         if fabs(residual) > largest:
             largest = fabs(residual)
     sweeps = 12
@@ -181,30 +185,30 @@ def level_residuals(tables: Tables, work: Work, count: int, penetration: float):
         sweeps = 0
     for sweep in range(sweeps):
         for i in range(count):
-            block = work.regions[i]
-            slope = block.turn
-            move = block.residual
+            region = regions[i]
+            slope = region.turn
+            move = region.residual
             for j in range(count):
                 if j != i:
-                    other = work.regions[j]
-                    coupling = region_influence(tables, block, other) * other.stiffness
+                    other = regions[j]
+                    coupling = region_influence(tables, region, other) * other.stiffness
                     slope -= coupling * other.slope
                     move -= coupling * other.move
-            block.slope = slope
-            block.move = move
+            region.slope = slope
+            region.move = move
     slope = 0.0
     rest = 0.0
     for i in range(count):
-        block = work.regions[i]
-        counted = block.share * block.stiffness
-        slope += counted * block.slope
-        rest += counted * block.move
+        region = regions[i]
+        counted = region.share * region.stiffness
+        slope += counted * region.slope
+        rest += counted * region.move
     return largest, slope, rest
 
 
-def apply_moves(work: Work, count: int, move: float):
+def apply_moves(regions: Regions, count: int, move: float):
     """Move the levels with the penetration by ``move`` [m] and close their residuals."""
     for i in range(count):
-        block = work.regions[i]
-        block.level += block.move + block.slope * move
+        region = regions[i]
+        region.level += region.move + region.slope * move
     return 0

@@ -2,10 +2,18 @@
 
 from math import isfinite, pi, sqrt
 
-from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables
+from ..contact.planes import line_up
+from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables, Work
 from ..patch.filling import begin_patch, clear_patches
 from .hertz import hertz_coefficients, hertz_stiffness
-from .nodes import FLOOR
+from .node_coefficients import FLOOR
+
+
+def hertz_contact(tables: Tables, work: Work, point: SideOutputs, force: float, prescribed: float):
+    """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and 1: the force is satisfied."""
+    line_up(tables, work, 1)
+    penetration = solve_hertz(tables, point, work.regions[0], work.solved, force, prescribed)
+    return penetration, 1, 1
 
 
 def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float, prescribed: float):

@@ -279,40 +279,42 @@ def width_jet(tables: Tables, work: Work, state: State, block: Region, direction
     return gap, rate
 
 
-def levels_rule(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
-                prescribed: int, sharp: float):
-    """``solve_levels``: of each region level = turn penetration - gap - sum of pushes, and of all the load is the force.
+def levels_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float, prescribed: int):
+    """``solve_levels`` as it is lowered: of each region local penetration = turn penetration - gap - sum of pushes, and of all the
+    load is the force.
 
-    Linear equations for the rates of levels and penetration, from how loads follow the levels and move at fixed ones.
+    Linear equations for the rates of the penetrations, from how loads follow the local ones and move at fixed ones.
     """
+    regions = work.regions
+    nodes = work.nodes
     given = penetration
-    penetration, met = solve_levels(tables, work, state, count, force, penetration, prescribed, sharp)
+    penetration, met = solve_levels(tables, regions, nodes, state, count, force, penetration, prescribed)
     if met == 0:
         return penetration, met
     size = count + 1
     width = size + 2
     for i in range(count):
-        region = work.regions[i]
+        region = regions[i]
         region.level = held(region.level)
-    total = load_regions(tables.raw, work, count)
+    total = load_regions(regions, nodes, count)
     last = WORK_SYSTEM + width * count
     for i in range(count):
-        block = work.regions[i]
+        block = regions[i]
         row = WORK_SYSTEM + width * i
         pushed = 0.0
         for j in range(count):
             share = 0.0
             if j != i:
-                share = region_influence(tables, block, work.regions[j])
-            pushed += share * work.regions[j].load
+                share = region_influence(tables, block, regions[j])
+            pushed += share * regions[j].load
             work[row + j] = held(share)
         rest = block.turn * held(penetration) - block.gap - pushed
         work[row + count] = -held(block.turn)
         work[row + size] = rate_of(rest)
         work[row + size + 1] = 0.0
     for j in range(count):
-        block = work.regions[j]
-        load, stiffness = region_load(work, j, seeded(block.level, 1.0))
+        block = regions[j]
+        load, stiffness = region_load(block, nodes[j], seeded(block.level, 1.0))
         per_level = rate_of(load) - rate_of(block.load)
         for i in range(count):
             work[WORK_SYSTEM + width * i + j] = held(work[WORK_SYSTEM + width * i + j]) * per_level
@@ -328,9 +330,9 @@ def levels_rule(tables: Tables, work: Work, state: State, count: int, force: flo
         work[last + size] = rate_of(given)
     eliminate(work.raw, size)
     for i in range(count):
-        region = work.regions[i]
+        region = regions[i]
         region.level = seeded(region.level, work[WORK_SYSTEM + width * i + size])
-    load_regions(tables.raw, work, count)
+    load_regions(regions, nodes, count)
     penetration = seeded(penetration, work[last + size])
     return penetration, met
 

@@ -20,7 +20,7 @@ from typing import Final
 
 from ..contact.touching import limited
 from ..layout import NOT_CONVERGED, OFF_PROFILE, UNLOADED, VALID, State, Tables, Work
-from ..normal.normal_contact import first_penetration
+from ..normal.estimate import first_penetration
 from ..search.roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
 from .side import load_side, press_side, rest_side, side_lever
 

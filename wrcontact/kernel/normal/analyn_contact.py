@@ -1,0 +1,119 @@
+"""ANALYN's contact of one side: estimate, regions, nodes, local penetrations, patches.
+
+1. Estimate the penetration from the force and the width of the interpenetration,
+2. find the regions that it reaches, and the half-width of each one's interpenetration, which sets
+3. spacing and window of the nodes, on which
+4. the force is satisfied.
+
+The estimate depends on pose and force alone and is smooth in them, and so is the result.
+"""
+
+from math import isfinite
+from typing import Final
+
+from ..contact.overlaps import gather_overlaps, keep_deepest
+from ..contact.planes import give_planes, line_up
+from ..contact.regions import bound_regions, find_regions, open_contact_region
+from ..layout import REGION_LIMIT, SideSearch, State, Tables, Work
+from .analyn import solve_levels
+from .estimate import first_penetration, start_penetrations
+from .node_layout import covered, prepare_regions
+from .node_patches import fill_from_nodes
+
+#: Regions and nodes are laid anew while the estimate was off by more than this factor.
+ESTIMATE_FACTOR: Final[float] = 1.5
+ESTIMATE_REPEATS: Final[int] = 4
+#: Nodes that do not cover the patch are laid anew so often, each time this much farther.
+COVER_REPEATS: Final[int] = 6
+ENLARGED: Final[float] = 1.4
+
+
+def analyn_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
+    """Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is satisfied, else 0."""
+    penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
+    if satisfied == 1:
+        line_up(tables, work, count)
+        fill_from_nodes(work.regions, work.nodes, work.solved, count)
+    return penetration, count, satisfied
+
+
+def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
+    """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a number; third
+    value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it stands."""
+    by_penetration = 0
+    penetration = prescribed
+    if isfinite(prescribed):
+        by_penetration = 1
+    if work.frame.pressed:
+        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, work.frame.depth, by_penetration)
+        return penetration, count, satisfied
+    if by_penetration == 0:
+        penetration = first_penetration(tables, work, state, force)
+    count = 1
+    satisfied = 0
+    for repeat in range(ESTIMATE_REPEATS):
+        estimate = penetration
+        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, estimate, by_penetration)
+        if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
+            break
+    return penetration, count, satisfied
+
+
+def solve_estimated(tables: Tables, work: Work, state: State, side: SideSearch, force: float, estimate: float,
+                    by_penetration: int):
+    """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third value 1 when the force
+    is satisfied, else 0."""
+    count = gather_regions(tables, work, state, side, estimate)
+    penetration, satisfied = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+    if satisfied == 0 and count > 1:
+        # regions so close that pressing on each other has no fixed point are one region
+        count = 1
+        if work.frame.pressed:
+            keep_deepest(work.raw)
+            gather_overlaps(tables, work, state)
+        else:
+            open_contact_region(tables, work, state)
+        start_penetrations(work.regions, count, estimate)
+        penetration, satisfied = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+    return penetration, count, satisfied
+
+
+def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, penetration: float):
+    """Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations; their number."""
+    for i in range(REGION_LIMIT):
+        work.regions[i].width_level = 0.0
+        work.regions[i].slant = 0.0
+    count = 1
+    if work.frame.pressed:
+        count = gather_overlaps(tables, work, state)
+    else:
+        open_contact_region(tables, work, state)
+        count = find_regions(tables, work, state, side, penetration)
+        count = bound_regions(tables, work, state, count, penetration)
+        give_planes(tables, work, state, count)
+    start_penetrations(work.regions, count, penetration)
+    return count
+
+
+def solve_fine(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float, by_penetration: int):
+    """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when the force is satisfied,
+    else 0."""
+    start = penetration
+    enlarge = 1.0
+    satisfied = 0
+    for repeat in range(COVER_REPEATS):
+        prepare_regions(tables, work, state, count, enlarge)
+        penetration, satisfied = solve_levels(tables, work.regions, work.nodes, state, count, force, start, by_penetration)
+        if satisfied == 0:
+            return start, satisfied
+        if covered(work.frame, work.regions, work.nodes, count) == 1:
+            break
+        if repeat < COVER_REPEATS - 1:
+            enlarge *= ENLARGED
+            start = penetration
+            laid = penetration
+            if work.frame.pressed:
+                # nodes stay where the wheel stands; there are only more of them
+                laid = work.frame.depth
+            start_penetrations(work.regions, count, laid)
+    return penetration, satisfied
