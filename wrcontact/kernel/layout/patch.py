@@ -30,14 +30,23 @@ class SolvedStrip:
 
 
 @record
-class SolvedPatch:
+class PatchTotals:
+    """Of one patch, or of all patches of a wheel together."""
+
     load: float                     # [N]
     area: float                     # [m^2]
     moment: float                   # of the load about station zero [N m]
+    centroid: float                 # station of the load's centre [m]
     max_pressure: float             # [Pa]
     max_half_length: float          # [m]
-    start: float                    # stations of its edges [m]
+    start: float                    # stations of the edges [m]
     stop: float
+    width: float                    # from edge to edge [m]
+
+
+@record
+class SolvedPatch:
+    totals: PatchTotals
     contact_angle: float            # of the rail at its point [rad]
     cos: float                      # of the angle along which its force acts
     sin: float
@@ -59,6 +68,7 @@ SolvedStrips = SolvedStrip * SOLVED_STRIP_LIMIT
 @record
 class SolvedPatches:
     count: int
+    totals: PatchTotals             # of all patches
     pressure_square: float          # of the patch that is being filled: the squares of its largest pressure [Pa^2] and
     half_length_square: float       # half-length [m^2] so far
     patches: SolvedPatch * SOLVED_PATCH_LIMIT

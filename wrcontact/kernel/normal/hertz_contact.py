@@ -4,7 +4,7 @@ from math import isfinite, pi, sqrt
 
 from ..contact.planes import line_up
 from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables, Work
-from ..patch.filling import begin_patch, clear_patches
+from ..patch.filling import begin_patch, clear_patches, complete_totals, finish_patches
 from .hertz import hertz_coefficients, hertz_stiffness
 from .node_coefficients import FLOOR
 
@@ -47,10 +47,12 @@ def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: Solv
     clear_patches(solved)
     index = begin_patch(solved, region, -half_width, 0, RULE_ELLIPSE, point.contact_angle)
     patch = solved.patches[index]
-    patch.load = load
-    patch.area = area
-    patch.max_pressure = 1.5 * load / area
-    patch.max_half_length = half_length
-    patch.stop = half_width
-    patch.rank = 1
+    totals = patch.totals
+    totals.load = load
+    totals.area = area
+    totals.max_pressure = 1.5 * load / area
+    totals.max_half_length = half_length
+    totals.stop = half_width
+    complete_totals(totals)
+    finish_patches(solved)
     return penetration

@@ -11,14 +11,14 @@ from ..layout import (
     RULE_QUADRATIC,
     Nodes,
     NodesOfRegions,
+    PatchTotals,
     Region,
     Regions,
-    SolvedPatch,
     SolvedPatches,
     SolvedStrip,
     SolvedStrips,
 )
-from ..patch.filling import begin_patch, clear_patches, finish_patch, rank_patches
+from ..patch.filling import begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import cell_part, quadratic_integral, quadratic_moment, root_integral
 from .analyn import clip_to_bound
 
@@ -42,7 +42,7 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
             for k in range(region.first, region.last):
                 add_cell(solved, region, nodes[index], k, angle)
     finish_patch(solved)
-    rank_patches(solved)
+    finish_patches(solved)
     return 0
 
 
@@ -93,10 +93,10 @@ def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contac
             end = inner.station - spacing * start
         index = patch_from(solved, region, begin, strips + k, contact_angle)
         patch = solved.patches[index]
-        patch.stop = end
+        patch.totals.stop = end
         patch.last = strips + k + 1
         widen_strips(inner, solved.strips[strips + high], start, stop, spacing)
-        add_load(patch, region, solved.strips[strips + before], inner, solved.strips[strips + high], start, stop,
+        add_load(patch.totals, region, solved.strips[strips + before], inner, solved.strips[strips + high], start, stop,
                  spacing * float(outward))
         keep_largest(solved, strips + low)
     return 0
@@ -109,7 +109,7 @@ def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, 
     joined = 0
     if index >= 0:
         last = solved.patches[index]
-        if start - last.stop < JOINED * region.spacing:
+        if start - last.totals.stop < JOINED * region.spacing:
             joined = 1
     if joined == 0:
         finish_patch(solved)
@@ -131,7 +131,7 @@ def widen_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: flo
     return 0
 
 
-def add_load(patch: SolvedPatch, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip, start: float,
+def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip, start: float,
              stop: float, step: float):
     """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
 
@@ -145,9 +145,9 @@ def add_load(patch: SolvedPatch, region: Region, before: SolvedStrip, low: Solve
     moment = low.station * load + width * step * moment
     region.carried += load
     region.moment += moment
-    patch.load += load
-    patch.moment += moment
-    patch.area += 2.0 * width * area
+    totals.load += load
+    totals.moment += moment
+    totals.area += 2.0 * width * area
     return 0
 
 

@@ -1,13 +1,28 @@
-"""How a model of normal contact fills the solved patches: one after the other by rising station, then their ranks."""
+"""How a model of normal contact fills the solved patches: one after the other by rising station, then totals and ranks."""
 
 from math import sqrt
 
-from ..layout import SOLVED_PATCH_LIMIT, Region, SolvedPatches
+from ..layout import SOLVED_PATCH_LIMIT, PatchTotals, Region, SolvedPatches
+
+
+def clear_totals(totals: PatchTotals, start: float):
+    """Totals of nothing, at station ``start`` [m]."""
+    totals.load = 0.0
+    totals.area = 0.0
+    totals.moment = 0.0
+    totals.centroid = 0.0
+    totals.max_pressure = 0.0
+    totals.max_half_length = 0.0
+    totals.start = start
+    totals.stop = start
+    totals.width = 0.0
+    return 0
 
 
 def clear_patches(solved: SolvedPatches):
     """No patches."""
     solved.count = 0
+    clear_totals(solved.totals, 0.0)
     return 0
 
 
@@ -23,13 +38,7 @@ def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int,
     solved.pressure_square = 0.0
     solved.half_length_square = 0.0
     patch = solved.patches[index]
-    patch.load = 0.0
-    patch.area = 0.0
-    patch.moment = 0.0
-    patch.max_pressure = 0.0
-    patch.max_half_length = 0.0
-    patch.start = start
-    patch.stop = start
+    clear_totals(patch.totals, start)
     patch.contact_angle = contact_angle
     patch.cos = region.cos
     patch.sin = region.sin
@@ -47,26 +56,57 @@ def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int,
 
 
 def finish_patch(solved: SolvedPatches):
-    """Give the last patch, if there is one, its largest pressure and half-length."""
+    """Give the last patch, if there is one, what follows from its load, its edges and its largest squares."""
     if solved.count > 0:
         patch = solved.patches[solved.count - 1]
-        patch.max_pressure = sqrt(solved.pressure_square)
-        patch.max_half_length = sqrt(solved.half_length_square)
+        totals = patch.totals
+        totals.max_pressure = sqrt(solved.pressure_square)
+        totals.max_half_length = sqrt(solved.half_length_square)
+        complete_totals(totals)
     return 0
 
 
-def rank_patches(solved: SolvedPatches):
-    """Rank the patches that carry load, the heaviest first; of equal ones the one with the smaller station."""
+def complete_totals(totals: PatchTotals):
+    """Centroid and width from load, moment and edges."""
+    totals.width = totals.stop - totals.start
+    if totals.load > 0.0:
+        totals.centroid = totals.moment / totals.load
+    return 0
+
+
+def finish_patches(solved: SolvedPatches):
+    """The totals of all patches, and their ranks, when the last patch is finished."""
     count = solved.count
+    totals = solved.totals
+    for index in range(count):
+        patch = solved.patches[index]
+        one = patch.totals
+        totals.load += one.load
+        totals.area += one.area
+        totals.moment += one.moment
+        if one.max_pressure > totals.max_pressure:
+            totals.max_pressure = one.max_pressure
+        if one.max_half_length > totals.max_half_length:
+            totals.max_half_length = one.max_half_length
+        if index == 0:
+            totals.start = one.start
+        totals.stop = one.stop
+    complete_totals(totals)
     for rank in range(1, count + 1):
-        heaviest = -1
-        load = 0.0
-        for index in range(count):
-            patch = solved.patches[index]
-            if patch.rank == 0 and patch.load > load:
-                heaviest = index
-                load = patch.load
+        heaviest = heaviest_patch(solved)
         if heaviest >= 0:
             ranked = solved.patches[heaviest]
             ranked.rank = rank
     return 0
+
+
+def heaviest_patch(solved: SolvedPatches):
+    """Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is none."""
+    heaviest = -1
+    load = 0.0
+    for index in range(solved.count):
+        patch = solved.patches[index]
+        if patch.rank == 0 and patch.totals.load > load:
+            heaviest = index
+            load = patch.totals.load
+    return heaviest

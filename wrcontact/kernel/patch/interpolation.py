@@ -15,7 +15,7 @@ def quadratic_at(solved: SolvedPatches, regions: Regions, index: int, station: f
     """
     patch = solved.patches[index]
     first = patch.first
-    if station < patch.start and index > 0:
+    if station < patch.totals.start and index > 0:
         first = solved.patches[index - 1].first
     half_length = 0.0
     pressure = 0.0
@@ -55,7 +55,7 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
 def straight_at(patch: SolvedPatch, strips: SolvedStrips, after: int, station: float):
     """Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT; ``after`` is its
     first strip beyond the station, or the one after its last."""
-    low = patch.start
+    low = patch.totals.start
     low_length = 0.0
     low_pressure = 0.0
     if after > patch.first:
@@ -63,7 +63,7 @@ def straight_at(patch: SolvedPatch, strips: SolvedStrips, after: int, station: f
         low = inner.station
         low_length = inner.half_length_square
         low_pressure = inner.pressure_square
-    high = patch.stop
+    high = patch.totals.stop
     high_length = 0.0
     high_pressure = 0.0
     if after <= patch.last:

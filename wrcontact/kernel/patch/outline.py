@@ -13,7 +13,6 @@ from ..layout import (
     STATION_COUNT,
     Outline,
     Regions,
-    SideOutputs,
     SolvedPatch,
     SolvedPatches,
     Tables,
@@ -37,13 +36,13 @@ def fill_outline(outline: Outline, stations: int, value: float):
     return 0
 
 
-def write_outline(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, side: SideOutputs):
-    """The outline of the solved patches at ``stations`` stations; the totals of ``side`` are known."""
+def write_outline(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions):
+    """The outline of the solved patches at ``stations`` stations."""
     if solved.count > 0:
         if solved.patches[0].rule == RULE_ELLIPSE:
             write_ellipse(outline, stations, solved.patches[0])
         elif solved.patches[0].rule == RULE_QUADRATIC:
-            write_quadratic(outline, stations, solved, regions, side)
+            write_quadratic(outline, stations, solved, regions)
         else:
             write_straight(outline, stations, solved)
     return 0
@@ -62,23 +61,23 @@ def write_ellipse(outline: Outline, stations: int, patch: SolvedPatch):
     for j in range(stations):
         share = 2.0 * float(j) / float(stations - 1) - 1.0
         height = sqrt(1.0 - share * share)
-        write_station(outline, stations, j, share * patch.stop, patch.max_half_length * height, patch.max_pressure * height)
+        write_station(outline, stations, j, share * patch.totals.stop, patch.totals.max_half_length * height,
+                      patch.totals.max_pressure * height)
     return 0
 
 
 def patch_beside(solved: SolvedPatches, index: int, station: float):
     """The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do."""
-    while index < solved.count - 1 and station > solved.patches[index].stop:
+    while index < solved.count - 1 and station > solved.patches[index].totals.stop:
         index += 1
     return index
 
 
-def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, side: SideOutputs):
+def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions):
     """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the surfaces have a
     kink; they are cut there."""
-    start = solved.patches[0].start
-    last = solved.patches[solved.count - 1]
-    stop = last.stop
+    start = solved.totals.start
+    stop = solved.totals.stop
     index = 0
     for j in range(stations):
         station = start + (stop - start) * float(j) / float(stations - 1)
@@ -87,19 +86,18 @@ def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regi
         if j > 0 and j < stations - 1:
             index = patch_beside(solved, index, station)
             half_length, pressure = quadratic_at(solved, regions, index, station)
-        if half_length > 0.5 * side.patch_length:
-            half_length = 0.5 * side.patch_length
-        if pressure > side.max_pressure:
-            pressure = side.max_pressure
+        if half_length > solved.totals.max_half_length:
+            half_length = solved.totals.max_half_length
+        if pressure > solved.totals.max_pressure:
+            pressure = solved.totals.max_pressure
         write_station(outline, stations, j, station, half_length, pressure)
     return 0
 
 
 def write_straight(outline: Outline, stations: int, solved: SolvedPatches):
     """The outline of patches with RULE_STRAIGHT."""
-    start = solved.patches[0].start
-    last = solved.patches[solved.count - 1]
-    stop = last.stop
+    start = solved.totals.start
+    stop = solved.totals.stop
     index = 0
     strip = 0
     for j in range(stations):
@@ -108,7 +106,7 @@ def write_straight(outline: Outline, stations: int, solved: SolvedPatches):
         pressure = 0.0
         index = patch_beside(solved, index, station)
         patch = solved.patches[index]
-        if j > 0 and j < stations - 1 and station > patch.start and station < patch.stop:
+        if j > 0 and j < stations - 1 and station > patch.totals.start and station < patch.totals.stop:
             if strip < patch.first:
                 strip = patch.first
             while strip <= patch.last and solved.strips[strip].station < station:

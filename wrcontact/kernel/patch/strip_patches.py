@@ -19,7 +19,7 @@ from ..normal.strips import (
     run_end,
     strip_field,
 )
-from .filling import begin_patch, clear_patches, finish_patch, rank_patches
+from .filling import begin_patch, clear_patches, finish_patch, finish_patches
 from .quadrature import root_integral
 
 
@@ -113,8 +113,8 @@ def gather_strips(work: Work, strips: int):
             patch = work.solved.patches[index]
             for i in range(first, last + 1):
                 load = work[lines + i] * work[widths + i]
-                patch.load += load
-                patch.moment += load * work[stations + i]
+                patch.totals.load += load
+                patch.totals.moment += load * work[stations + i]
                 region = int(work[strip_field(STRIP_REGION) + i])
                 carrier = work.regions[region]
                 carrier.carried += load
@@ -128,13 +128,13 @@ def gather_strips(work: Work, strips: int):
                 strip.half_length_square = work[squares + i]
                 strip.pressure_square = work[pressures + i] * work[pressures + i]
                 strip.region = region
-            patch.stop = stop
+            patch.totals.stop = stop
             patch.last = last
-            patch.area = run_area(work.raw, first, last, start, stop)
+            patch.totals.area = run_area(work.raw, first, last, start, stop)
             pressure = top_value(work.raw, pressures, largest_of(work.raw, pressures, first, last), first, last)
             work.solved.pressure_square = pressure * pressure
             work.solved.half_length_square = top_value(work.raw, squares, largest_of(work.raw, squares, first, last), first, last)
             finish_patch(work.solved)
         first = last + 1
-    rank_patches(work.solved)
+    finish_patches(work.solved)
     return 0
