@@ -1,4 +1,4 @@
-"""A half-space contact as the outputs of a wheel, and its resultant."""
+"""A half-space contact as solved patches, the outputs of its wheel, and its resultant."""
 
 import math
 
@@ -6,6 +6,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..kernel import layout
+from ..kernel.patch.totals import write_patches
 from .edge import chords, edge_area, edge_field, extent, peak_pressure
 
 #: Components of the loaded cells with less than this share of the load are no patches.
@@ -17,25 +18,81 @@ MIRRORED_RESULTANT = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 def write_side(side, plane, contact, outline=None):
     """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline``
     (3, stations), if that is wanted."""
-    dx = contact.x[1] - contact.x[0]
-    patches = split_patches(contact)
-    line = contact.pressure.sum(axis=0)
-    edge = edge_field(contact.pressure)
-    lengths, (low, high) = chords(edge) * dx, extent(edge)
-    side[layout.SIDE_PATCH_COUNT] = len(patches)
+    lengths, low, high = extents(contact)
+    write_patches(solved_patches(plane, contact), layout.SideOutputs.at(side))
     side[layout.SIDE_PENETRATION] = contact.penetration
-    side[layout.SIDE_NORMAL_FORCE] = contact.force
-    side[layout.SIDE_AREA] = contact.area
-    side[layout.SIDE_MAX_PRESSURE] = contact.max_pressure
-    side[layout.SIDE_PATCH_LENGTH] = lengths.max()
-    low, high = (_station(contact, place) for place in (low, high))
-    side[layout.SIDE_PATCH_WIDTH] = high - low
-    side[layout.SIDE_PATCH_CENTROID] = line @ contact.s / line.sum()
-    for number, pressure in enumerate(patches[:layout.PATCH_LIMIT]):
-        start = layout.SIDE_PATCH + number * layout.PATCH_SIZE
-        write_patch(side[start:start + layout.PATCH_SIZE], plane, contact, pressure)
     if outline is not None:
         write_outline(outline, contact, lengths, low, high)
+
+
+def extents(contact):
+    """Loaded length of each column (m,), first and last loaded station of all patches together [m]."""
+    edge = edge_field(contact.pressure)
+    low, high = (_station(contact, place) for place in extent(edge))
+    return chords(edge) * (contact.x[1] - contact.x[0]), low, high
+
+
+def solved_patches(plane, contact):
+    """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`.
+
+    A strip is a column of loaded cells.  What the half-space does not know is not a number: the curvature of the strips, and the
+    wheel's abscissa, slant and local penetration of a patch.
+    """
+    solved = layout.SolvedPatches()
+    found = [describe_patch(layout.SolvedPatch(), plane, contact, pressure) for pressure in split_patches(contact)]
+    found = found[:layout.SOLVED_PATCH_LIMIT]
+    solved.count = len(found)
+    lengths, low, high = extents(contact)
+    line = contact.pressure.sum(axis=0)
+    fill_totals(solved.totals, contact.force, contact.area, line @ contact.s / line.sum(), contact.max_pressure,
+                lengths.max(), (low, high), high - low)
+    for rank, (patch, _) in enumerate(found, 1):
+        patch.rank = rank
+    first = 0
+    for index, (patch, strips) in enumerate(sorted(found, key=lambda pair: pair[0].totals.start)):
+        strips = strips[:layout.SOLVED_STRIP_LIMIT - first]
+        patch.first, patch.last = first, first + len(strips) - 1
+        np.ctypeslib.as_array(solved.strips)[first:first + len(strips)] = strips
+        solved.patches[index] = patch
+        first += len(strips)
+    return solved
+
+
+def describe_patch(patch, plane, contact, pressure):
+    """The record ``patch`` of the patch with these pressures (n, m), and its strips, an array of the record SolvedStrip.
+
+    Its contact angle is the rail's at its centroid.
+    """
+    dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
+    edge, line = edge_field(pressure), pressure.sum(axis=0)
+    low, high = extent(edge)
+    lengths = chords(edge) * dx
+    centroid = float(line @ contact.s / line.sum())
+    fill_totals(patch.totals, line.sum() * dx * ds, edge_area(edge) * dx * ds, centroid,
+                peak_pressure(pressure), lengths.max(), (_station(contact, low), _station(contact, high)),
+                (high - low) * ds)
+    patch.contact_angle = angle = plane.rail_angle(centroid)
+    patch.cos, patch.sin = math.cos(angle), -math.sin(angle)
+    patch.rail, patch.station = plane.rail_abscissa(centroid), centroid
+    patch.x = pressure.sum(axis=1) @ contact.x / pressure.sum()
+    patch.wheel = patch.slant = patch.local_penetration = math.nan
+    patch.rule = layout.RULE_STRAIGHT
+    loaded = np.flatnonzero(line > 0.0)
+    strips = np.zeros(len(loaded), layout.SolvedStrip)
+    strips["station"], strips["width"] = contact.s[loaded], ds
+    strips["x"] = contact.x @ pressure[:, loaded] / line[loaded]
+    strips["curvature"] = math.nan
+    strips["line_load"] = line[loaded] * dx
+    strips["half_length_square"] = (0.5 * lengths[loaded]) ** 2
+    strips["pressure_square"] = pressure[:, loaded].max(axis=0) ** 2
+    return patch, strips
+
+
+def fill_totals(totals, load, area, centroid, max_pressure, length, edges, width):
+    """The record PatchTotals, in N, m and Pa."""
+    totals.load, totals.area, totals.centroid, totals.moment = load, area, centroid, load * centroid
+    totals.max_pressure, totals.max_half_length = max_pressure, 0.5 * length
+    (totals.start, totals.stop), totals.width = edges, width
 
 
 def split_patches(contact):
@@ -44,21 +101,6 @@ def split_patches(contact):
     loads = ndimage.sum_labels(contact.pressure, labels, np.arange(1, count + 1))
     ranked = [int(k) + 1 for k in np.argsort(-loads, kind="stable") if loads[k] >= STRAY_SHARE * loads.sum()]
     return [np.where(labels == number, contact.pressure, 0.0) for number in ranked]
-
-
-def write_patch(patch, plane, contact, pressure):
-    """One patch into its outputs (7,); its contact angle is the rail's at its centroid."""
-    dx, ds = contact.x[1] - contact.x[0], contact.s[1] - contact.s[0]
-    edge, line = edge_field(pressure), pressure.sum(axis=0)
-    low, high = extent(edge)
-    centroid = float(line @ contact.s / line.sum())
-    patch[layout.PATCH_NORMAL_FORCE] = line.sum() * dx * ds
-    patch[layout.PATCH_AREA] = edge_area(edge) * dx * ds
-    patch[layout.PATCH_MAX_PRESSURE] = peak_pressure(pressure)
-    patch[layout.PATCH_LENGTH] = chords(edge).max() * dx
-    patch[layout.PATCH_WIDTH] = (high - low) * ds
-    patch[layout.PATCH_CENTROID] = centroid
-    patch[layout.PATCH_CONTACT_ANGLE] = plane.rail_angle(centroid)
 
 
 def write_outline(outline, contact, lengths, low, high):

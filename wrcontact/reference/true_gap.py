@@ -119,9 +119,12 @@ class ContactPlane:
 
     def rail_angle(self, s):
         """Contact angle of the rail at station ``s`` [m]: [rad], positive towards the flange."""
+        return -math.atan(float(evaluate_table(self.rail, self.rail_abscissa(s))[1]))
+
+    def rail_abscissa(self, s):
+        """Abscissa of the rail [m] at station ``s`` [m]."""
         t = self.rail_height(np.atleast_1d(float(s)))[0]
-        y = self.origin[1] - self.rail_y + s * self.lateral[1] + t * self.normal[1]
-        return -math.atan(float(evaluate_table(self.rail, y)[1]))
+        return self.origin[1] - self.rail_y + s * self.lateral[1] + t * self.normal[1]
 
     def _project(self, points):
         """Station s and height t of points (k, 3) of the track frame."""
