@@ -13,9 +13,12 @@ from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
 from wrcontact.kernel.binding.influence_table import influence_table
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import regions
-from wrcontact.kernel.normal import analyn, nodes
-from wrcontact.kernel.patch import patches
+from wrcontact.kernel.normal import analyn
 from wrcontact.kernel.normal.hertz import hertz_coefficients, hertz_stiffness
+from wrcontact.kernel.normal.node_coefficients import FLOOR, weigh_nodes
+from wrcontact.kernel.normal.node_patches import fill_from_nodes
+from wrcontact.kernel.patch.outline import write_outline
+from wrcontact.kernel.patch.totals import write_patches
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
@@ -71,62 +74,81 @@ def test_hertz_stiffness(A, B):
 def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, sweeps=2):
     """The kernel's tables, workspace and state with nodes on the gap B s^2 and constant A, written by hand; and Hertz's
     penetration [m]."""
-    flat = [-0.05, 0.05, 1e3, 1, 6, 6, -0.05] + [0.0] * 6 + [np.nan] * 7    # a flat rail, for the patch's angle
-    parts = {layout.SET_HERTZ: hertz_table(), layout.SET_RAIL: flat, layout.SET_INFLUENCE: influence_table()}
-    settings = np.zeros(layout.SETTING_COUNT)
-    settings[layout.SET_CONTACT_MODULUS] = MODULUS
-    settings[layout.SET_STRIPS], settings[layout.SET_SWEEPS] = strips, sweeps
-    offset = len(settings)
-    for setting, table in parts.items():
-        settings[setting] = offset
+    head = np.zeros(layout.SETTING_COUNT)
+    settings = layout.Tables.at(head)
+    settings.contact_modulus, settings.strips, settings.sweeps = MODULUS, strips, sweeps
+    parts = {"hertz": hertz_table(), "influence": influence_table()}
+    offset = len(head)
+    for name, table in parts.items():
+        setattr(settings, name, offset)
         offset += len(table)
-    tables = np.concatenate([settings, *parts.values()])
-    work, state = np.zeros(layout.WORK_SIZE), np.zeros(layout.STATE_SIZE)
+    tables = layout.Tables.at(np.concatenate([head, *parts.values()]))
+    work, state = layout.Work.at(np.zeros(layout.WORK_SIZE)), layout.State.at(np.zeros(layout.STATE_SIZE))
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
-    block = regions.region_block(0)
-    regions.lean_region(tables, work, block, 0.0)                # one plane: the whole penetration, the whole load
-    spacing = half_width / half_nodes
-    last = half_nodes + 2
-    work[block + regions.REGION_LOW], work[block + regions.REGION_HIGH] = -1.0, 1.0
-    work[block + regions.REGION_SPACING] = spacing
-    work[block + regions.REGION_FIRST], work[block + regions.REGION_LAST] = -last, last
-    work[[block + regions.REGION_WIDTH_LOW, block + regions.REGION_WIDTH_HIGH]] = half_width
-    work[[block + regions.REGION_SIDE_LOW, block + regions.REGION_SIDE_HIGH]] = B
-    k = np.arange(-last - window, last + window + 1)
-    work[nodes.node_field(0, nodes.NODE_GAP) + k] = B * (spacing * k) ** 2
-    work[nodes.node_field(0, nodes.NODE_A) + k] = A
-    nodes.weigh_nodes(tables, work, 0, window)
+    region, at = work.regions[0], work.nodes[0]
+    regions.lean_region(tables, work, region, 0.0)               # one plane: the whole penetration, the whole load
+    region.low, region.high = -1.0, 1.0
+    region.spacing = half_width / half_nodes
+    region.last = half_nodes + 2
+    region.first = -region.last
+    region.width_low = region.width_high = half_width
+    region.side_low = region.side_high = B
+    for k in range(region.first - window, region.last + window + 1):
+        at.gap[k] = B * (region.spacing * k) ** 2
+        at.A[k] = A
+    weigh_nodes(tables, region, at, window, 0)
     return tables, work, state, penetration
 
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
-    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A."""
+    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved patches, outputs of the
+    side."""
     tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, met = analyn.solve_levels(tables, work, state, 1, force, 0.7 * penetration, 0, analyn.FORCE_SHARP)
-    assert met == 1
-    islands = patches.gather_islands(tables, work, 1)
-    patches.write_patches(work, 0, islands)
-    patches.write_outline(work, 0, layout.SIDE_STATION, layout.STATION_COUNT, 1, islands)
-    return found, work[:layout.SIDE_SIZE]
+    found, satisfied = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * penetration, 0)
+    assert satisfied == 1
+    fill_from_nodes(work.regions, work.nodes, work.solved, 1)
+    side = work.outputs.left[0]
+    write_patches(work.solved, side)
+    outline = layout.Outline.at(work, layout.offset(side.station, work))
+    write_outline(outline, layout.STATION_COUNT, work.solved, work.regions)
+    return found, work.solved, side
 
 
 @pytest.mark.parametrize("A, B", CURVATURES)
 @pytest.mark.parametrize("force", [1.0, 78.5e3])
 def test_analyn_on_constant_curvatures_is_hertz(A, B, force):
     penetration, a, b, pressure = hertz(A, B, force)
-    found, side = solve_constant_curvatures(A, B, force)
+    found, solved, side = solve_constant_curvatures(A, B, force)
     assert found == pytest.approx(penetration, rel=1e-9)
-    assert side[layout.SIDE_AREA] == pytest.approx(np.pi * a * b, rel=1e-9)
-    assert side[layout.SIDE_MAX_PRESSURE] == pytest.approx(pressure, rel=1e-9)
-    assert side[layout.SIDE_PATCH_LENGTH] == pytest.approx(2 * a, rel=1e-9)
-    assert side[layout.SIDE_PATCH_WIDTH] == pytest.approx(2 * b, rel=1e-9)
-    assert side[layout.SIDE_PATCH_CENTROID] == pytest.approx(0.0, abs=1e-12 * b)
-    assert side[layout.SIDE_NORMAL_FORCE] == pytest.approx(force, rel=1e-12)
-    station = side[layout.SIDE_STATION:layout.SIDE_STATION + layout.STATION_COUNT]
-    ellipse = np.sqrt(np.maximum(0.0, 1 - (station / b) ** 2))
-    half_length = side[layout.SIDE_HALF_LENGTH:layout.SIDE_HALF_LENGTH + layout.STATION_COUNT]
-    np.testing.assert_allclose(half_length, a * ellipse, atol=1e-6 * a)    # the ends, like a root, to 1e-12
+    assert side.area == pytest.approx(np.pi * a * b, rel=1e-9)
+    assert side.max_pressure == pytest.approx(pressure, rel=1e-9)
+    assert side.patch_length == pytest.approx(2 * a, rel=1e-9)
+    assert side.patch_width == pytest.approx(2 * b, rel=1e-9)
+    assert side.patch_centroid == pytest.approx(0.0, abs=1e-12 * b)
+    assert side.normal_force == pytest.approx(force, rel=1e-12)
+    ellipse = np.sqrt(np.maximum(0.0, 1 - (np.array(side.station) / b) ** 2))
+    np.testing.assert_allclose(side.half_length, a * ellipse, atol=1e-6 * a)    # the ends, like a root, to 1e-12
+
+
+@pytest.mark.parametrize("A, B", CURVATURES)
+def test_strips_of_a_solved_patch_are_slices_of_hertz_s_ellipse(A, B):
+    _, a, b, pressure = hertz(A, B, 78.5e3)
+    solved = solve_constant_curvatures(A, B, 78.5e3)[1]
+    assert solved.count == 1
+    patch = solved.patches[0]
+    assert (patch.rank, patch.rule) == (1, layout.RULE_QUADRATIC)
+    assert (patch.totals.start, patch.totals.stop) == pytest.approx((-b, b), rel=1e-9)
+    strips = np.ctypeslib.as_array(solved.strips)[patch.first:patch.last + 1]
+    assert strips["width"].sum() == pytest.approx(patch.totals.width, rel=1e-12)
+    inside = strips[strips["width"] > 0.0]
+    share = 1 - (inside["station"] / b) ** 2
+    np.testing.assert_allclose(inside["half_length_square"], a**2 * share, rtol=1e-8)
+    np.testing.assert_allclose(inside["pressure_square"], pressure**2 * share, rtol=1e-8)
+    np.testing.assert_allclose(inside["line_load"], np.pi / 2 * a * pressure * share, rtol=1e-8)
+    np.testing.assert_allclose(inside["curvature"], 2 * A, rtol=1e-12)
+    outside = strips[strips["width"] == 0.0]
+    assert (outside["half_length_square"] <= 0.0).all()
 
 
 @pytest.fixture(scope="module")
@@ -137,7 +159,7 @@ def system():
 @pytest.mark.parametrize("shift", [0.0, 1e-3, 3e-3, 5e-3, 6e-3])
 def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
     side = wrcontact.ContactSystem(normal_model="hertz").evaluate(lateral_shift=shift).right
-    A, B = side.curvature_x / 2, max(side.curvature_y / 2, nodes.FLOOR * side.curvature_x / 2)
+    A, B = side.curvature_x / 2, max(side.curvature_y / 2, FLOOR * side.curvature_x / 2)
     penetration, a, b, pressure = hertz(A, B, 78.5e3)
     assert (side.penetration, side.area, side.max_pressure) == pytest.approx((penetration, np.pi * a * b, pressure), rel=1e-8)
     outline = side.outline

@@ -13,7 +13,7 @@ from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import RANGE, influence, influence_table
 from wrcontact.kernel import layout
 from wrcontact.kernel.normal import analyn, strips
-from wrcontact.kernel.patch import patches, strip_patches
+from wrcontact.kernel.patch import strip_patches
 from wrcontact.kernel.normal.hertz import STEEPEST, hertz_coefficients, skewed_coefficients, upright_coefficients
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
@@ -125,17 +125,16 @@ def test_elimination(size):
 
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
     """The strip correction on the gap B s^2 and constant A: relative errors in penetration, area and pressure (3,)."""
-    arrays = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
-    tables, work, state = map(memoryview, arrays[:3])      # plain floats: half the time
-    predicted, met = analyn.solve_levels(tables, work, state, 1, force, 0.7 * arrays[3], 0, analyn.FORCE_SHARP)
+    tables, work, state, expected = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
+    predicted, met = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * expected, 0)
     assert met == 1
     penetration, found, met = strips.correct_strips(tables, work, state, 1, force, predicted, 0)
     assert met == 1 and found == count
-    patches.write_patches(work, 0, strip_patches.gather_strips(work, found))
+    strip_patches.gather_strips(work, found)
     exact, a, b, pressure = hertz(A, B, force)
-    assert work[layout.SIDE_NORMAL_FORCE] == pytest.approx(force, rel=1e-12)
-    return np.array([penetration / exact, work[layout.SIDE_AREA] / (math.pi * a * b),
-                     work[layout.SIDE_MAX_PRESSURE] / pressure]) - 1
+    totals = work.solved.totals
+    assert totals.load == pytest.approx(force, rel=1e-12)
+    return np.array([penetration / exact, totals.area / (math.pi * a * b), totals.max_pressure / pressure]) - 1
 
 
 @pytest.mark.parametrize("ratio", [0.05, 0.1, 0.3, 0.7, 1.0, 1.5, 5.0, 20.0, 60.0])
