@@ -20,13 +20,12 @@ RULE_STRAIGHT: Final[int] = 2        # straight lines through the squares, which
 @record
 class SolvedStrip:
     station: float                  # of its middle, along the rail's profile, from the contact point [m]
-    width: float                    # along the profile [m]; 0: it lies outside its patch and serves the interpolation
+    width: float                    # along the profile [m]; 0: it lies outside the patches and serves the interpolation
     x: float                        # track coordinate x of its middle [m]
     curvature: float                # relative longitudinal curvature 1/R_x [1/m]
     line_load: float                # load per width [N/m]; not above zero where the strip is not loaded, and so are
     half_length_square: float       # the square of its half-length [m^2] and
     pressure_square: float          # the square of the pressure on its middle [Pa^2]
-    region: int                     # the region that it belongs to
 
 
 @record

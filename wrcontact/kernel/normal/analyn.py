@@ -68,7 +68,7 @@ def region_load(region: Region, nodes: Nodes, local_penetration: float):
                 f_low = c_low * d_low
                 f_high = c_high * d_high
                 if d_low > 0.0 and d_high > 0.0 and k < last - 1:
-                    # a fully loaded cell: quadratic_integral from 0 to 1
+                    # a fully loaded cell: quadratic_integral up to 1
                     load += 0.5 * (f_low + f_high) - bend_of(c_before * d_before, f_low, f_high) / 6.0
                     stiffness += 0.5 * (c_low + c_high)
                 elif d_low > 0.0 or d_high > 0.0:
@@ -76,7 +76,8 @@ def region_load(region: Region, nodes: Nodes, local_penetration: float):
                     if k == last - 1:
                         stop = clip_to_bound(region, outward * k, outward, stop)
                     if stop > start:
-                        load += quadratic_integral(c_before * d_before, f_low, f_high, start, stop)
+                        load += (quadratic_integral(c_before * d_before, f_low, f_high, stop)
+                                 - quadratic_integral(c_before * d_before, f_low, f_high, start))
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))
                 d_before = d_low
                 c_before = c_low

@@ -4,7 +4,7 @@ from math import isfinite, pi, sqrt
 
 from ..contact.planes import line_up
 from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables, Work
-from ..patch.filling import begin_patch, clear_patches, complete_totals, finish_patches
+from ..patch.filling import fill_single, place_patch
 from .hertz import hertz_coefficients, hertz_stiffness
 from .node_coefficients import FLOOR
 
@@ -44,15 +44,17 @@ def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: Solv
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))
     area = pi * half_length * half_width
-    clear_patches(solved)
-    index = begin_patch(solved, region, -half_width, 0, RULE_ELLIPSE, point.contact_angle)
-    patch = solved.patches[index]
+    patch = solved.patches[0]
+    place_patch(patch, region, 0, RULE_ELLIPSE, point.contact_angle)
     totals = patch.totals
     totals.load = load
     totals.area = area
+    totals.moment = 0.0
+    totals.centroid = 0.0
     totals.max_pressure = 1.5 * load / area
     totals.max_half_length = half_length
+    totals.start = -half_width
     totals.stop = half_width
-    complete_totals(totals)
-    finish_patches(solved)
+    totals.width = 2.0 * half_width
+    fill_single(solved)
     return penetration

@@ -36,7 +36,7 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
         region.moment = 0.0
         if region.level > 0.0:
             region.strip = strips - region.first
-            fill_strips(region, index, nodes[index], solved.strips)
+            fill_strips(region, nodes[index], solved.strips)
             strips += region.last - region.first + 1
             angle = -atan(region.lean)
             for k in range(region.first, region.last):
@@ -46,13 +46,18 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
     return 0
 
 
-def fill_strips(region: Region, index: int, nodes: Nodes, strips: SolvedStrips):
-    """The strips of region ``index``, one at each node, also where it is not loaded; they have no width yet.
+def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
+    """The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing, the outermost ones
+    half of it; :func:`add_cell` takes away what is not loaded.
 
     The pressure on x = 0 is p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
     """
     level = region.level
     middle = region.strip
+    spacing = region.spacing
+    origin = region.offset + region.station
+    along = region.along
+    slant = region.slant
     for k in range(region.first, region.last + 1):
         strip = strips[middle + k]
         d = level - nodes.rise[k]
@@ -60,12 +65,13 @@ def fill_strips(region: Region, index: int, nodes: Nodes, strips: SolvedStrips):
         strip.line_load = load
         strip.half_length_square = d / nodes.length[k]
         strip.pressure_square = 4.0 / (pi * pi) * nodes.line[k] * load * nodes.length[k]
-        away = region.spacing * float(k)
-        strip.station = region.offset + region.station + away
-        strip.width = 0.0
-        strip.x = region.along + region.slant * away
+        away = spacing * float(k)
+        strip.station = origin + away
+        strip.width = spacing
+        strip.x = along + slant * away
         strip.curvature = 2.0 * nodes.A[k]
-        strip.region = index
+    strips[middle + region.first].width = 0.5 * spacing
+    strips[middle + region.last].width = 0.5 * spacing
     return 0
 
 
@@ -83,22 +89,38 @@ def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contac
     start, stop = cell_part(level - nodes.rise[before], level - nodes.rise[low], level - nodes.rise[high])
     if k == region.first or k == region.last - 1:
         stop = clip_to_bound(region, low, outward, stop)
+    strip = region.strip
+    inner = solved.strips[strip + low]
+    outer = solved.strips[strip + high]
+    if start > 0.0 or stop < 1.0:
+        narrow_strips(inner, outer, start, stop, spacing)
     if stop > start:
-        strips = region.strip
-        inner = solved.strips[strips + low]
         begin = inner.station + spacing * start
         end = inner.station + spacing * stop
         if outward < 0:
             begin = inner.station - spacing * stop
             end = inner.station - spacing * start
-        index = patch_from(solved, region, begin, strips + k, contact_angle)
+        index = patch_from(solved, region, begin, strip + k, contact_angle)
         patch = solved.patches[index]
         patch.totals.stop = end
-        patch.last = strips + k + 1
-        widen_strips(inner, solved.strips[strips + high], start, stop, spacing)
-        add_load(patch.totals, region, solved.strips[strips + before], inner, solved.strips[strips + high], start, stop,
-                 spacing * float(outward))
-        keep_largest(solved, strips + low)
+        patch.last = strip + k + 1
+        add_load(patch.totals, region, solved.strips[strip + before], inner, outer, start, stop, spacing * float(outward))
+        keep_largest(solved, strip + low)
+    return 0
+
+
+def narrow_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: float, spacing: float):
+    """Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's strips add up to its
+    own: the loaded part [start, stop] belongs to the strip that is inside the patch, which has half the cell so far."""
+    inner_share = 0.0
+    outer_share = 0.0
+    if stop > start:
+        if start > 0.0:
+            outer_share = stop - start
+        else:
+            inner_share = stop - start
+    inner.width += (inner_share - 0.5) * spacing
+    outer.width += (outer_share - 0.5) * spacing
     return 0
 
 
@@ -117,20 +139,6 @@ def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, 
     return index
 
 
-def widen_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: float, spacing: float):
-    """Share the loaded part [start, stop] of a cell out among the strips at its ends: half each, or all to the one inside the
-    patch.  So the widths of a patch's strips add up to its own."""
-    width = spacing * (stop - start)
-    if stop < 1.0:
-        inner.width += width
-    elif start > 0.0:
-        outer.width += width
-    else:
-        inner.width += 0.5 * width
-        outer.width += 0.5 * width
-    return 0
-
-
 def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip, start: float,
              stop: float, step: float):
     """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
@@ -139,8 +147,12 @@ def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: Solv
     further in.
     """
     width = fabs(step)
-    load = width * quadratic_integral(before.line_load, low.line_load, high.line_load, start, stop)
-    moment = quadratic_moment(before.line_load, low.line_load, high.line_load, start, stop)
+    load = quadratic_integral(before.line_load, low.line_load, high.line_load, stop)
+    moment = quadratic_moment(before.line_load, low.line_load, high.line_load, stop)
+    if start > 0.0:
+        load -= quadratic_integral(before.line_load, low.line_load, high.line_load, start)
+        moment -= quadratic_moment(before.line_load, low.line_load, high.line_load, start)
+    load *= width
     area = root_integral(before.half_length_square, low.half_length_square, high.half_length_square, start, stop)
     moment = low.station * load + width * step * moment
     region.carried += load

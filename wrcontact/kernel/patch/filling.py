@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from ..layout import SOLVED_PATCH_LIMIT, PatchTotals, Region, SolvedPatches
+from ..layout import SOLVED_PATCH_LIMIT, PatchTotals, Region, SolvedPatch, SolvedPatches
 
 
 def clear_totals(totals: PatchTotals, start: float):
@@ -27,7 +27,7 @@ def clear_patches(solved: SolvedPatches):
 
 
 def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int, rule: int, contact_angle: float):
-    """Begin the next patch at station ``start`` [m] and strip ``first``, with the plane and the point of ``region``; its index.
+    """Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its index.
 
     Where there is no room for another patch, the last one goes on.
     """
@@ -39,6 +39,12 @@ def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int,
     solved.half_length_square = 0.0
     patch = solved.patches[index]
     clear_totals(patch.totals, start)
+    place_patch(patch, region, first, rule, contact_angle)
+    return index
+
+
+def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, contact_angle: float):
+    """Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first`` yet."""
     patch.contact_angle = contact_angle
     patch.cos = region.cos
     patch.sin = region.sin
@@ -52,7 +58,26 @@ def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int,
     patch.first = first
     patch.last = first - 1
     patch.rank = 0
-    return index
+    return 0
+
+
+def fill_single(solved: SolvedPatches):
+    """Let the first patch, whose totals are known, be the only one."""
+    solved.count = 1
+    patch = solved.patches[0]
+    patch.rank = 1
+    one = patch.totals
+    totals = solved.totals
+    totals.load = one.load
+    totals.area = one.area
+    totals.moment = one.moment
+    totals.centroid = one.centroid
+    totals.max_pressure = one.max_pressure
+    totals.max_half_length = one.max_half_length
+    totals.start = one.start
+    totals.stop = one.stop
+    totals.width = one.width
+    return 0
 
 
 def finish_patch(solved: SolvedPatches):

@@ -6,23 +6,19 @@ from ..layout import Region, Regions, SolvedPatch, SolvedPatches, SolvedStrips
 from .quadrature import quadratic_value
 
 
-def quadratic_at(solved: SolvedPatches, regions: Regions, index: int, station: float):
-    """Half-length [m] and pressure [Pa] at ``station`` [m] in patch ``index``, or between it and the patch before it, by
-    RULE_QUADRATIC; zeros where nothing is loaded.
+def quadratic_at(solved: SolvedPatches, regions: Regions, count: int, station: float):
+    """Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count`` regions; zeros where
+    nothing is loaded.
 
     The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch they can be
-    positive, and so the strips of both neighbours are asked between two patches.
+    positive.
     """
-    patch = solved.patches[index]
-    first = patch.first
-    if station < patch.totals.start and index > 0:
-        first = solved.patches[index - 1].first
     half_length = 0.0
     pressure = 0.0
-    for number in range(solved.strips[first].region, solved.strips[patch.last].region + 1):
-        region = regions[number]
+    for index in range(count):
+        region = regions[index]
         own = station - region.offset
-        if region.level > 0.0 and own >= region.low and own <= region.high and half_length == 0.0:
+        if own >= region.low and own <= region.high and half_length == 0.0:
             half_length, pressure = between_strips(region, solved.strips, own)
     return half_length, pressure
 
@@ -33,7 +29,8 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
     half_length = 0.0
     pressure = 0.0
     u = (own - region.station) / region.spacing
-    if u > region.first and u < region.last:
+    inside = u > region.first and u < region.last
+    if region.level > 0.0 and inside:
         outward = 1
         if u < 0.0:
             outward = -1

@@ -12,8 +12,8 @@ from ..layout import (
     RULE_QUADRATIC,
     STATION_COUNT,
     Outline,
+    PatchTotals,
     Regions,
-    SolvedPatch,
     SolvedPatches,
     Tables,
 )
@@ -36,61 +36,53 @@ def fill_outline(outline: Outline, stations: int, value: float):
     return 0
 
 
-def write_outline(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions):
-    """The outline of the solved patches at ``stations`` stations."""
+def write_outline(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, count: int):
+    """The outline of the solved patches of ``count`` regions at ``stations`` stations."""
     if solved.count > 0:
-        if solved.patches[0].rule == RULE_ELLIPSE:
-            write_ellipse(outline, stations, solved.patches[0])
-        elif solved.patches[0].rule == RULE_QUADRATIC:
-            write_quadratic(outline, stations, solved, regions)
+        rule = solved.patches[0].rule
+        if rule == RULE_ELLIPSE:
+            write_ellipse(outline, stations, solved.totals)
+        elif rule == RULE_QUADRATIC:
+            write_quadratic(outline, stations, solved, regions, count)
         else:
             write_straight(outline, stations, solved)
     return 0
 
 
-def write_station(outline: Outline, stations: int, j: int, station: float, half_length: float, pressure: float):
-    """Station ``j`` of an outline."""
-    outline.numbers[j] = station
-    outline.numbers[stations + j] = half_length
-    outline.numbers[2 * stations + j] = pressure
-    return 0
-
-
-def write_ellipse(outline: Outline, stations: int, patch: SolvedPatch):
+def write_ellipse(outline: Outline, stations: int, totals: PatchTotals):
     """The outline of a single elliptic patch around station zero."""
+    half_length = totals.max_half_length
+    half_width = totals.stop
+    pressure = totals.max_pressure
     for j in range(stations):
         share = 2.0 * float(j) / float(stations - 1) - 1.0
         height = sqrt(1.0 - share * share)
-        write_station(outline, stations, j, share * patch.totals.stop, patch.totals.max_half_length * height,
-                      patch.totals.max_pressure * height)
+        outline.numbers[j] = share * half_width
+        outline.numbers[stations + j] = half_length * height
+        outline.numbers[2 * stations + j] = pressure * height
     return 0
 
 
-def patch_beside(solved: SolvedPatches, index: int, station: float):
-    """The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do."""
-    while index < solved.count - 1 and station > solved.patches[index].totals.stop:
-        index += 1
-    return index
-
-
-def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions):
+def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, count: int):
     """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the surfaces have a
     kink; they are cut there."""
     start = solved.totals.start
     stop = solved.totals.stop
-    index = 0
+    largest = solved.totals.max_half_length
+    peak = solved.totals.max_pressure
     for j in range(stations):
         station = start + (stop - start) * float(j) / float(stations - 1)
         half_length = 0.0
         pressure = 0.0
         if j > 0 and j < stations - 1:
-            index = patch_beside(solved, index, station)
-            half_length, pressure = quadratic_at(solved, regions, index, station)
-        if half_length > solved.totals.max_half_length:
-            half_length = solved.totals.max_half_length
-        if pressure > solved.totals.max_pressure:
-            pressure = solved.totals.max_pressure
-        write_station(outline, stations, j, station, half_length, pressure)
+            half_length, pressure = quadratic_at(solved, regions, count, station)
+        if half_length > largest:
+            half_length = largest
+        if pressure > peak:
+            pressure = peak
+        outline.numbers[j] = station
+        outline.numbers[stations + j] = half_length
+        outline.numbers[2 * stations + j] = pressure
     return 0
 
 
@@ -112,5 +104,14 @@ def write_straight(outline: Outline, stations: int, solved: SolvedPatches):
             while strip <= patch.last and solved.strips[strip].station < station:
                 strip += 1
             half_length, pressure = straight_at(patch, solved.strips, strip, station)
-        write_station(outline, stations, j, station, half_length, pressure)
+        outline.numbers[j] = station
+        outline.numbers[stations + j] = half_length
+        outline.numbers[2 * stations + j] = pressure
     return 0
+
+
+def patch_beside(solved: SolvedPatches, index: int, station: float):
+    """The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do."""
+    while index < solved.count - 1 and station > solved.patches[index].totals.stop:
+        index += 1
+    return index

@@ -56,22 +56,18 @@ def cell_part(d_before: float, d_low: float, d_high: float):
     return start, stop
 
 
-def quadratic_integral(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of the quadratic of ``bend_of``."""
+def quadratic_integral(before: float, low: float, high: float, stop: float):
+    """Integral over [0, stop] of the quadratic of ``bend_of``."""
     bend = bend_of(before, low, high)
     slope = high - low - bend
-    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
-    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0))
-    return upper - lower
+    return stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
 
 
-def quadratic_moment(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of x times the quadratic of ``bend_of``."""
+def quadratic_moment(before: float, low: float, high: float, stop: float):
+    """Integral over [0, stop] of x times the quadratic of ``bend_of``."""
     bend = bend_of(before, low, high)
     slope = high - low - bend
-    upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0))
-    lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0))
-    return upper - lower
+    return stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0))
 
 
 def root_integral(before: float, low: float, high: float, start: float, stop: float):

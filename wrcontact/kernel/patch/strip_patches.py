@@ -127,7 +127,6 @@ def gather_strips(work: Work, strips: int):
                 strip.line_load = work[lines + i]
                 strip.half_length_square = work[squares + i]
                 strip.pressure_square = work[pressures + i] * work[pressures + i]
-                strip.region = region
             patch.totals.stop = stop
             patch.last = last
             patch.totals.area = run_area(work.raw, first, last, start, stop)

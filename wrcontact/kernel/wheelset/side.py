@@ -96,7 +96,8 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
         return count, NOT_CONVERGED
     write_patches(work.solved, out)
     if int(tables.depth) == DEPTH_ALL:
-        write_outline(Outline.at(work, outline_place(tables, work, out)), int(tables.stations), work.solved, work.regions)
+        outline = Outline.at(work, outline_place(tables, work, out))
+        write_outline(outline, int(tables.stations), work.solved, work.regions, count)
     for region in range(count):
         add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
     return count, VALID
