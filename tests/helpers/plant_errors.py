@@ -71,7 +71,7 @@ ERRORS = [
           "patches side by side do not press on each other", "normal"),
     Error("early_end", "analyn", "NEARLY_SHARP: Final[float] = 1e-9", "NEARLY_SHARP: Final[float] = 1e-4",
           "Newton's method for the force gives up some steps early", "normal"),
-    Error("strip_near", "strips", "work[row + j] += near_share(", "work[row + j] -= near_share(",
+    Error("strip_near", "strip_influence", "row[j] += near_share(", "row[j] -= near_share(",
           "the correction of neighbouring strips has the wrong sign", "normal"),
     Error("elastic_loads", "elastic", "outcome = carry_side(tables, work, state, 1, right, height)",
           "outcome = carry_side(tables, work, state, 1, left, height)",

@@ -1,53 +1,25 @@
 """Normal contact: Hertz in closed form, the complete theory's tables, balances, limits and scaling."""
 
 import csv
-import json
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
-from scipy.special import ellipe, ellipkm1
 
 import wrcontact
-from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
+from tests.helpers.constant_curvatures import MODULUS, hertz, lay_constant_curvatures
+from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.planar_cases import planar_cases
+from tests.reference import brute_force, halfspace_reference
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import regions
+from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
 from wrcontact.kernel.normal import analyn
 from wrcontact.kernel.normal.hertz import hertz_coefficients, hertz_stiffness
-from wrcontact.kernel.normal.node_coefficients import FLOOR, weigh_nodes
+from wrcontact.kernel.normal.node_coefficients import FLOOR
 from wrcontact.kernel.normal.node_patches import fill_from_nodes
 from wrcontact.kernel.patch.outline import write_outline
 from wrcontact.kernel.patch.totals import write_patches
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
-
-from tests.reference import brute_force, halfspace_reference
-from tests.helpers.paths import REFERENCE_DATA
-
-MODULUS = 210e9 / (2 * (1 - 0.28**2))
-
-
-def hertz(A, B, force):
-    """Penetration, semi-axes a (along), b (across) and peak pressure of Hertz's contact by scipy's elliptic integrals.
-
-    Johnson (1985), eq. (4.24)-(4.32), with separation A x^2 + B s^2.
-    """
-    small, large = min(A, B), max(A, B)
-
-    def mismatch(log_q):
-        q = np.exp(log_q)
-        K, E = ellipkm1(q * q), ellipe(1 - q * q)
-        return (K - E) / (E / q**2 - K) - small / large
-
-    q = np.exp(brentq(mismatch, np.log(1e-6), np.log(1 - 1e-9), xtol=1e-15, rtol=1e-15)) if small < large else 1.0
-    K, E = ellipkm1(q * q), ellipe(1 - q * q)
-    L = (2 * E / (np.pi * q**2)) ** (1 / 3)
-    scale = (0.75 * force / (MODULUS * (A + B))) ** (1 / 3)
-    a, b = (L * scale, q * L * scale) if A < B else (q * L * scale, L * scale)
-    penetration = 2 * K / (np.pi * L) * ((0.75 * force / MODULUS) ** 2 * (A + B)) ** (1 / 3)
-    return penetration, a, b, 1.5 * force / (np.pi * a * b)
-
 
 CURVATURES = [(1.087, 1.087 * ratio) for ratio in (0.03, 0.2, 0.7, 1.3, 5.0, 60.0)]
 
@@ -69,36 +41,6 @@ def test_hertz_table_holds_the_elliptic_integrals(ratio):
 def test_hertz_stiffness(A, B):
     penetration = hertz(A, B, 78.5e3)[0]
     assert hertz_stiffness(hertz_table(), 0, A, B, MODULUS) * penetration**1.5 == pytest.approx(78.5e3, rel=1e-8)
-
-
-def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, sweeps=2):
-    """The kernel's tables, workspace and state with nodes on the gap B s^2 and constant A, written by hand; and Hertz's
-    penetration [m]."""
-    head = np.zeros(layout.SETTING_COUNT)
-    settings = layout.Tables.at(head)
-    settings.contact_modulus, settings.strips, settings.sweeps = MODULUS, strips, sweeps
-    parts = {"hertz": hertz_table(), "influence": influence_table()}
-    offset = len(head)
-    for name, table in parts.items():
-        setattr(settings, name, offset)
-        offset += len(table)
-    tables = layout.Tables.at(np.concatenate([head, *parts.values()]))
-    work, state = layout.Work.at(np.zeros(layout.WORK_SIZE)), layout.State.at(np.zeros(layout.STATE_SIZE))
-    penetration = hertz(A, B, force)[0]
-    half_width = np.sqrt(penetration / B)
-    region, at = work.regions[0], work.nodes[0]
-    regions.lean_region(tables, work, region, 0.0)               # one plane: the whole penetration, the whole load
-    region.low, region.high = -1.0, 1.0
-    region.spacing = half_width / half_nodes
-    region.last = half_nodes + 2
-    region.first = -region.last
-    region.width_low = region.width_high = half_width
-    region.side_low = region.side_high = B
-    for k in range(region.first - window, region.last + window + 1):
-        at.gap[k] = B * (region.spacing * k) ** 2
-        at.A[k] = A
-    weigh_nodes(tables, region, at, window, 0)
-    return tables, work, state, penetration
 
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
@@ -164,10 +106,6 @@ def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
     assert (side.penetration, side.area, side.max_pressure) == pytest.approx((penetration, np.pi * a * b, pressure), rel=1e-8)
     outline = side.outline
     np.testing.assert_allclose((outline.half_length / a) ** 2 + (outline.station / b) ** 2, 1.0, atol=1e-8)
-
-
-def planar_cases():
-    return json.loads((REFERENCE_DATA / "contact_planar.json").read_text())["cases"]
 
 
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")

@@ -8,18 +8,28 @@ import pytest
 from scipy.integrate import quad
 
 import wrcontact
+from tests.helpers.constant_curvatures import MODULUS, hertz, lay_constant_curvatures
+from tests.helpers.planar_cases import planar_cases
+from tests.reference import brute_force, halfspace_reference
 from wrcontact import Status
+from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import RANGE, influence, influence_table
-from wrcontact.kernel import layout
-from wrcontact.kernel.normal import analyn, strips
-from wrcontact.kernel.patch import strip_patches
-from wrcontact.kernel.normal.hertz import STEEPEST, hertz_coefficients, skewed_coefficients, upright_coefficients
+from wrcontact.kernel.layout import InfluenceTable
+from wrcontact.kernel.normal import analyn, strip_surfaces
+from wrcontact.kernel.normal.elimination import eliminate
+from wrcontact.kernel.normal.hertz import (
+    STEEPEST,
+    hertz_coefficients,
+    skewed_coefficients,
+    upright_coefficients,
+)
+from wrcontact.kernel.normal.strip_influence import line_influence, near_share
+from wrcontact.kernel.normal.strip_patches import fill_from_strips
+from wrcontact.kernel.normal.strip_placement import place_strips
+from wrcontact.kernel.normal.strips import solve_strips
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
-
-from tests.reference import brute_force, halfspace_reference
-from tests.normal.test_normal_contact import MODULUS, hertz, lay_constant_curvatures, planar_cases
 
 NAMES = ("penetration", "area", "max_pressure")
 EXTENT = (*NAMES, "patch_length", "patch_width")
@@ -76,14 +86,15 @@ def test_influence_is_the_integral_over_the_line(t):
 
 
 def test_influence_table_holds_it_to_1e_6():
-    tables = influence_table()
+    array = influence_table()
+    table = InfluenceTable.at(array)
     u = np.linspace(*RANGE, 5001)
-    held = np.array([strips.influence_value(tables, 0, value) for value in u])
+    held = np.array([line_influence(table, value) for value in u])
     exact = influence(np.exp(u))[0]
     assert np.max(np.abs(held - exact)) < 1e-6
     # beyond the table's ends its ends: nothing is nearer or felt from farther
-    assert strips.influence_value(tables, 0, RANGE[0] - 5) == pytest.approx(exact[0], abs=1e-6)
-    assert strips.influence_value(tables, 0, RANGE[1] + 5) == pytest.approx(exact[-1], abs=1e-6)
+    assert line_influence(table, RANGE[0] - 5) == pytest.approx(exact[0], abs=1e-6)
+    assert line_influence(table, RANGE[1] + 5) == pytest.approx(exact[-1], abs=1e-6)
 
 
 def test_influence_close_by_is_a_logarithm_and_far_away_a_point():
@@ -99,8 +110,8 @@ def test_influence_close_by_is_a_logarithm_and_far_away_a_point():
 def test_near_share_is_the_mean_of_the_logarithm(share):
     """Mean of -2 ln(distance) over a strip of half-width ``share`` times the distance, less its middle value."""
     mean = quad(lambda v: -2 * math.log(1 + share * v), -1, 1, epsabs=1e-14)[0] / 2
-    assert strips.near_share(share) == pytest.approx(mean, abs=1e-15 + share**12 / 60)
-    assert strips.near_share(share) < mean + 1e-15
+    assert near_share(share) == pytest.approx(mean, abs=1e-15 + share**12 / 60)
+    assert near_share(share) < mean + 1e-15
 
 
 # --- the linear system --------------------------------------------------------------------------------------------------------
@@ -111,13 +122,15 @@ def test_elimination(size):
     rng = np.random.default_rng(size)
     matrix = rng.uniform(-1, 1, (size, size)) + np.diag(rng.uniform(1.5, 3, size) * size)
     sides = rng.uniform(-1, 1, (size, 2))
-    work = np.zeros(layout.WORK_SIZE)
-    place = slice(layout.WORK_SYSTEM, layout.WORK_SYSTEM + size * (size + 2))
-    work[place] = np.hstack([matrix, sides]).ravel()
-    strips.eliminate(work, size)
-    found = work[place].reshape(size, size + 2)[:, size:]
-    np.testing.assert_allclose(found, np.linalg.solve(matrix, sides), rtol=1e-11, atol=1e-14)
-    assert not work[place.stop:].any() and not work[:place.start].any()
+    array = np.zeros(layout.WORK_SIZE)
+    equations = layout.Work.at(array).equations
+    rows = np.frombuffer(equations).reshape(len(equations), -1)
+    rows[:size, :size + 2] = np.hstack([matrix, sides])
+    others = np.ones_like(array, dtype=bool)
+    others[layout.WORK_EQUATIONS:][:rows.size].reshape(rows.shape)[:size, :size + 2] = False
+    eliminate(equations, size)
+    np.testing.assert_allclose(rows[:size, size:size + 2], np.linalg.solve(matrix, sides), rtol=1e-11, atol=1e-14)
+    assert not array[others].any()
 
 
 # --- Hertz --------------------------------------------------------------------------------------------------------------------
@@ -125,12 +138,16 @@ def test_elimination(size):
 
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
     """The strip correction on the gap B s^2 and constant A: relative errors in penetration, area and pressure (3,)."""
-    tables, work, state, expected = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
-    predicted, met = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * expected, 0)
+    tables, work, state, hertzian = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
+    predicted, met = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * hertzian, 0)
     assert met == 1
-    penetration, found, met = strips.correct_strips(tables, work, state, 1, force, predicted, 0)
-    assert met == 1 and found == count
-    strip_patches.gather_strips(work, found)
+    problem = work.strip_problem
+    place_strips(problem, work.regions, work.nodes, 1, tables.strips, predicted)
+    assert problem.count == count
+    strip_surfaces.describe_strips(problem, work.regions, work.nodes)
+    penetration, found = solve_strips(problem, work.regions, work.nodes, work.equations, tables, state, force, 0)
+    assert found == 1
+    fill_from_strips(problem, work.regions, work.solved)
     exact, a, b, pressure = hertz(A, B, force)
     totals = work.solved.totals
     assert totals.load == pytest.approx(force, rel=1e-12)
@@ -159,7 +176,7 @@ def test_halves_of_strips_stay_above_half_their_width(monkeypatch):
     itself down by its own pressure.  A patch a twenty-fifth as long as wide shows it."""
     short = (1.0, 0.003, 1.0)
     assert np.all(np.abs(solve_constant_curvatures(*short)) < 0.1)
-    monkeypatch.setattr(strips, "SQUARE", 0.01)
+    monkeypatch.setattr(strip_surfaces, "SQUARE", 0.01)
     with pytest.raises((AssertionError, ValueError)):
         solve_constant_curvatures(*short)
 

@@ -25,7 +25,8 @@ from wrcontact.methods.resolution import FINEST
 from wrcontact.system import CHOICES
 
 from tests.reference import brute_force, halfspace_reference
-from tests.normal.test_normal_contact import MODULUS, hertz, planar_cases
+from tests.helpers.constant_curvatures import MODULUS, hertz
+from tests.helpers.planar_cases import planar_cases
 
 WIDE = (-0.2, 0.2, -0.2, 0.2)
 

@@ -15,7 +15,7 @@ from scipy.optimize import brentq, root
 
 import wrcontact
 from tests.binding.test_native_library import bits, needs_library, run_steps
-from tests.normal.test_normal_contact import MODULUS, hertz
+from tests.helpers.constant_curvatures import MODULUS, hertz
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import overlaps
 from wrcontact.profiles.catalogue import standard_profile

@@ -13,8 +13,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..layout import Cubic, InfluenceTable
+from ..layout.record import OPEN, size
 from .hertz_table import elliptic_parts
-from ..normal import strips as layout
 
 RANGE = (-11.0, 7.0)  #: of ln t; no two strips lie closer, and farther away nothing is felt
 CELLS_PER_UNIT = 10   #: cubics over these cells hold Phi to 1e-6
@@ -36,11 +37,12 @@ def influence_table():
     value, slope = influence(np.exp(start + np.arange(count + 1) / CELLS_PER_UNIT))
     slope = slope / CELLS_PER_UNIT
     rise = np.diff(value)
-    cells = np.zeros((count + 1, layout.TABLE_ROW))
-    cells[:, 0] = value
-    cells[:-1, 1] = slope[:-1]
-    cells[:-1, 2] = 3.0 * rise - 2.0 * slope[:-1] - slope[1:]
-    cells[:-1, 3] = slope[:-1] + slope[1:] - 2.0 * rise
-    head = np.zeros(layout.TABLE_CELLS)
-    head[[layout.TABLE_START, layout.TABLE_CELLS_PER_UNIT, layout.TABLE_COUNT]] = start, CELLS_PER_UNIT, count
-    return np.concatenate([head, cells.ravel()])
+    cubics = np.zeros((count + 1, 4))           # the record Cubic
+    cubics[:, 0] = value
+    cubics[:-1, 1] = slope[:-1]
+    cubics[:-1, 2] = 3.0 * rise - 2.0 * slope[:-1] - slope[1:]
+    cubics[:-1, 3] = slope[:-1] + slope[1:] - 2.0 * rise
+    table = np.concatenate([np.zeros(size(InfluenceTable) - OPEN * size(Cubic)), cubics.ravel()])
+    head = InfluenceTable.at(table)
+    head.start, head.cells_per_unit, head.count = start, CELLS_PER_UNIT, count
+    return table

@@ -73,9 +73,6 @@ class Region:
     slope: float                    # change of its level per change of the penetration [-]
     move: float                     # change of its level that closes the residual [m]
     width_level: float              # level that the half-widths were measured at [m]
-    start: float                    # where its strips begin and end [m]
-    stop: float
-    weight: float                   # integral of their density's graded part
     square: float                   # square of its half-length as estimated [m^2]
     reached: float                  # rise of the gap where the last half-width ends [m]
     side_low: float                 # lateral curvature on either side, rise over square of the half-width [1/m]
@@ -95,7 +92,7 @@ class Region:
     lean: float                     # slope of the rail at its minimum
     along: float                    # track coordinate x of the minimum [m], where regions lean apart
     strip: int                      # the strip of the solved patches at its minimum
-    spare_43: Float * 5
+    spare_43: Float * 8
 
 
 Regions = Region * REGION_LIMIT

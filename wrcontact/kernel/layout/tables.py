@@ -1,5 +1,6 @@
 """The array ``tables``: what is fixed during a simulation. Settings are at its head, then come the tables that they point to."""
 
+from .normal import InfluenceTable
 from .record import Float, To, record
 from .surface import CurvatureTable, Profile
 
@@ -22,9 +23,9 @@ class Tables:
     penetration: Float * 2          # prescribed, left and right [m]; not a number: the force is prescribed
     nodes: float                    # nodes per half-width of the interpenetration, a multiple of five
     stride: float                   # every so many of them are traced on the profiles
-    strips: float                   # strips of the strip correction
-    sweeps: float                   # and how often it is made
-    influence: float                # offset of its table
+    strips: int                     # strips of the strip correction that are asked for
+    sweeps: int                     # and how often it is made
+    influence: To(InfluenceTable)   # how its strips displace the half-space beside them
     starts: float                   # offset of the table of starts
     sides: float                    # which sides are wanted, one of SIDES_...
     depth: float                    # what is wanted of them, one of DEPTH_...

@@ -2,7 +2,7 @@
 
 from .contact import CONTACT_BLOCK, OVERLAP_BLOCK, REGION_LIMIT, Frame, Origin, Regions
 from .interface import Inputs, Outputs
-from .normal import STRIP_FIELDS, STRIP_LIMIT, NodesOfRegions
+from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
 from .search import ROLLS_BLOCK, SideSearch
@@ -24,10 +24,8 @@ class Work:
     regions: Regions
     nodes: NodesOfRegions
     solved: SolvedPatches
-    strips: Float * (STRIP_FIELDS * STRIP_LIMIT)
-    distance: Float * (STRIP_LIMIT * STRIP_LIMIT)
-    influence: Float * (STRIP_LIMIT * STRIP_LIMIT)
-    system: Float * (STRIP_LIMIT * (STRIP_LIMIT + 2))
+    strip_problem: StripProblem
+    equations: Equations
     origin: Origin
     frames: Float * (CONTACT_BLOCK * (REGION_LIMIT + 1))
     overlap: Float * OVERLAP_BLOCK

@@ -13,7 +13,7 @@ have planes of their own (:mod:`planes`), the penetration counts by its share al
 the angle between the two.
 """
 
-from math import fabs, sqrt
+from math import fabs
 from typing import Final
 
 from ..layout import Nodes, NodesOfRegions, Region, Regions, State, Tables

@@ -1,4 +1,5 @@
-"""How the regions of one side press on each other: one half-space, planes of their own (docs/method.md, section 7.5)."""
+"""How the regions of one side press on each other: one half-space, planes of their own (docs/method.md,
+(8.4))."""
 
 from math import pi, sqrt
 from typing import Final
@@ -7,15 +8,17 @@ from ..layout import Region, Tables
 
 #: Share of the squares of two regions' half-lengths that counts as distance between them.
 ELONGATED: Final[float] = 0.3
-#: Cosine of the angle between two planes, 15 degrees.  Below it the lead of one region over the other counts as distance.
+#: Cosine of the angle between two planes, 15 degrees.  Below it the lead of one region over the other counts
+#: as distance.
 INCLINED: Final[float] = 0.9659258262890683
 
 
 def region_influence(tables: Tables, one: Region, other: Region):
     """Displacement of region ``one`` under one newton on region ``other`` [m/N].
 
-    Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and the lead of one
-    region over the other.  The displacement counts by the cosine of the angle between the planes.
+    Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and
+    the lead of one region over the other.  The displacement counts by the cosine of the angle between the
+    planes.
     """
     distance = one.offset + one.middle - other.offset - other.middle
     lead = region_lead(one, other)
@@ -27,11 +30,12 @@ def region_influence(tables: Tables, one: Region, other: Region):
 
 
 def region_lead(one: Region, other: Region):
-    """How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their planes form an
-    angle of less than 15 degrees.
+    """How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their
+    planes form an angle of less than 15 degrees.
 
-    A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, the
-    lead is left out: the upright patches (docs/method.md, section 9) do without it, and the half-space agrees better.
+    A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
+    ... 3 mm in 10, the lead is left out: the upright patches (docs/method.md, section 9) do without it, and
+    the half-space agrees better.
     """
     lead = 0.0
     if planes_cosine(one, other) < INCLINED:

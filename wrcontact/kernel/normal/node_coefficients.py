@@ -83,6 +83,9 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     alpha_factor = 1.0
     beta_factor = 1.0
     nr_factor = 1.0
+    region.upright_a = 1.0
+    region.upright_b = 1.0
+    region.upright_share = 1.0
     if yawed == 1:
         alpha_factor, beta_factor, nr_factor = skew_factors(tables, region, nodes.A[0])
     mean = 0.5 * (region.width_low + region.width_high)

@@ -32,7 +32,7 @@ MEASURED: Final[float] = 0.9
 COVER: Final[float] = 1.1
 #: this share; the estimate of the local penetration is within 12 % for nine of ten poses.
 SPREAD: Final[float] = 1.25
-#: The same where strips follow, which lie beyond ANALYN's patch too (strips.BEYOND).
+#: The same where strips follow, which lie beyond ANALYN's patch too (strip_placement.BEYOND).
 STRIP_SPREAD: Final[float] = 3.0
 #: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end nearly closes.
 NARROWEST: Final[float] = 0.01

@@ -4,21 +4,27 @@ from math import isfinite
 
 from ..contact.planes import line_up
 from ..layout import SideSearch, State, Tables, Work
-from ..patch.strip_patches import gather_strips
 from .analyn_contact import solve_analyn
-from .strips import correct_strips
+from .strip_patches import fill_from_strips
+from .strip_placement import place_strips
+from .strip_surfaces import describe_strips
+from .strips import solve_strips
 
 
 def strip_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
-    """Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1 when the force is
-    satisfied, else 0."""
+    """Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1 when the
+    force is satisfied, else 0."""
     by_penetration = 0
     if isfinite(prescribed):
         by_penetration = 1
     penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
     if satisfied == 1:
         line_up(tables, work, count)
-        penetration, strips, satisfied = correct_strips(tables, work, state, count, force, penetration, by_penetration)
+        problem = work.strip_problem
+        place_strips(problem, work.regions, work.nodes, count, tables.strips, penetration)
+        describe_strips(problem, work.regions, work.nodes)
+        penetration, satisfied = solve_strips(problem, work.regions, work.nodes, work.equations, tables, state, force,
+                                              by_penetration)
         if satisfied == 1:
-            gather_strips(work, strips)
+            fill_from_strips(problem, work.regions, work.solved)
     return penetration, count, satisfied

@@ -48,7 +48,6 @@ from ..layout import (
     MODE_COMPLIANT,
     MODE_ELASTIC,
     MODE_RIGID,
-    WORK_SYSTEM,
     Place,
     Region,
     SideSearch,
@@ -59,7 +58,7 @@ from ..layout import (
 from ..normal.analyn import load_regions, region_load, solve_levels
 from ..normal.interaction import region_influence
 from ..normal.hertz import table_value, upright_coefficients
-from ..normal.strips import eliminate
+from ..normal.elimination import eliminate
 from ..search.roll import place_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, outline_jet, turn_wheelset
@@ -292,48 +291,48 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
     if met == 0:
         return penetration, met
     size = count + 1
-    width = size + 2
+    equations = work.equations
     for i in range(count):
         region = regions[i]
         region.level = held(region.level)
     total = load_regions(regions, nodes, count)
-    last = WORK_SYSTEM + width * count
+    last = equations[count]
     for i in range(count):
         block = regions[i]
-        row = WORK_SYSTEM + width * i
+        row = equations[i]
         pushed = 0.0
         for j in range(count):
             share = 0.0
             if j != i:
                 share = region_influence(tables, block, regions[j])
             pushed += share * regions[j].load
-            work[row + j] = held(share)
+            row[j] = held(share)
         rest = block.turn * held(penetration) - block.gap - pushed
-        work[row + count] = -held(block.turn)
-        work[row + size] = rate_of(rest)
-        work[row + size + 1] = 0.0
+        row[count] = -held(block.turn)
+        row[size] = rate_of(rest)
+        row[size + 1] = 0.0
     for j in range(count):
         block = regions[j]
         load, stiffness = region_load(block, nodes[j], seeded(block.level, 1.0))
         per_level = rate_of(load) - rate_of(block.load)
         for i in range(count):
-            work[WORK_SYSTEM + width * i + j] = held(work[WORK_SYSTEM + width * i + j]) * per_level
-        work[WORK_SYSTEM + width * j + j] = held(work[WORK_SYSTEM + width * j + j]) + 1.0
-        work[last + j] = 0.0
+            equations[i][j] = held(equations[i][j]) * per_level
+        equations[j][j] = held(equations[j][j]) + 1.0
+        last[j] = 0.0
         if prescribed == 0:
-            work[last + j] = held(block.share) * per_level
-    work[last + count] = 0.0
-    work[last + size] = rate_of(force - total)
-    work[last + size + 1] = 0.0
+            last[j] = held(block.share) * per_level
+    last[count] = 0.0
+    last[size] = rate_of(force - total)
+    last[size + 1] = 0.0
     if prescribed == 1:
-        work[last + count] = 1.0
-        work[last + size] = rate_of(given)
-    eliminate(work.raw, size)
+        last[count] = 1.0
+        last[size] = rate_of(given)
+    eliminate(equations, size)
     for i in range(count):
         region = regions[i]
-        region.level = seeded(region.level, work[WORK_SYSTEM + width * i + size])
+        region.level = seeded(region.level, equations[i][size])
     load_regions(regions, nodes, count)
-    penetration = seeded(penetration, work[last + size])
+    penetration = seeded(penetration, last[size])
     return penetration, met
 
 
