@@ -17,14 +17,14 @@ OFF_MIDDLE = 0.05e-3  # [m] largest distance of an oscillation's middle from the
 ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder of UIC60, 5 to 8 1/m
 
 
-def sentences(*, usable, usable_shifts, jumps, nearest_jump, flange_shift, curves, conformal, conicity, wheel, rail, **_):
-    """The remarks (a tuple of sentences) on the results of ``check``, which are the attributes of a
-    Conditioning."""
-    if not math.isfinite(usable_shifts[0]):
-        return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
-                *_on_profile(wheel), *_on_profile(rail))
-    return (*_on_range(usable, usable_shifts, flange_shift, curves), *_on_jumps(jumps, nearest_jump), *_on_moves(curves),
-            *_on_zones(conformal), *_on_conicity(conicity), *_on_profile(wheel), *_on_profile(rail))
+def sentences(found):
+    """The remarks (a tuple of sentences) on the results of ``check``, a Conditioning."""
+    on_profiles = *_on_profile(found.wheel), *_on_profile(found.rail)
+    if not math.isfinite(found.usable_shifts[0]):
+        return "there is no contact in the centred position: the smallest gap lies at the end of a profile", *on_profiles
+    return (*_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
+            *_on_jumps(found.jumps, found.nearest_jump), *_on_moves(found.curves), *_on_zones(found.conformal),
+            *_on_conicity(found.conicity), *on_profiles)
 
 
 def _mm(value, digits=2):

@@ -1,7 +1,7 @@
 """The check of a pair of profiles: a wheelset is moved across the track, and its contacts are examined."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -89,7 +89,8 @@ def check(system):
     }
     first, last = found["usable_shifts"]
     usable = bool(first <= -LEAST_RANGE and last >= LEAST_RANGE)
-    return Conditioning(system=system, usable=usable, **found, remarks=sentences(usable=usable, **found))
+    silent = Conditioning(system=system, usable=usable, **found, remarks=())
+    return replace(silent, remarks=sentences(silent))
 
 
 def _wheelset(system, contact_mode):

@@ -12,11 +12,12 @@ from ..interface.variables import VARIABLES
 from ..kernel.binding.platforms import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from ..storage.atomic import write_atomically
-from . import SOURCES, description, description3, native_model
+from . import description, description3, native_model
 from .archive import archive, chosen_profiles, fingerprint, licence, problems_of
 from .compilers import compile_platform
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
+from .sources import SOURCES
 from .terminals import terminals_and_icons
 
 NATIVE = SOURCES / "native"

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
+from .definition import definition
 from .files import read_profile, zones_through
 from .reading import Reading
 
@@ -101,6 +102,10 @@ class Profile:
             if the points are too few, not finite, not rising in y, or do not have the size of a profile.
         """
         return cls(name, kind, zones_through(y, z, name, kind))
+
+    def definition(self):
+        """The zones as one array (n,), which the kernel's preparation reads."""
+        return definition(self)
 
     @property
     def start(self):

@@ -12,7 +12,6 @@ from .. import layout
 from ..prepare import tables as prepare_tables
 from .library import default_kernel
 from ..prepare.scan import FINE_STEP
-from ...profiles.definition import definition
 
 #: Where the setup of the kernel's preparation keeps parameters and methods.
 SETUP = {"rail_inclination": prepare_tables.SETUP_INCLINATION, "gauge": prepare_tables.SETUP_GAUGE,
@@ -44,7 +43,7 @@ def prepare_tables_of(wheel, rail, *, parameters, methods, resolution):
     for name, at in SETUP_METHODS.items():
         setup[at] = methods[name]
     setup[SETUP_RESOLUTION], setup[prepare_tables.SETUP_NAN] = resolution, np.nan
-    outcome, tables, report = default_kernel().prepare(setup, definition(wheel), definition(rail), hertz_table(),
+    outcome, tables, report = default_kernel().prepare(setup, wheel.definition(), rail.definition(), hertz_table(),
                                                        influence_table())
     if outcome == prepare_tables.PREPARED:
         return tables

@@ -1,0 +1,192 @@
+"""The structure of the code: which room imports which, how long files and functions are.
+
+A room is a folder of the package, or a module at its top.  Rooms stand in one order; a module imports from its own room and
+from rooms before it, and no modules import each other in a circle.  A function that needs more lines or arguments than the
+limits says so in its docstring, in a line that starts with "Long because" or "Many arguments because".
+"""
+
+import ast
+
+import pytest
+
+from tests.helpers.paths import ROOT
+from wrcontact.kernel.binding.files import ROOMS
+
+PACKAGE = ROOT / "wrcontact"
+#: Rooms from upstream to downstream.  The FMU's sources in fmu_src are modules of wrcontact.fmu.
+ORDER = ("storage", "conventions", *(f"kernel.{room}" for room in ROOMS), "kernel.binding", "profiles", "methods", "state",
+         "status", "stepper", "reference", "system", "interface", "conditioning", "study", "plots", "fmu", "cli")
+#: What a user holds; nothing else stands loose at the top of the package.
+TOP = {"system", "stepper", "state", "status", "conventions"}
+CODE = ("wrcontact", "fmu_src", "build_hooks", "tools", "benchmarks", "docs", "examples")
+
+MOST_LINES = 399            # of a file
+FUNCTION_LINES = 60
+MOST_ARGUMENTS = 8          # without self
+REASONS = {"lines": "Long because", "arguments": "Many arguments because"}
+
+#: Known exceptions, which have to shrink to nothing: a test fails when one is no longer needed.
+BACK_IMPORTS = {
+    ("kernel.patch.strip_patches", "kernel.normal.strips"),
+}
+LONG_FILES = {
+    "tools/transpile_kernel.py",
+    *(f"wrcontact/kernel/{name}.py" for name in ("contact/overlaps", "normal/strips", "search/search", "tangent/implicit",
+                                                 "wheelset/elastic")),
+}
+#: (File, function, what exceeds the limit.)
+LARGE_FUNCTIONS = {
+    ("wrcontact/kernel/contact/regions.py", "zone_width", "lines"),
+    ("wrcontact/kernel/normal/nodes.py", "fill_between", "arguments"),
+    ("wrcontact/kernel/normal/nodes.py", "lay_nodes", "arguments"),
+    ("wrcontact/kernel/normal/nodes.py", "lay_nodes", "lines"),
+    ("wrcontact/kernel/prepare/curvatures.py", "circle_curvature", "arguments"),
+    ("wrcontact/kernel/prepare/curvatures.py", "write_curvatures", "arguments"),
+    ("wrcontact/kernel/prepare/pieces.py", "write_quintic", "arguments"),
+    ("wrcontact/kernel/search/search.py", "bound_cell", "arguments"),
+    ("wrcontact/kernel/search/search.py", "clear_level", "arguments"),
+    ("wrcontact/kernel/search/search.py", "list_cell", "arguments"),
+    ("wrcontact/kernel/search/search.py", "list_end", "arguments"),
+    ("wrcontact/kernel/search/search.py", "refine_minimum", "arguments"),
+    ("wrcontact/kernel/search/search.py", "scan_on", "arguments"),
+    ("wrcontact/kernel/search/search.py", "search_cell", "arguments"),
+    ("wrcontact/kernel/search/search.py", "search_end", "arguments"),
+    ("wrcontact/kernel/wheelset/elastic.py", "bracket_roll", "lines"),
+    ("wrcontact/kernel/wheelset/elastic.py", "solve_elastic", "lines"),
+    ("wrcontact/system.py", "__init__", "arguments"),
+    ("wrcontact/system.py", "evaluate", "arguments"),
+    ("wrcontact/system.py", "evaluate_many", "arguments"),
+}
+
+
+def modules():
+    """Path of every module of the package by its name without ``wrcontact.``; packages by their own name."""
+    found = {}
+    for top, prefix in ((PACKAGE, ()), (ROOT / "fmu_src", ("fmu",))):
+        for path in sorted(top.rglob("*.py")):
+            parts = (*prefix, *path.relative_to(top).with_suffix("").parts)
+            found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return found
+
+
+MODULES = modules()
+TREES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in MODULES.items()}
+
+
+def targets(name, node):
+    """(Module, name or None) of everything that an import statement of the module ``name`` reads, in the package."""
+    parts = name.split(".") if name else []
+    package = parts if MODULES[name].name == "__init__.py" else parts[:-1]
+    if isinstance(node, ast.Import):
+        for alias in node.names:
+            if alias.name.split(".")[0] == PACKAGE.name:
+                yield ".".join(alias.name.split(".")[1:]), None
+    elif isinstance(node, ast.ImportFrom):
+        inside = (node.module or "").split(".") if node.module else []
+        if not node.level and inside[0] != PACKAGE.name:
+            return
+        base = [*package[:len(package) - node.level + 1], *inside] if node.level else inside[1:]
+        yield from ((".".join(base), alias.name) for alias in node.names)
+    elif isinstance(node, ast.Call) and getattr(node.func, "id", None) == "import_module":
+        words = node.args[0].value
+        dots = len(words) - len(words.lstrip("."))
+        yield ".".join([*package[:len(package) - dots + 1], words.lstrip(".")]), None
+
+
+def home(module, name):
+    """The module that ``from module import name`` reads: a submodule, or where a package's face has the name from."""
+    if name is None or name == "*":
+        return module
+    if ".".join(filter(None, (module, name))) in MODULES:
+        return ".".join(filter(None, (module, name)))
+    if module in MODULES and MODULES[module].name == "__init__.py":
+        for node in TREES[module].body:
+            if isinstance(node, ast.ImportFrom) and any(alias.name == name for alias in node.names):
+                return next(home(*target) for target in targets(module, node) if target[1] == name)
+    return module
+
+
+def imports():
+    """Modules that each module imports, anywhere in it; the package's own face, which hands names on, imports nothing."""
+    return {name: {home(*target) for node in ast.walk(tree) for target in targets(name, node)} - {name, ""}
+            for name, tree in TREES.items() if name}
+
+
+IMPORTS = imports()
+
+
+def room(name):
+    parts = name.split(".")
+    return ".".join(parts[:2]) if parts[0] == "kernel" and len(parts) > 1 else parts[0]
+
+
+def test_every_module_has_a_room():
+    assert {room(name) for name in IMPORTS} - {"kernel"} == set(ORDER)
+    assert {path.stem for path in PACKAGE.glob("*.py")} - {"__init__"} == TOP
+    assert all(target in MODULES for targets in IMPORTS.values() for target in targets)
+
+
+def test_imports_point_upstream():
+    place = {name: k for k, name in enumerate(ORDER)}
+    back = {(name, target) for name, targets in IMPORTS.items() for target in targets
+            if room(name) != "kernel" and place[room(target)] > place[room(name)]}
+    assert back == BACK_IMPORTS
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    """What imports nothing, or only what has been taken away already, is taken away; a circle would remain."""
+    left = dict(IMPORTS)
+    while ends := [name for name, targets in left.items() if not targets & set(left)]:
+        for name in ends:
+            del left[name]
+    assert left == {}
+
+
+# --- sizes ------------------------------------------------------------------------------------------------------------
+
+
+def hand_written(*endings):
+    """Files of the project's code that people write, by their path."""
+    for folder in CODE:
+        for path in sorted((ROOT / folder).rglob("*")):
+            inside = path.relative_to(ROOT)
+            if path.suffix in endings and not {"generated", "__pycache__"} & set(inside.parts):
+                yield inside.as_posix(), path.read_text(encoding="utf-8")
+
+
+def test_files_are_short():
+    long = {name for name, text in hand_written(".py", ".c", ".h") if text.count("\n") > MOST_LINES}
+    assert long == LONG_FILES
+
+
+def too_large(node):
+    """By what a function exceeds the limits without a reason in its docstring: "lines", "arguments"."""
+    arguments = node.args
+    names = [argument.arg for argument in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs,
+                                           *filter(None, (arguments.vararg, arguments.kwarg)))]
+    sizes = {"lines": node.end_lineno - node.lineno + 1 > FUNCTION_LINES,
+             "arguments": len(names) - (names[:1] in (["self"], ["cls"])) > MOST_ARGUMENTS}
+    reasons = [line.strip() for line in (ast.get_docstring(node) or "").splitlines()]
+    return [kind for kind, exceeded in sizes.items()
+            if exceeded and not any(line.startswith(REASONS[kind]) for line in reasons)]
+
+
+def functions(tree):
+    return [node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))]
+
+
+def test_functions_are_small():
+    found = {(name, node.name, kind) for name, text in hand_written(".py") for node in functions(ast.parse(text))
+             for kind in too_large(node)}
+    assert found == LARGE_FUNCTIONS
+
+
+@pytest.mark.parametrize("text, found", [
+    ("def f(self, a, b, c, d, e, f, g, h): pass", []),
+    ("def f(a, b, c, d, e, f, *, g, h, **i): pass", ["arguments"]),
+    ("def f(a, b, c, d, e, f, g, h, i):\n    '''F.\n\n    Many arguments because they are one each.\n    '''", []),
+    ("def f():\n" + "    pass\n" * 60, ["lines"]),
+    ("def f():\n" + "    pass\n" * 59, []),
+    ("def f():\n    '''F.\n\n    Long because it is a table.\n    '''\n" + "    pass\n" * 60, [])])
+def test_a_function_s_size_is_seen(text, found):
+    assert too_large(ast.parse(text).body[0]) == found
