@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 import wrcontact
-from wrcontact.methods.resolution import COUNTS, LADDERS, USERS
+from wrcontact.methods import Analyn, Strip
 
 from .table import markdown, percent
 
@@ -179,14 +179,14 @@ def numerics(count):
     1:40."""
     poses = [pose(index)._replace(rail="UIC60", inclination=1 / 40) for index in range(count)]
     rows = []
-    for model, ladder in LADDERS.items():
-        finest = {name: high for name, (_, high) in COUNTS.items() if model in USERS[name]}
-        truth, _ = answers(poses, normal_model=model, **finest)
-        for tolerance in ladder:
-            found, _ = answers(poses, normal_model=model, tolerance=tolerance)
+    for model in (Analyn, Strip):
+        finest = {name: known.high for name, known in model.numbers().items() if known.whole}
+        truth, _ = answers(poses, normal_model=model(**finest))
+        for tolerance in model.ladder:
+            found, _ = answers(poses, normal_model=model(tolerance=tolerance))
             wheels = np.abs(found / truth - 1).reshape(-1, 3)
             wheel = int(np.nanargmax(wheels.max(axis=1)))
-            rows.append([f"{model}, tolerance {tolerance:g}",
+            rows.append([f"{model.name}, tolerance {tolerance:g}",
                          *(percent(np.nanpercentile(wheels, at, axis=0)) for at in PERCENTILES),
                          f"{SIDES[wheel % 2]}, pose {wheel // 2}"])
     header = ["numerics", *(f"{percentile} of 100" for percentile in PERCENTILES[:-1]), "worst", "where"]

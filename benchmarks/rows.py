@@ -12,8 +12,7 @@ from functools import cache
 import numpy as np
 
 import wrcontact
-from wrcontact.interface.variables import OUTPUT, select
-from wrcontact.methods.resolution import LADDERS
+from wrcontact.methods import Analyn, Strip
 
 from . import errors, runs
 from .machine import Cost, cost
@@ -22,7 +21,7 @@ HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
 EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
-FMU_ROW = f"analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all {len(select(OUTPUT))} outputs"
+FMU_ROW = "analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all outputs"
 
 
 @dataclass(frozen=True)
@@ -98,13 +97,13 @@ def ladders(effort):
     """ANALYN and the strip correction at each of their tolerances, and ANALYN with the other longitudinal
     curvature."""
     poses = runs.trajectory(effort.count, yaw=0.0)
-    for model, ladder in LADDERS.items():
-        for tolerance, resolution in ladder.items():
-            of = system(normal_model=model, tolerance=tolerance)
-            strips = f", {resolution.strips} strips × {resolution.sweeps}" if model == "analyn_strip" else ""
-            yield Row(f"{model}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})", model, batch(of, poses),
+    for model in (Analyn, Strip):
+        for tolerance, resolution in model.ladder.items():
+            of, finest = system(normal_model=model(tolerance=tolerance)), min(model.ladder)
+            strips = f", {resolution.strips} strips × {resolution.sweeps}" if model is Strip else ""
+            yield Row(f"{model.name}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})", model.name, batch(of, poses),
                       effort.count, of, effort.rounds, setting=f"{tolerance:g}",
-                      short=tolerance in (0.01, min(ladder)) and (model, tolerance) != ("analyn", min(ladder)))
+                      short=tolerance == 0.01 or (model is Strip and tolerance == finest))
     basic = system(longitudinal_curvature="basic")
     yield Row("analyn, longitudinal curvature basic", "analyn", batch(basic, poses), effort.count, basic, effort.rounds)
 

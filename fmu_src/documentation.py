@@ -6,7 +6,7 @@ from xml.etree.ElementTree import fromstring
 
 from ..conventions import SIDES
 from ..interface.variables import folded
-from ..system import CHOICES
+from ..methods import CHOICES
 
 ICON = Path(__file__).resolve().parent / "icon.svg"
 

@@ -1,19 +1,21 @@
 """What the native FMU's C must know, from the one table of variables: sizes, variables, profiles and fixed
 tables as C text."""
 
-from ..kernel.binding.hertz_table import hertz_table
-from ..kernel.binding.influence_table import influence_table
+import numpy as np
+
+from ..interface.inputs import LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
+from ..interface.parameters import checked_parameters
 from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, REFERENCE, STATUS, STRING, VARIABLES
 from ..kernel import layout
+from ..kernel.binding.hertz_table import hertz_table
+from ..kernel.binding.influence_table import influence_table
+from ..kernel.binding.setup import PLACES, setup_of
 from ..kernel.prepare import tables as prepare_tables
-from ..kernel.wheelset.elastic import DEEPEST
 from ..kernel.prepare.scan import FINE_STEP
-from ..kernel.prepare.tables import LATERAL_LIMIT, YAW_LIMIT
-from ..kernel.search.roll import ROLL_LIMIT
+from ..kernel.wheelset.elastic import DEEPEST
+from ..methods import NUMBERS, family_of
+from ..methods.numbers import unit_behind
 from ..profiles.definition import definition
-from ..methods.resolution import FINEST, LADDERS, ANALYN
-from ..system import METHOD_NUMBERS
-from ..kernel.binding.setup import SETUP, SETUP_METHODS
 
 TEXT = 256        #: bytes of a String, with the zero at its end
 SENTENCE = 1024   #: and of a sentence
@@ -34,9 +36,9 @@ def sizes_header(token, profiles, blocks):
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "PROFILES": len(profiles), "LADDERS": len(ladders()), "BLOCKS": len(blocks),
         "HERTZ_SIZE": len(hertz_table()), "INFLUENCE_SIZE": len(influence_table()),
-        "STATIONS": layout.STATION_COUNT, "OUTLINES": 6 * layout.STATION_LIMIT,
+        "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.WORK_OUTPUTS, "WORK": layout.WORK_SIZE,
-        "SETUP": prepare_tables.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
+        "SETUP": layout.SETUP_SIZE, "REPORT": prepare_tables.REPORT_COUNT,
         "LATERAL_LIMIT": LATERAL_LIMIT, "YAW_LIMIT": YAW_LIMIT, "ROLL_LIMIT": ROLL_LIMIT, "DEEPEST": DEEPEST,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
@@ -51,7 +53,7 @@ def model_code(starts, profiles, blocks):
     parts = [BANNER, '#include "model.h"', ""]
     for variable in VARIABLES:
         if variable.choices:
-            rows = [f"    {{{text(name)}, {METHOD_NUMBERS[variable.name][name]}}}," for name in variable.choices]
+            rows = [f"    {{{text(name)}, {NUMBERS[variable.name][name]}}}," for name in variable.choices]
             parts += [f"static const model_choice {variable.name}_choices[] = {{", *rows, "};", ""]
     parts += ["const model_variable model_variables[MODEL_VARIABLES] = {", *(row(v, starts) for v in VARIABLES), "};", ""]
     rows = []
@@ -60,6 +62,7 @@ def model_code(starts, profiles, blocks):
         parts += numbers(f"static const double profile_{number}[]", values)
         rows.append(f"    {{{text(name)}, {text(profile.kind)}, profile_{number}, {len(values)}}},")
     parts += ["const model_profile model_profiles[MODEL_PROFILES] = {", *rows, "};", "", *ladder_code()]
+    parts += numbers("const double model_setup[MODEL_SETUP]", default_setup())
     parts += numbers("const double model_hertz[MODEL_HERTZ_SIZE]", hertz_table())
     parts += numbers("const double model_influence[MODEL_INFLUENCE_SIZE]", influence_table())
     rows = [f"    {{{first}, {run}}}," for first, run in blocks]
@@ -67,32 +70,37 @@ def model_code(starts, profiles, blocks):
     return "\n".join(parts) + "\n"
 
 
+def default_setup():
+    """The kernel's setup with all defaults; 0 where it has not a number."""
+    return np.nan_to_num(setup_of(*checked_parameters({}, {})))
+
+
 def row(variable, starts):
     """One variable as C."""
     start = starts.get(variable.name, variable.start)
     number = start if isinstance(start, float) else 0.0
     low, high = (variable.minimum, variable.maximum) if variable.causality == PARAMETER and variable.type == REAL else (0.0, 0.0)
-    setup = {**SETUP, **SETUP_METHODS}.get(variable.name, -1)
+    setup = PLACES.get(variable.name, -1)
     slot = STRINGS.index(variable.name) if variable.type == STRING else -1
     choices = f"{variable.name}_choices" if variable.choices else "0"
-    cells = [text(variable.name), TYPES[variable.type], CAUSALITIES[variable.causality], text(variable.unit), repr(number),
+    cells = [text(variable.name), TYPES[variable.type], CAUSALITIES[variable.causality], text(unit_behind(variable.unit)), repr(number),
              repr(low), repr(high), str(setup), str(slot), text(start) if slot >= 0 else "0", choices, str(len(variable.choices))]
     return f"    {{{', '.join(cells)}}},"
 
 
 def ladders():
-    """The steps of tolerance of each normal model that an FMU has."""
-    models = next(variable.choices for variable in VARIABLES if variable.name == "normal_model")
-    return {model: LADDERS.get(model, ANALYN) for model in models}
+    """The normal models that an FMU has."""
+    return [method for method in family_of("normal_model").methods if not method.python_only]
 
 
 def ladder_code():
-    """The steps of tolerance as C."""
+    """Their steps of tolerance as C."""
     lines, rows = [], []
-    for model, ladder in ladders().items():
-        steps = [f"    {{{tolerance!r}, {{{', '.join(map(str, found))}}}}}," for tolerance, found in ladder.items()]
-        lines += [f"static const model_resolution {model}_steps[] = {{", *steps, "};", ""]
-        rows.append(f"    {{{text(model)}, {FINEST[model]!r}, {len(ladder)}, {model}_steps}},")
+    for model in ladders():
+        steps = [f"    {{{tolerance!r}, {{{', '.join(map(str, found))}}}}}," for tolerance, found in model.ladder.items()]
+        lines += [f"static const model_resolution {model.name}_steps[] = {{", *steps, "};", ""]
+        finest = model.numbers()["tolerance"].low
+        rows.append(f"    {{{text(model.name)}, {finest!r}, {len(steps)}, {model.name}_steps}},")
     return [*lines, "const model_ladder model_ladders[MODEL_LADDERS] = {", *rows, "};", ""]
 
 

@@ -4,7 +4,7 @@ import sys
 from pythonfmu import Fmi2Slave
 from pythonfmu.enums import Fmi2Status
 
-from wrcontact.interface.session import Session
+from wrcontact.simulation.session import Session
 
 
 class WheelsetContact(Fmi2Slave):

@@ -53,6 +53,8 @@ EDGE = "/*........................................*/"        # Pyccel's line abo
 #: Modules that a usual step does not enter, and the function of each that decides it.  All others of theirs are kept out of
 #: line: a compiler inlines only so much of one unit, and what it spent on them it took from the usual step (4 % when yawed).
 SELDOM = {"separation": "separation"} | dict.fromkeys(("elastic", "overlaps", "planes", "pressed", "touching"))
+#: Tuples of numbers of the room layout that the C beside the kernel reads.
+ARRAYS = {"INPUT_NOMINALS"}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan log log10 log1p "
                  "pow sin sinh sqrt tan tanh".split())
@@ -127,7 +129,7 @@ def assemble(kernel, modules, raw):
         if module.functions:
             files[module.name + ".c"] = tidy_code(module, code)
             refuse_unknown_calls(module, files[module.name + ".c"], functions)
-    files["unit.c"] = unit([module for module in kernel_modules if not module.prepares], FILES["fingerprint"](kernel))
+    files["unit.c"] = unit([module for module in kernel_modules if not module.prepares], FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest()))
     files["prepare_unit.c"] = prepare_unit(kernel_modules)
     files["tangent_unit.c"] = tangent_unit(modules)
     return files
@@ -270,14 +272,14 @@ def installed_pyccel():
 
 def import_kernel(kernel, name):
     """The module ``name``, such as "search.roll", of the kernel in the folder ``kernel``, imported on its own."""
-    package = types.ModuleType("kernel_being_translated")       # the modules import each other relatively
-    package.__path__ = [str(kernel)]
-    if getattr(sys.modules.get(package.__name__), "__path__", None) != package.__path__:
+    package, room = types.ModuleType("package_being_translated"), types.ModuleType("package_being_translated.kernel")
+    package.__path__, room.__path__ = [str(kernel.parent), str(KERNEL.parent)], [str(kernel)]
+    if getattr(sys.modules.get(room.__name__), "__path__", None) != room.__path__:
         for old in [old for old in sys.modules if old.startswith(package.__name__)]:
             del sys.modules[old]                                # those of another folder
-        sys.modules[package.__name__] = package
+        sys.modules |= {package.__name__: package, room.__name__: room}
     sys.dont_write_bytecode = True
-    return importlib.import_module(f"{package.__name__}.{name}")
+    return importlib.import_module(f"{room.__name__}.{name}")
 
 
 def constant_values(kernel, modules):
@@ -287,6 +289,8 @@ def constant_values(kernel, modules):
         source = import_kernel(kernel, f"{module.path.parent.name}.{module.path.stem}".removesuffix(".__init__"))
         values[module.name] = {name: getattr(source, name) for name in module.constants if hasattr(source, name)}
         values[module.name] |= module.offsets
+        if module.name == "layout":
+            values["layout"] |= {name: value for name, value in vars(source).items() if name in ARRAYS}
     return values
 
 
@@ -309,6 +313,8 @@ def tidy_header(module, text, constants):
 
 def definition(name, value):
     """C definition of one constant."""
+    if isinstance(value, tuple):
+        return f"static const double {name}[] = {{{', '.join(map(repr, value))}}};"
     if isinstance(value, bool):
         return f"static const bool {name} = {int(value)};"
     if isinstance(value, int):

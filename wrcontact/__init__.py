@@ -1,5 +1,9 @@
 """Wheel-rail contact of a wheelset on its track: contact positions, roll, and contact patches."""
 
+from .interface.parameters import Material, Track, Wheelset
+from .methods import (Adaptive, Analyn, BasicCurvature, Compliant, EffectiveCurvature, Elastic, Equidistant, EquidistantChord,
+                      Halfspace, Hertz, NormalLoad, NormalSeparation, Rigid, Rough, Smooth, Strip, VerticalLoad,
+                      VerticalSeparation)
 from .profiles import Profile, ProfileWarning
 from .state import WheelsetState
 from .status import Status, explain
@@ -7,7 +11,11 @@ from .stepper import Stepper
 from .system import ContactSystem
 
 __version__ = "0.1.0"
-__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check", "explain"]
+__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check", "explain",
+           "Material", "Track", "Wheelset",
+           "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz", "Strip",
+           "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation", "BasicCurvature", "EffectiveCurvature",
+           "Adaptive", "Rough", "Smooth"]
 
 
 def check(system):

@@ -3,10 +3,10 @@
 import math
 from enum import IntEnum
 
+from .interface.inputs import INPUT_NAMES, INPUT_UNITS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
 from .kernel import layout
 from .kernel.wheelset.elastic import DEEPEST
-from .kernel.search.roll import ROLL_LIMIT
-from .kernel.prepare.tables import LATERAL_LIMIT, YAW_LIMIT
+from .methods.numbers import unit_behind
 
 
 class Status(IntEnum):
@@ -22,15 +22,11 @@ class Status(IntEnum):
         return str(int(self))  # as from Python 3.11 on
 
 
-INPUT_NAMES = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input", "roll_input")
-INPUT_UNITS = ("m", "rad", "rad", "N", "1", "m", "rad")
-
-
 def explain(status, inputs, compliant=False):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
-    ``inputs`` are the seven inputs in the order of :data:`INPUT_NAMES`; ``compliant`` says whether the
-    contact mode is compliant.
+    ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says whether
+    the contact mode is compliant.
     """
     shift, yaw, _, force, transfer, height, roll = (float(value) for value in inputs)
     kept = "the outputs keep their last valid values"
@@ -67,7 +63,7 @@ def _invalid_input(inputs):
     """A clause on the first input that is not permitted."""
     for name, unit, value in zip(INPUT_NAMES, INPUT_UNITS, inputs):
         if not math.isfinite(value):
-            return f"{name} is {value} {unit}; permitted are finite numbers"
+            return f"{name} is {value}{unit_behind(unit)}; permitted are finite numbers"
     if inputs[layout.IN_NORMAL_FORCE] < 0.0:
         return f"normal_force is {inputs[layout.IN_NORMAL_FORCE]:g} N; permitted is normal_force >= 0 N"
     return f"load_transfer is {inputs[layout.IN_LOAD_TRANSFER]:g}; permitted is -1 <= load_transfer <= 1"

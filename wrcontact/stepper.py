@@ -1,7 +1,7 @@
 """One wheelset that is moved in time.
 
-A stepper holds the arrays of one wheelset and a solver that works on them: the kernel, or the half-space model of
-wrcontact/reference/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
+A stepper holds the arrays of one wheelset and a solver that works on them: the kernel, or the half-space
+model of wrcontact/reference/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
 """
 
 import math
@@ -26,16 +26,16 @@ class Stepper:
     Parameters
     ----------
     tables : settings and tables of the system; the stepper works on a copy.
-    bind : called with tables, state, workspace, inputs and outputs; returns the solver that works on these arrays.  None
-        is the kernel.
+    bind : called with tables, state, workspace, inputs and outputs; returns the solver that works on these
+        arrays.  None is the kernel.
 
     Attributes
     ----------
-    inputs : (7,) lateral_shift [m], yaw [rad], roll_guess [rad], normal_force [N], load_transfer [1],
-        vertical_shift_input [m], roll_input [rad].
-    outputs : (276,) in the order of wrcontact/kernel/layout/records.py; SI.  Zero until the first valid step.  With n stations
-        other than 31 the outlines follow behind them, (276 + 6 n,), see wrcontact/kernel/patch/outline.py.
-    state : (11,) where the next roll search starts, and counters; it never changes an answer.
+    inputs : those of wrcontact/interface/inputs.py, in this order; SI.
+    outputs : those of wrcontact/interface/outputs.py, in the order of an FMU's variables; SI.  Zero until the
+        first valid step.  With another number of stations than 31 the outlines follow behind them, see
+        wrcontact/kernel/patch/outline.py.
+    state : where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is used.
     """
 
@@ -54,17 +54,19 @@ class Stepper:
     def step(self):
         """Evaluate the inputs into the outputs; return the status (an int).
 
-        Status 2, 3 and 4 leave the outputs as they are.  Inputs that equal those of the last valid step are not evaluated
-        again.
+        Status 2, 3 and 4 leave the outputs as they are.  Inputs that equal those of the last valid step are
+        not evaluated again.
         """
         return self._bound.step()
 
     def step_many(self, inputs, outputs, status):
-        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous float64."""
+        """Evaluate rows of ``inputs`` (n, 7) into rows of ``outputs`` and ``status`` (n,), C-contiguous
+        float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
     def prescribe(self, penetration):
-        """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to the force.
+        """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to
+        the force.
 
         Raises
         ------

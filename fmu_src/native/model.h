@@ -20,7 +20,7 @@ typedef struct {
     const char *name;
     model_type type;
     model_causality causality;
-    const char *unit;
+    const char *unit;           /* with a space before it, "" without one */
     double start;
     double low, high;               /* permitted range of a numeric parameter */
     int setup;                      /* its place in the kernel's setup, or -1 */
@@ -60,6 +60,7 @@ typedef struct {
     int run;                        /* of an array: which of the six, both outlines one after the other; or -1 */
 } model_block;
 
+extern const double model_setup[MODEL_SETUP];       /* the kernel's setup with all defaults */
 extern const model_variable model_variables[MODEL_VARIABLES];
 extern const model_profile model_profiles[MODEL_PROFILES];
 extern const model_ladder model_ladders[MODEL_LADDERS];

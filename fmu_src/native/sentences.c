@@ -74,7 +74,7 @@ static void invalid_input(const double *inputs, char *text, size_t size)
     for (int i = 0; i < MODEL_INPUTS; i += 1)
         if (!isfinite(inputs[i]))
         {
-            snprintf(text, size, "%s is %s %s; permitted are finite numbers", model_variables[i].name,
+            snprintf(text, size, "%s is %s%s; permitted are finite numbers", model_variables[i].name,
                      sentence_shortest(inputs[i], number, sizeof number), model_variables[i].unit);
             return;
         }

@@ -1,4 +1,4 @@
-/* The life cycle of one simulated wheelset, free of FMI: what wrcontact/interface/session.py is in Python.
+/* The life cycle of one simulated wheelset, free of FMI: what wrcontact/simulation/session.py is in Python.
  *
  * Functions that can be refused return 0 when they did what they were asked, and otherwise 1 with the reason in `sentence`;
  * then nothing has changed.  Memory is allocated by wheelset_new, by the preparation at initialisation and

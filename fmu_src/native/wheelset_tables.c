@@ -20,6 +20,7 @@ enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
 static int fill_setup(wheelset *self, double *setup)
 {
     char value[2 * MODEL_TEXT], list[MODEL_SENTENCE];
+    memcpy(setup, model_setup, sizeof model_setup);
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
     {
         const model_variable *variable = model_variables + i;
@@ -49,13 +50,13 @@ static int fill_setup(wheelset *self, double *setup)
         if (variable->causality != MODEL_PARAMETER || variable->type != MODEL_REAL)
             continue;
         if (!(variable->low <= number && number <= variable->high))
-            return wheelset_refuse(self, "%s is %s; permitted is %s ... %s %s", variable->name,
+            return wheelset_refuse(self, "%s is %s; permitted is %s ... %s%s", variable->name,
                                    sentence_shortest(number, value, sizeof value), SIX_DIGITS(variable->low),
                                    SIX_DIGITS(variable->high), variable->unit);
         if (variable->setup >= 0)
             setup[variable->setup] = number;
     }
-    setup[prepare_tables__SETUP_NAN] = NAN;
+    setup[layout__SETUP_ABSENT] = NAN;
     return 0;
 }
 
@@ -70,12 +71,13 @@ static int fill_resolution(wheelset *self, double *setup)
         if (strcmp(model, ladder->model) != 0)
             continue;
         if (tolerance < ladder->finest)
-            return wheelset_refuse(self, "tolerance is %s; permitted with the normal_model '%s' is %s ... 0.1 1",
-                                   SIX_DIGITS(tolerance), model, SIX_DIGITS(ladder->finest));
+            return wheelset_refuse(self, "tolerance is %s; permitted with the normal_model '%s' is %s ... %s",
+                                   SIX_DIGITS(tolerance), model, SIX_DIGITS(ladder->finest),
+                                   SIX_DIGITS(model_variables[MODEL_TOLERANCE].high));
         int k = 0;
         while (k + 1 < ladder->count && ladder->steps[k].tolerance > tolerance)
             k += 1;
-        memcpy(setup + prepare_tables__SETUP_NODES, ladder->steps[k].numbers, sizeof ladder->steps[k].numbers);
+        memcpy(setup + layout__SETUP_RESOLUTION, ladder->steps[k].numbers, sizeof ladder->steps[k].numbers);
         return 0;
     }
     return wheelset_refuse(self, "normal_model is '%s', which has no resolution", model);
@@ -166,7 +168,7 @@ bool wheelset_is_built(const wheelset *self)
 /* New tables for the present parameters. */
 static int prepare(wheelset *self)
 {
-    double setup[MODEL_SETUP] = {0.0}, report[MODEL_REPORT] = {0.0};
+    double setup[MODEL_SETUP], report[MODEL_REPORT] = {0.0};
     wrcontact_preparation preparation = {0};
     if (fill_setup(self, setup) || fill_resolution(self, setup)
         || find_profile(self, "wheel", MODEL_WHEEL_SLOT, &preparation.wheel)
@@ -192,5 +194,6 @@ int wheelset_build(wheelset *self)
     if (!wheelset_is_built(self) && prepare(self))
         return 1;
     self->tables[layout__SET_STATIONS] = (double)self->core.stations;
+    self->tables[layout__SET_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
     return 0;
 }

@@ -21,7 +21,7 @@ from benchmarks import (
 from benchmarks.table import figure, markdown
 from tests.helpers.paths import ROOT
 from wrcontact.plots import style
-from wrcontact.methods.resolution import LADDERS
+from wrcontact.methods import Analyn, Strip
 
 LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 
@@ -41,9 +41,9 @@ def of_kind(measured, kind):
 def test_the_table_has_every_row(measured):
     names = [row.name for row in measured]
     assert len(set(names)) == len(names)
-    for model, ladder in LADDERS.items():
-        for tolerance in ladder:
-            assert any(name.startswith(f"{model}, tolerance {tolerance:g} ") for name in names)
+    for model in (Analyn, Strip):
+        for tolerance in model.ladder:
+            assert any(name.startswith(f"{model.name}, tolerance {tolerance:g} ") for name in names)
     assert len(of_kind(measured, "strips")) == 15
     assert len(of_kind(measured, "order")) == 6 and len(of_kind(measured, "door")) == 2
     lines = __main__.full_table(measured, LITTLE).splitlines()
@@ -173,7 +173,7 @@ def test_answers_are_those_of_the_named_track():
 
 
 def test_tolerances_are_kept():
-    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/resolution.py says; here of few poses, with a margin."""
+    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/normal_model.py says; here of few poses, with a margin."""
     for line in random_poses.numerics(200).splitlines()[4:]:
         name, _, kept, *_ = (cell.strip() for cell in line.strip("|").split("|"))
         assert max(map(float, kept.split(" / "))) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, line
@@ -188,7 +188,7 @@ def test_the_picture_shows_every_point(measured, tmp_path):
     axes = drawn.axes[0]
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     points = np.concatenate([line.get_xydata() for line in axes.lines])
-    ladders = sum(len(ladder) for ladder in LADDERS.values())
+    ladders = len(Analyn.ladder) + len(Strip.ladder)
     assert len(points) == 1 + ladders + 1 + 15 + 1 + 2 * 2 + 1       # Hertz, ladders, half-space, strips, FMU, peers
     assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1]) & (points[:, 1] <= high))
     assert style.save(drawn, tmp_path / "benchmark.png").stat().st_size > 20_000

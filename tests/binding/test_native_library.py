@@ -16,7 +16,7 @@ import wrcontact
 from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
-from wrcontact.kernel.binding.files import fingerprint
+from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUTPUT_COUNT,
                                      SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE)
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME

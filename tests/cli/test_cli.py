@@ -24,7 +24,7 @@ from wrcontact.interface.variables import INPUT, REFERENCE, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.plots.geometry import wheel_zone
 from wrcontact.status import explain
-from wrcontact.system import CHOICES
+from wrcontact.methods import CHOICES
 
 COMMANDS = ("demo", "solve", "sweep", "plot", "check", "figures")
 INPUT_NAMES = [v.name for v in VARIABLES if v.causality == INPUT]

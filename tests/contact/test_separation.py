@@ -17,7 +17,7 @@ from wrcontact.profiles.compiled import compile_profile, evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc, Polynomial
-from wrcontact.system import CHOICES, METHOD_NUMBERS
+from wrcontact.methods import CHOICES, NUMBERS
 
 PLACES = {"tread": 1e-3, "root": 6e-3, "flange": 6.5e-3}
 YAWS = {"no_yaw": 0.0, "yaw": 0.03, "yaw_back": -0.02}
@@ -127,7 +127,7 @@ class Contact:
     def kernel(self, kind, stations, spacing=0.0):
         """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at ``stations`` from the contact."""
         tables, work, state = self.tables.copy(), self.work.copy(), self.memory
-        tables[layout.SET_SEPARATION] = METHOD_NUMBERS["separation"][kind]
+        tables[layout.SET_SEPARATION] = NUMBERS["separation"][kind]
         tables, work = memoryview(tables), memoryview(work)
         contact_plane.start_tracer(work, 0.0, self.u_rail, self.u_wheel)
         separation.open_origin(tables, work, 0.0, 0.0, self.u_rail, self.u_wheel, spacing)
@@ -264,7 +264,7 @@ def test_equidistant_is_normal_to_fourth_order():
 
 def test_beyond_the_end_of_a_profile_there_is_no_separation():
     contact = Contact(PLACES["tread"])
-    for kind in METHOD_NUMBERS["separation"]:
+    for kind in NUMBERS["separation"]:
         gap = contact.kernel(kind, np.arange(1, 101) * 1e-3, 1e-3)[0]
         assert gap[0] < contact_plane.NO_GAP <= gap[-1] and np.all(np.isfinite(gap))
 
@@ -277,7 +277,7 @@ def circles(wheel_radius=0.3, rail_radius=0.2, **parameters):
                 **parameters)
 
 
-@pytest.mark.parametrize("kind", list(METHOD_NUMBERS["separation"]))
+@pytest.mark.parametrize("kind", list(NUMBERS["separation"]))
 @pytest.mark.parametrize("lateral", CHOICES["lateral_curvature"])
 def test_two_circles_are_hertz(kind, lateral):
     """On an untilted contact; what is left are the terms of fourth order in the gap, (width / radius)^2."""
@@ -478,7 +478,7 @@ def test_tread_hardly_notices_and_a_flange_does(place):
     """The source's finding of its section 7.1, and what it does not say: on a flange the vertical distance is the normal one
     over the cosine, so that the patch is too narrow."""
     areas = {kind: wrcontact.ContactSystem(separation=kind, nodes=38).evaluate(PLACES[place]).right.area
-             for kind in METHOD_NUMBERS["separation"]}
+             for kind in NUMBERS["separation"]}
     assert areas["equidistant"] == pytest.approx(areas["normal"], rel=0.02)
     assert areas["equidistant_chord"] == pytest.approx(areas["equidistant"], rel=2e-3)
     low, high = {"tread": (0.99, 1.01), "root": (0.85, 0.97), "flange": (0.5, 0.75)}[place]

@@ -37,8 +37,8 @@ from wrcontact.cli.demo import apart
 from wrcontact.cli.door import Refused
 from wrcontact.fmu import build_fmu, native
 from wrcontact.fmu.compilers import zig_cache
-from wrcontact.interface.session import Refused as StateRefused
-from wrcontact.interface.session import Session
+from wrcontact.simulation.session import Refused as StateRefused
+from wrcontact.simulation.session import Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel.binding.library import LIBRARY_NAME, LibraryUnusable, open_library
 from wrcontact.profiles import files, standard_profile

@@ -211,7 +211,7 @@ def test_archive_holds_what_is_needed_and_nothing_else(entries):
     packed = [name.split("/", 2)[2] for name in entries if name.startswith("resources/wrcontact_")]
     offline = ("cli", "plots", "study", "fmu", "kernel/native", "kernel/generated")
     assert not [name for name in packed if name.startswith(offline)]
-    assert {"interface/session.py", "system.py", "status.py", "kernel/binding/library.py"} <= set(packed)
+    assert {"simulation/session.py", "system.py", "status.py", "kernel/binding/library.py"} <= set(packed)
 
 
 def test_packed_code_loads_with_numpy_only(entries):

@@ -30,7 +30,7 @@ from wrcontact.cli import demo
 from wrcontact.fmu import compilers, native
 from wrcontact.fmu.compilers import CompilerProblem, compiler_for
 from wrcontact.interface import variables
-from wrcontact.interface.session import Refused, Session
+from wrcontact.simulation.session import Refused, Session
 from wrcontact.interface.variables import OUTPUT, REFERENCE, STRING, VARIABLES
 from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform

@@ -29,7 +29,7 @@ from wrcontact.fmu.compilers import CompilerProblem, compile_kernel, compiler_fo
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.files import HERE as KERNEL
-from wrcontact.kernel.binding.files import fingerprint
+from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 REFERENCE = "x86_64-linux"      # the platform that others are compared with

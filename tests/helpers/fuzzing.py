@@ -20,7 +20,7 @@ import numpy as np
 
 import wrcontact
 from wrcontact.profiles import Profile, standard_profile
-from wrcontact.system import CHOICES
+from wrcontact.methods import CHOICES
 
 RAILS = ("UIC60", "60E1", "54E1")
 INCLINATIONS = (0.0, 1 / 40, 1 / 30, 1 / 20)

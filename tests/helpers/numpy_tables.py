@@ -9,7 +9,8 @@ from wrcontact.kernel.binding.influence_table import influence_table
 from wrcontact.kernel import layout
 from wrcontact.kernel.search import starts
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.kernel.prepare.tables import LATERAL_LIMIT, START_STEP, YAW_LIMIT
+from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
+from wrcontact.kernel.prepare.tables import START_STEP
 from wrcontact.profiles.compiled import compile_profile
 
 #: Where the kernel keeps the number of each method.
@@ -23,7 +24,7 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
     ``methods`` holds the kernel's number MODE_..., LOAD_..., MODEL_... of each method by its parameter's name (those left
-    out are 0, the first choice), ``resolution`` is a :class:`~wrcontact.resolution.Resolution`.
+    out are 0, the first choice), ``resolution`` is a :class:`~wrcontact.methods.Resolution`.
     """
     lateral_curvature = methods.get("lateral_curvature", layout.LATERAL_ADAPTIVE)
     wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)

@@ -1,1 +1,1 @@
-"""Tests of the table of variables and the session."""
+"""Tests of the table of inputs, parameters and outputs."""

@@ -7,18 +7,21 @@ import numpy as np
 import pytest
 
 import wrcontact
-from wrcontact.interface.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
-from wrcontact.methods.resolution import ANALYN, ANALYN_STRIP, COUNTS, DEFAULT, FINEST, LADDERS, Resolution, resolve
+from wrcontact.methods import Analyn, Resolution, Strip, family_of
+from wrcontact.methods.normal_model import DEFAULT
+from wrcontact.simulation.session import Refused, Session
 
 NAMES = ("penetration", "area", "max_pressure")
 SIDES = ("left", "right")
+MODELS = {model.name: model for model in family_of("normal_model").methods}
+LADDERS = {model.name: model.ladder for model in (Analyn, Strip)}
 FINEST_COUNTS = {"analyn": dict(nodes=38), "analyn_strip": dict(nodes=38, strips=64, sweeps=4)}
 
 
 def random_poses(count, seed):
-    """Lateral shift, yaw, force (count,): as wrcontact/methods/resolution.py describes them."""
+    """Lateral shift, yaw, force (count,): as wrcontact/methods/normal_model.py describes them."""
     rng = np.random.default_rng(seed)
     return (rng.uniform(-6.6e-3, 6.6e-3, count), np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
             np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)))
@@ -79,25 +82,25 @@ def test_default_is_one_in_a_hundred():
         np.testing.assert_array_equal(plain.evaluate(3e-3, 0.01).values, told.evaluate(3e-3, 0.01).values)
 
 
-@pytest.mark.parametrize("model, tolerance, resolution", [
-    ("analyn", 0.1, ANALYN[0.02]),              # coarser than the coarsest: the coarsest
-    ("analyn", 0.02, ANALYN[0.02]),
-    ("analyn", 0.0199, ANALYN[0.01]),           # the coarsest that keeps it
-    ("analyn", 0.0015, ANALYN[0.0015]),
-    ("analyn_strip", 0.1, ANALYN_STRIP[0.025]),
-    ("analyn_strip", 0.008, ANALYN_STRIP[0.007]),
-    ("analyn_strip", 0.004, ANALYN_STRIP[0.004]),
+@pytest.mark.parametrize("model, resolution", [
+    (Analyn(tolerance=0.1), Analyn.ladder[0.02]),           # coarser than the coarsest: the coarsest
+    (Analyn(tolerance=0.02), Analyn.ladder[0.02]),
+    (Analyn(tolerance=0.0199), Analyn.ladder[0.01]),        # the coarsest that keeps it
+    (Analyn(tolerance=0.0015), Analyn.ladder[0.0015]),
+    (Strip(tolerance=0.1), Strip.ladder[0.025]),
+    (Strip(tolerance=0.008), Strip.ladder[0.007]),
+    (Strip(tolerance=0.004), Strip.ladder[0.004]),
 ])
-def test_the_coarsest_that_keeps_a_tolerance(model, tolerance, resolution):
-    assert resolve(model, tolerance) == resolution
+def test_the_coarsest_that_keeps_a_tolerance(model, resolution):
+    assert model.resolution == resolution
 
 
 def test_counts_take_the_place_of_single_numbers():
-    assert resolve("analyn_strip", strips=40) == ANALYN_STRIP[0.01]._replace(strips=40)
-    assert resolve("analyn_strip", 0.004, sweeps=1) == ANALYN_STRIP[0.004]._replace(sweeps=1)
-    assert resolve("analyn", nodes=20).nodes == 20 and resolve("analyn", nodes=20).stride == 1      # each of them traced
-    assert resolve("analyn_strip", 0.1, 30.0, 64, 4) == Resolution(30, 1, 64, 4)
-    assert all(isinstance(value, int) for value in resolve("analyn_strip", nodes=30.0, strips=np.int64(32)))
+    assert Strip(strips=40).resolution == Strip.ladder[0.01]._replace(strips=40)
+    assert Strip(tolerance=0.004, sweeps=1).resolution == Strip.ladder[0.004]._replace(sweeps=1)
+    assert Analyn(nodes=20).resolution.nodes == 20 and Analyn(nodes=20).resolution.stride == 1      # each of them traced
+    assert Strip(tolerance=0.1, nodes=30.0, strips=64, sweeps=4).resolution == Resolution(30, 1, 64, 4)
+    assert all(isinstance(value, int) for value in Strip(nodes=30.0, strips=np.int64(32)).resolution)
 
 
 def test_resolution_reaches_the_kernel():
@@ -130,13 +133,13 @@ def test_pickled_and_shown():
 
 
 @pytest.mark.parametrize("arguments, sentence", [
-    ({"tolerance": 0.2}, "tolerance is 0.2; permitted is 0.0001 ... 0.1 1"),
-    ({"tolerance": 0.0}, "tolerance is 0.0; permitted is 0.0001 ... 0.1 1"),
-    ({"tolerance": "fine"}, "tolerance is 'fine'; permitted is 0.0001 ... 0.1 1"),
-    ({"tolerance": float("nan")}, "tolerance is nan; permitted is 0.0001 ... 0.1 1"),
-    ({"tolerance": 0.001}, "tolerance is 0.001; permitted with the normal_model 'analyn' is 0.0015 ... 0.1 1"),
+    ({"tolerance": 0.2}, "tolerance is 0.2; permitted is 0.0001 ... 0.1"),
+    ({"tolerance": 0.0}, "tolerance is 0.0; permitted is 0.0001 ... 0.1"),
+    ({"tolerance": "fine"}, "tolerance is 'fine'; permitted is 0.0001 ... 0.1"),
+    ({"tolerance": float("nan")}, "tolerance is nan; permitted is 0.0001 ... 0.1"),
+    ({"tolerance": 0.001}, "tolerance is 0.001; permitted with the normal_model 'analyn' is 0.0015 ... 0.1"),
     ({"normal_model": "analyn_strip", "tolerance": 0.002},
-     "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1 1"),
+     "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1"),
     ({"nodes": 3}, "nodes is 3; permitted are whole numbers 4 ... 38"),
     ({"nodes": 39}, "nodes is 39; permitted are whole numbers 4 ... 38"),
     ({"nodes": 10.5}, "nodes is 10.5; permitted are whole numbers 4 ... 38"),
@@ -162,14 +165,16 @@ def test_refusals(arguments, sentence):
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip", "hertz", "halfspace"])
 def test_the_smallest_tolerance_of_each_model_is_permitted(model):
-    wrcontact.ContactSystem(normal_model=model, tolerance=FINEST[model])
+    finest = MODELS[model].numbers()["tolerance"].low
+    wrcontact.ContactSystem(normal_model=model, tolerance=finest)
     with pytest.raises(ValueError, match="tolerance is"):
-        wrcontact.ContactSystem(normal_model=model, tolerance=0.999 * FINEST[model])
+        wrcontact.ContactSystem(normal_model=model, tolerance=0.999 * finest)
 
 
 def test_ends_of_the_counts_are_permitted():
-    for name, (low, high) in COUNTS.items():
-        for value in (low, high):
+    for name in ("nodes", "strips", "sweeps"):
+        known = Strip.numbers()[name]
+        for value in (known.low, known.high):
             assert getattr(wrcontact.ContactSystem(normal_model="analyn_strip", **{name: value}).resolution, name) == value
 
 
@@ -198,7 +203,7 @@ def test_session_takes_the_tolerance(tolerance):
 def test_session_refuses_a_tolerance_out_of_range():
     with pytest.raises(Refused) as refusal:
         session_of(0.002).start()
-    assert str(refusal.value) == "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1 1"
+    assert str(refusal.value) == "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1"
     with pytest.raises(Refused) as refusal:
         session_of(0.5).start()
-    assert str(refusal.value) == "tolerance is 0.5; permitted is 0.0001 ... 0.1 1"
+    assert str(refusal.value) == "tolerance is 0.5; permitted is 0.0001 ... 0.1"

@@ -61,7 +61,7 @@ def random_poses(count, seed, low=3e3, high=2e5):
 
 
 def step_all(stepper, rows, before=lambda stepper: None):
-    """Outputs (n, 276) of all rows, one after the other, ``before`` done to the stepper ahead of each; NaN where not valid."""
+    """Outputs (n, m) of all rows, one after the other, ``before`` done to the stepper ahead of each; NaN where not valid."""
     outputs = np.full((len(rows), layout.OUTPUT_COUNT), np.nan)
     for row, values in zip(outputs, rows):
         before(stepper)

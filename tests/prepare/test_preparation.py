@@ -6,6 +6,8 @@ import pytest
 import wrcontact
 from tests.helpers import numpy_curvatures, numpy_scan
 from tests.helpers.numpy_tables import build_tables
+from wrcontact.interface.inputs import LATERAL_LIMIT
+from wrcontact.interface.parameters import KERNEL_PARAMETERS
 from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import influence_table
 from wrcontact.kernel import layout
@@ -17,7 +19,7 @@ from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.definition import definition
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
-from wrcontact.system import METHOD_NUMBERS
+from wrcontact.methods import NUMBERS
 
 CURVATURE = 1e-10   # [1/m]; chords of 0.2 mm between points that are exact to 1e-17 m
 LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_depth": 0.012, "nominal_radius": 0.5}
@@ -55,14 +57,17 @@ CASES = {
 def witness(system):
     """The tables by numpy from the exact profiles."""
     chosen = system.parameters
+    methods = {name: numbers[chosen[name]] for name, numbers in NUMBERS.items()}
     placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
                         gauge_depth=chosen["gauge_depth"])
-    return build_tables(readable_wheel(system.wheel), placed, nominal_radius=chosen["nominal_radius"],
-                        running_circle_distance=chosen["running_circle_distance"],
-                        contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
-                        methods={name: numbers[chosen[name]] for name, numbers in METHOD_NUMBERS.items()},
-                        resolution=system.resolution, curvature_step=chosen["curvature_step"],
-                        curvature_reach=chosen["curvature_reach"])
+    tables = build_tables(readable_wheel(system.wheel), placed, nominal_radius=chosen["nominal_radius"],
+                          running_circle_distance=chosen["running_circle_distance"],
+                          contact_modulus=chosen["youngs_modulus"] / (2 * (1 - chosen["poisson_ratio"] ** 2)),
+                          methods=methods, resolution=system.resolution, curvature_step=chosen["curvature_step"],
+                          curvature_reach=chosen["curvature_reach"])
+    known = {**chosen, **methods, "tolerance": chosen["tolerance"] or 0.01}
+    tables[layout.SET_PARAMETERS:][:layout.PARAMETERS_SIZE] = [known[name] for name in KERNEL_PARAMETERS]
+    return tables
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -142,6 +147,6 @@ def test_constants_are_those_of_the_witness():
     for ours, theirs, names in pairs:
         for name in names:
             assert getattr(ours, name) == getattr(theirs, name), name
-    assert prepare_tables.START_ROW_COUNT == 2 * round(prepare_tables.LATERAL_LIMIT / prepare_tables.START_STEP) + 1
+    assert prepare_tables.START_ROW_COUNT == 2 * round(LATERAL_LIMIT / prepare_tables.START_STEP) + 1
     assert prepare_tables.STARTS_EACH_METRE == 1.0 / prepare_tables.START_STEP
     assert prepare_pieces.BINS_EACH_METRE == 1.0 / (compiled.BIN_WIDTH * compiled.MM)

@@ -15,14 +15,14 @@ import wrcontact
 from wrcontact import Status
 from wrcontact.reference import deflection, edge, halfspace, missed, one_grid, outputs, true_gap
 from wrcontact.conventions import MIRROR
-from wrcontact.interface.session import Refused, Session
+from wrcontact.simulation.session import Refused, Session
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import planes
 from wrcontact.kernel.binding.library import Kernel
 from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.methods.resolution import FINEST
-from wrcontact.system import CHOICES
+from wrcontact.methods import Halfspace
+from wrcontact.methods import CHOICES
 
 from tests.reference import brute_force, halfspace_reference
 from tests.helpers.constant_curvatures import MODULUS, hertz
@@ -429,7 +429,7 @@ def test_what_does_not_converge_is_status_3_and_keeps_the_outputs():
 
 
 def test_tolerance_decides_the_grid(system):
-    assert FINEST["halfspace"] == halfspace.TOLERANCE_RANGE[0]
+    assert Halfspace.numbers()["tolerance"].low == halfspace.TOLERANCE_RANGE[0]
     coarse = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.03)
     fine = wrcontact.ContactSystem(normal_model="halfspace", tolerance=2e-3)
     assert pickle.loads(pickle.dumps(coarse)).stepper()._bound.tolerance == 0.03
@@ -694,9 +694,9 @@ def test_wrong_domains_and_tolerances_are_refused_in_a_sentence():
      "separation is 'vertical'; permitted with the normal_model 'halfspace', which knows the whole surface, is 'normal'"),
     ({"normal_model": "halfspace", "lateral_curvature": "rough"},
      "lateral_curvature is 'rough'; permitted with the normal_model 'halfspace'"),
-    ({"tolerance": 0.5}, "tolerance is 0.5; permitted is 0.0001 ... 0.1 1"),
+    ({"tolerance": 0.5}, "tolerance is 0.5; permitted is 0.0001 ... 0.1"),
     ({"normal_model": "halfspace", "tolerance": 2e-4},
-     "tolerance is 0.0002; permitted with the normal_model 'halfspace' is 0.0003 ... 0.1 1"),
+     "tolerance is 0.0002; permitted with the normal_model 'halfspace' is 0.0003 ... 0.1"),
     ({"tolerance": "fine"}, "tolerance is 'fine'; permitted is"),
     ({"normal_model": "kalker"}, "normal_model is 'kalker'; permitted are 'analyn',"),
 ])

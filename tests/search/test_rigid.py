@@ -16,7 +16,7 @@ from wrcontact.kernel.surface import gap, locus, profile_table
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel
-from wrcontact.methods.resolution import resolve
+from wrcontact.methods import Analyn
 
 from tests.reference import brute_force
 from tests.helpers.paths import REFERENCE_DATA
@@ -246,7 +246,7 @@ def system_tables():
                                                         gauge_depth=0.014)
     return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
                         methods={"normal_model": layout.MODEL_ANALYN,
-                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=resolve("analyn"))
+                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=Analyn().resolution)
 
 
 def on_rail(tables, work, places):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
-from wrcontact.system import CHOICES
+from wrcontact.methods import CHOICES
 
 PAIRS = [(rail, inclination) for rail in ("UIC60", "60E1", "54E1") for inclination in (1 / 40, 1 / 20)]
 COMBINATIONS = [dict(zip(CHOICES, chosen)) for chosen in itertools.product(*CHOICES.values())]

@@ -107,7 +107,7 @@ def test_nothing_valid_yet_is_nan():
 @pytest.mark.parametrize("arguments, sentence", [
     (dict(wheel="S1003"), "wheel is 'S1003'; permitted are S1002"),
     (dict(rail="S1002"), "rail is 'S1002'"),
-    (dict(rail_inclination=0.5), "rail_inclination is 0.5; permitted is 0 ... 0.1 1"),
+    (dict(rail_inclination=0.5), "rail_inclination is 0.5; permitted is 0 ... 0.1"),
     (dict(gauge=1435.0), "gauge is 1435.0; permitted is 0.5 ... 2 m"),
     (dict(nominal_radius="big"), "nominal_radius is 'big'; permitted is 0.1 ... 1 m"),
     (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),

@@ -10,7 +10,7 @@ from rich.table import Table
 
 from ..conditioning.conformal import NEAR
 from ..conditioning.jumps import merged_jumps
-from ..system import GEOMETRY
+from ..interface.parameters import GEOMETRY
 from .report import console
 
 #: Lateral shifts of the printed table [mm].

@@ -13,7 +13,7 @@ import typer
 
 from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
-from ..system import GEOMETRY as GEOMETRY_NAMES
+from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3, "MPa": lambda value: value * 1e6}

@@ -11,9 +11,13 @@ from rich.console import Console
 from rich.table import Table
 
 from ..conventions import SIDES
-from ..interface.variables import INPUT, INTEGER, OUTLINE_TABLE, OUTPUT, PATCH_TABLE, SIDE_TABLE, UNITS, VARIABLES
+from ..interface.inputs import INPUT_NAMES
+from ..interface.outputs import PATCH, SIDE
+from ..interface.rows import Blocks, Run
+from ..interface.units import UNITS
+from ..interface.variables import INPUT, INTEGER, OUTPUT, VARIABLES
 from ..kernel import layout
-from ..status import INPUT_NAMES, Status, explain
+from ..status import Status, explain
 from ..storage.atomic import open_atomically
 
 #: Digits after the point by display unit.
@@ -22,9 +26,9 @@ DIGITS = {"mm": 4, "deg": 4, "kN": 3, "kN.m": 3, "MPa": 1, "mm2": 2}
 KEPT = "; the outputs keep their last valid values"
 
 VECTOR_AXES = ("x", "y", "z")
-SIDE_ROWS = [(name, unit) for name, _, unit, *_ in SIDE_TABLE]
-PATCH_ROWS = [(name, unit) for name, _, unit, *_ in PATCH_TABLE]
-OUTLINE_NAMES = [name for name, *_ in OUTLINE_TABLE]
+SIDE_ROWS = [(row.name, row.unit) for row in SIDE if not isinstance(row, (Blocks, Run)) and not row.whole]
+PATCH_ROWS = [(row.name, row.unit) for row in PATCH]
+OUTLINE_NAMES = [row.name for row in SIDE if isinstance(row, Run)]
 #: Columns for each wheel in a printed sweep: heading, name, digits after the point.
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", 3), ("area", "area", 1), ("pressure", "max_pressure", 0))
 

@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..conventions import SIDES
-from ..kernel.prepare.tables import LATERAL_LIMIT
 from ..status import Status
-from ..system import GEOMETRY, ContactSystem
+from ..interface.inputs import LATERAL_LIMIT
+from ..interface.parameters import GEOMETRY, Wheelset
+from ..system import ContactSystem
 from .conformal import conformal_zones, near_stretches
 from .conicity import AMPLITUDES, Conicity, conicities
 from .curves import Curves, SideCurves, geometry, jump_distance, radius_difference, rates
@@ -83,7 +84,7 @@ def check(system):
         "flange_shift": _flange_shift(rolling, curves),
         "curves": curves,
         "conformal": conformal_zones(shifts, {side: getattr(curves, side) for side in SIDES}),
-        "conicity": conicities(*swings.values(), **{name: system.parameters[name] for name in GEOMETRY[3:]}),
+        "conicity": conicities(*swings.values(), **{name: system.parameters[name] for name in Wheelset.keywords()}),
         "conicity_curves": swings,
         **_profiles(rolling, curves),
     }

@@ -26,7 +26,7 @@ RUNTIME = Path(pythonfmu.__file__).parent
 #: The package's ``__init__`` in an FMU.
 LOADER = b'''"""wrcontact in an FMU, loaded completely: the folder may be deleted before the next instance is created."""
 
-from .interface import session
+from .simulation import session
 from .kernel.binding import library
 from .kernel.wheelset import step
 

@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from pathlib import Path
 
-from ..kernel.binding.files import HERE, fingerprint
+from ..kernel.binding.library import HERE, fingerprint
 from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
 from ..storage.atomic import write_atomically
 

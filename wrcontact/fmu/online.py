@@ -10,7 +10,7 @@ from ..kernel.binding.platforms import LIBRARY_NAME, library_name
 from .compilers import CompilerProblem, compile_kernel, has_zig
 
 PACKAGE = Path(__file__).resolve().parent.parent
-ENTRANCE = "interface/session.py"
+ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
 OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "fmu_src", "reference"})
 

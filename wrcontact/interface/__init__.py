@@ -1,1 +1,1 @@
-"""The border of the model: the one table of variables and the life cycle of a simulated wheelset."""
+"""The pure table of inputs, parameters and outputs; nothing here imports the kernel."""

@@ -16,6 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
+from ..interface.parameters import SMOOTHING
 from .formats import read_points
 from .reading import Reading
 from .remarks import Refusal, remark
@@ -25,8 +26,6 @@ from .zones import Arc, Polynomial
 
 #: Largest permitted file [bytes].
 LARGEST_FILE = 4_000_000
-#: Permitted smoothing [m].
-SMOOTHING = (0.0, 0.5e-3)
 #: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
@@ -59,15 +58,8 @@ def read_profile(path, kind, smoothing, make):
 
 def smoothing_in_mm(smoothing):
     """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside SMOOTHING."""
-    if smoothing is None:
-        return None
-    try:
-        value = float(smoothing)
-    except (TypeError, ValueError):
-        value = math.nan
-    if not SMOOTHING[0] <= value <= SMOOTHING[1]:
-        raise ValueError(f"smoothing is {smoothing!r}; permitted is {SMOOTHING[0]:g} ... {SMOOTHING[1]:g} m")
-    return value / MM
+    value = SMOOTHING.checked("smoothing", smoothing)
+    return None if value is None else value / MM
 
 
 def _text(path):
@@ -90,8 +82,8 @@ def _text(path):
 
 def _smooth_profile(found, name, kind, tolerance, remarks, make):
     """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is None."""
-    if found.noise > SMOOTHING[1] / MM:
-        raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING[1]:g} um")
+    if found.noise > SMOOTHING.high / MM:
+        raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING.high:g} um")
     asked = tolerance is not None
     tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
     try:

@@ -65,7 +65,7 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     check_number("contact_modulus", contact_modulus, "Pa", above=True)
     domain = checked_domain(domain)
     if not TOLERANCE_RANGE[0] <= tolerance <= TOLERANCE_RANGE[1]:
-        raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... {TOLERANCE_RANGE[1]:g} 1")
+        raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... {TOLERANCE_RANGE[1]:g}")
     load = {"contact_modulus": contact_modulus, "force": force, "penetration": penetration,
             "precision": RESIDUAL_SHARE * tolerance}
     window = find_window(gap_function, domain, contact_modulus=contact_modulus, force=force, penetration=penetration)

@@ -135,7 +135,7 @@ class ContactPlane:
 def contact_plane(tables, outputs, inputs, index):
     """The contact plane of side ``index`` (0 left, 1 right) as a right wheel; the one mirror of this file.
 
-    ``tables``, ``outputs`` (276,), ``inputs`` (7,) as the kernel holds them after a valid step.
+    ``tables``, ``outputs`` and ``inputs`` as the kernel holds them after a valid step.
     """
     shift, yaw, roll = inputs[layout.IN_LATERAL_SHIFT], inputs[layout.IN_YAW], outputs[layout.OUT_ROLL]
     side = outputs[(layout.OUT_LEFT, layout.OUT_RIGHT)[index]:]

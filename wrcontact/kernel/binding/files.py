@@ -22,13 +22,15 @@ def kernel_sources(folder=HERE):
     return [path for room in ROOMS for path in sorted(Path(folder, room).glob("*.py"))]
 
 
-def fingerprint(folder=HERE):
+def fingerprint(folder, layout):
     """One positive 60-bit integer that tells one kernel source from another.
+
+    ``layout`` is the digest of the room layout, whose records follow from the table in wrcontact/interface.
 
     It is written into the generated C and answered by ``wrcontact_abi()``, so a library compiled from other sources than
     the ones beside it is recognised.  Line ends do not count: a checkout may change them.
     """
-    digest = hashlib.sha256(b"handle %d" % HANDLE_VERSION)
+    digest = hashlib.sha256(b"handle %d, layout %s" % (HANDLE_VERSION, layout.encode()))
     for path in kernel_sources(folder):
         text = path.read_bytes().replace(b"\r\n", b"\n")
         digest.update(b"\0%s\0%d\0" % (path.relative_to(folder).as_posix().encode(), len(text)))

@@ -19,9 +19,11 @@ from pathlib import Path
 
 import numpy as np
 
-from .files import HERE, fingerprint
-from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, STATE_SIZE, WORK_SIZE, Inputs, State, Tables,
-                      Work)
+from . import files
+from .files import HERE
+from .. import layout
+from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, STATE_SIZE, WORK_SIZE, Inputs, Setup,
+                      State, Tables, Work)
 from ..patch.outline import row_size
 from .platforms import LIBRARY_NAME
 from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
@@ -88,8 +90,8 @@ class Kernel:
         if self.compiled:
             return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
         source = import_module("..prepare.tables", __package__)
-        setup, wheel, rail, hertz, influence, tables, work, report = map(view, arrays)
-        head = Tables.at(arrays[5])
+        _, wheel, rail, hertz, influence, _, work, report = map(view, arrays)
+        setup, head = Setup.at(arrays[0]), Tables.at(arrays[5])
         outcome = source.prepare(setup, wheel, rail, hertz, influence, head, work, report)
         if outcome == source.PREPARED:
             fill_starts(source, Tables.at(arrays[5][:int(arrays[-1][REPORT_SIZE])]))
@@ -171,6 +173,11 @@ class Handle(ctypes.Structure):
     """wrcontact_handle in native/wrcontact_kernel.h."""
 
     _fields_ = [(name, Span) for name in ("tables", "state", "workspace", "inputs", "outputs")]
+
+
+def fingerprint(folder=HERE):
+    """That of the kernel source in ``folder`` with this layout."""
+    return files.fingerprint(folder, layout.digest())
 
 
 def open_library(folder=HERE):

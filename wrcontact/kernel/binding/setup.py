@@ -12,37 +12,32 @@ from .. import layout
 from ..prepare import tables as prepare_tables
 from .library import default_kernel
 from ..prepare.scan import FINE_STEP
+from ...interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 
-#: Where the setup of the kernel's preparation keeps parameters and methods.
-SETUP = {"rail_inclination": prepare_tables.SETUP_INCLINATION, "gauge": prepare_tables.SETUP_GAUGE,
-         "gauge_depth": prepare_tables.SETUP_GAUGE_DEPTH, "running_circle_distance": prepare_tables.SETUP_CIRCLE_DISTANCE,
-         "nominal_radius": prepare_tables.SETUP_RADIUS, "youngs_modulus": prepare_tables.SETUP_YOUNGS_MODULUS,
-         "poisson_ratio": prepare_tables.SETUP_POISSON_RATIO, "curvature_step": prepare_tables.SETUP_CURVATURE_STEP,
-         "curvature_reach": prepare_tables.SETUP_CURVATURE_REACH}
-SETUP_METHODS = {"contact_mode": prepare_tables.SETUP_MODE, "load": prepare_tables.SETUP_LOAD,
-                 "normal_model": prepare_tables.SETUP_NORMAL_MODEL, "separation": prepare_tables.SETUP_SEPARATION,
-                 "longitudinal_curvature": prepare_tables.SETUP_LONGITUDINAL,
-                 "lateral_curvature": prepare_tables.SETUP_LATERAL}
-SETUP_RESOLUTION = slice(prepare_tables.SETUP_NODES, prepare_tables.SETUP_SWEEPS + 1)
+#: Place in the setup of every parameter that the kernel has.
+PLACES = {name: layout.SETUP_PARAMETERS + k for k, name in enumerate(KERNEL_PARAMETERS)}
 
 
-def prepare_tables_of(wheel, rail, *, parameters, methods, resolution):
-    """Settings and tables (n,) for the upright profiles ``wheel`` and ``rail``.
+def setup_of(parameters, methods):
+    """The kernel's setup (n,) for checked ``parameters`` and the objects of all ``methods``, by name."""
+    setup = np.full(layout.SETUP_SIZE, np.nan)
+    for name, place in PLACES.items():
+        value = methods[name].kernel_number if name in methods else parameters[name]
+        setup[place] = PARAMETERS[name].start if value is None else value
+    resolution = methods["normal_model"].resolution
+    setup[layout.SETUP_RESOLUTION:][:len(resolution)] = resolution
+    return setup
 
-    ``parameters`` holds numbers by the names of :data:`SETUP` (others are not read), ``methods`` the kernel's number of every
-    method, ``resolution`` is a :class:`~wrcontact.resolution.Resolution`.
+
+def prepare_tables_of(wheel, rail, *, parameters, methods):
+    """Settings and tables (n,) for the upright profiles ``wheel`` and ``rail``; the rest as for :func:`setup_of`.
 
     Raises
     ------
     ValueError
         where profiles and parameters do not fit each other, in a sentence.
     """
-    setup = np.zeros(prepare_tables.SETUP_SIZE)
-    for name, at in SETUP.items():
-        setup[at] = parameters[name]
-    for name, at in SETUP_METHODS.items():
-        setup[at] = methods[name]
-    setup[SETUP_RESOLUTION], setup[prepare_tables.SETUP_NAN] = resolution, np.nan
+    setup = setup_of(parameters, methods)
     outcome, tables, report = default_kernel().prepare(setup, wheel.definition(), rail.definition(), hertz_table(),
                                                        influence_table())
     if outcome == prepare_tables.PREPARED:

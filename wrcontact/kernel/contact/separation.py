@@ -15,7 +15,7 @@ from typing import Final
 
 from ..layout import (
     PIECE_SIZE,
-    SEPARATION_CHORD,
+    SEPARATION_EQUIDISTANT_CHORD,
     SEPARATION_NORMAL,
     SEPARATION_VERTICAL,
     WORK_SEPARATION,
@@ -143,7 +143,7 @@ def open_origin(tables: Tables, work: Work, station: float, gap: float, abscissa
         work.origin.station = station
         work.origin.gap = gap
         work.origin.spacing = 0.0
-        if int(tables.separation) == SEPARATION_CHORD:
+        if int(tables.separation) == SEPARATION_EQUIDISTANT_CHORD:
             work.origin.spacing = spacing
         open_curve(tables, work, TRACER_RAIL, AT_RAIL_ORIGIN, abscissa)
         open_curve(tables, work, TRACER_WHEEL, AT_WHEEL_ORIGIN, y)

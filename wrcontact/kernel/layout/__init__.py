@@ -8,6 +8,7 @@ Inputs and outputs of a step are the records Inputs and Outputs.
 
 from .choices import *  # noqa: F403
 from .contact import *  # noqa: F403
+from .digest import digest  # noqa: F401
 from .interface import *  # noqa: F403
 from .normal import *  # noqa: F403
 from .offsets import *  # noqa: F403

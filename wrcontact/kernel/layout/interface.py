@@ -1,63 +1,47 @@
-"""What goes into a step and what comes out of it; outputs are in the order of the FMU's variables."""
+"""Records and constants that follow from the rows of inputs, parameters and outputs (wrcontact/interface).
 
-from .choices import PATCH_LIMIT, STATION_COUNT
-from .record import Float, record
+The order of the fields is that of the rows.  A field has the name of its row, or the part of it behind the dot.
+"""
 
-
-@record
-class Inputs:
-    lateral_shift: float
-    yaw: float
-    roll_guess: float
-    normal_force: float
-    load_transfer: float
-    vertical_shift: float           # prescribed height and roll of the compliant form
-    roll: float
-
-
-@record
-class Patch:
-    normal_force: float
-    area: float
-    max_pressure: float
-    length: float
-    width: float
-    centroid: float
-    contact_angle: float
+from ...interface import inputs as _inputs
+from ...interface import outputs as _outputs
+from ...interface import rows as _rows
+from ...interface import variables as _variables
+from ...interface.inputs import INPUT_NOMINALS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT  # noqa: F401
+from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT  # noqa: F401
+from ...interface.parameters import KERNEL_PARAMETERS
+from ...methods import FAMILIES as _FAMILIES
+from ...methods.normal_model import Resolution as _Resolution
+from .record import Float, record, size
 
 
-@record
-class SideOutputs:
-    patch_count: float
-    x_wheel: float
-    y_wheel: float
-    z_wheel: float
-    y_rail: float
-    z_rail: float
-    x_track: float
-    y_track: float
-    z_track: float
-    contact_angle: float
-    rolling_radius: float
-    curvature_x: float
-    curvature_y: float
-    penetration: float
-    normal_force: float
-    area: float
-    max_pressure: float
-    patch_length: float
-    patch_width: float
-    patch_centroid: float
-    patch: Patch * PATCH_LIMIT      # PATCH_LIMIT blocks of PATCH_SIZE
-    station: Float * STATION_COUNT  # STATION_COUNT values each
-    half_length: Float * STATION_COUNT
-    pressure: Float * STATION_COUNT
+def _record_of(name, fields, words):
+    """A record class with these ``fields``, {name: type}."""
+    return record(type(name, (), {"__annotations__": dict(fields), "__doc__": words, "__module__": __name__}))
 
 
-@record
-class Outputs:
-    roll: float
-    vertical_shift: float
-    force: Float * 3                # resultant of the contact forces on the wheelset, x, y, z in the track frame
-    moment: Float * 3               # and their moment about the wheelset's centre
-    left: SideOutputs * 2
+def _fields_of(rows, blocks):
+    """{field: type} of rows of inputs or outputs; ``blocks`` are the classes of their blocks by name."""
+    kinds = {_rows.Vector: Float * len(_rows.AXES), _rows.Run: Float * STATION_COUNT}
+    return {row.name if isinstance(row, _rows.Blocks) else row.field:
+            blocks[row.name] * row.count if isinstance(row, _rows.Blocks) else kinds.get(type(row), float) for row in rows}
+
+
+Inputs = _record_of("Inputs", _fields_of(_inputs.INPUTS, {}), "What moves.")
+Patch = _record_of("Patch", _fields_of(_outputs.PATCH, {}), "Outputs of one patch.")
+SideOutputs = _record_of("SideOutputs", _fields_of(_outputs.SIDE, {"patch": Patch}), "Outputs of one wheel.")
+Outputs = _record_of("Outputs", _fields_of(_outputs.WHEELSET, {}) | {"left": SideOutputs * 2}, "Outputs of a wheelset.")
+Parameters = _record_of("Parameters", {name: float for name in KERNEL_PARAMETERS},
+                       "All parameters, methods by their numbers.")
+Resolution = _record_of("Resolution", {name: float for name in _Resolution._fields}, "Nodes and strips.")
+
+#: Runs of an outline.
+RUN_COUNT = sum(isinstance(row, _rows.Run) for row in _outputs.SIDE)
+
+if size(Outputs) != _variables.STATUS - _variables.FIRST_OUTPUT:
+    raise TypeError(f"the record of outputs has {size(Outputs)} numbers, the table of variables "
+                    f"{_variables.STATUS - _variables.FIRST_OUTPUT}")
+
+# numbers of the methods: MODE_RIGID, SEPARATION_NORMAL, ...
+globals().update({f"{family.constant}_{method.name.upper()}": method.kernel_number
+                  for family in _FAMILIES for method in family.methods if not method.python_only})

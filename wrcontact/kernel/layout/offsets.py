@@ -1,9 +1,9 @@
 """Places of the records' fields as numbers, for what still reads the arrays by index; computed from the records."""
 
-from .interface import Inputs, Outputs, Patch, SideOutputs
+from .interface import Inputs, Outputs, Parameters, Patch, SideOutputs
 from .record import size
 from .search import SideSearch
-from .tables import Tables
+from .tables import Setup, Tables
 from .wheelset import State
 from .work import Work
 
@@ -21,6 +21,8 @@ globals().update({name: value for name, value in _offsets("SIDE", SideSearch).it
                               "SIDE_ABSCISSA", "SIDE_STACK")})
 globals().update(_offsets("PATCH", Patch))
 globals().update(_offsets("SET", Tables))
+globals().update(_offsets("SETUP", Setup))
+globals().update(_offsets("PARAMETERS", Parameters))
 globals().update(_offsets("STATE", State))
 globals().update(_offsets("WORK", Work))
 OUT_RIGHT = OUT_LEFT + size(SideOutputs)  # noqa: F821

@@ -5,7 +5,7 @@ A model of normal contact fills them; totals, outline and resultant read them, a
 
 from typing import Final
 
-from .choices import STATION_LIMIT
+from .interface import RUN_COUNT, STATION_LIMIT
 from .record import Float, record
 
 SOLVED_PATCH_LIMIT: Final[int] = 8       # contact patches of one wheel
@@ -78,4 +78,4 @@ class SolvedPatches:
 class Outline:
     """Stations, half-lengths and pressures of one wheel, as many of each as stations are wanted, one run after the other."""
 
-    numbers: Float * (3 * STATION_LIMIT)
+    numbers: Float * (RUN_COUNT * STATION_LIMIT)

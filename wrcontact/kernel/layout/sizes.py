@@ -2,9 +2,9 @@
 
 from typing import Final
 
-from .interface import Inputs, Outputs
+from .interface import Inputs, Outputs, Parameters
 from .record import size
-from .tables import Tables
+from .tables import Setup, Tables
 from .wheelset import State
 from .work import Work
 
@@ -13,3 +13,5 @@ OUTPUT_COUNT: Final[int] = size(Outputs)
 WORK_SIZE: Final[int] = size(Work)
 STATE_SIZE: Final[int] = size(State)
 SETTING_COUNT: Final[int] = size(Tables)
+SETUP_SIZE: Final[int] = size(Setup)
+PARAMETERS_SIZE: Final[int] = size(Parameters)

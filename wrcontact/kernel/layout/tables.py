@@ -1,8 +1,20 @@
-"""The array ``tables``: what is fixed during a simulation. Settings are at its head, then come the tables that they point to."""
+"""The arrays ``setup``, from which the tables are prepared, and ``tables``: what is fixed during a simulation.
 
+Settings are at the head of the tables, then come the tables that they point to.
+"""
+
+from .interface import Parameters, Resolution
 from .normal import InfluenceTable
 from .record import Float, To, record
 from .surface import CurvatureTable, Profile
+
+
+@record
+class Setup:
+    array = "setup"
+    parameters: Parameters
+    resolution: Resolution
+    absent: float                   # not a number
 
 
 @record
@@ -38,4 +50,4 @@ class Tables:
     spare_28: Float * 2
     mode: float                     # one of MODE_...
     load: float                     # one of LOAD_...
-    spare_32: Float * 16
+    parameters: Parameters          # all of the setup's

@@ -14,11 +14,11 @@
 int64_t wrcontact_tangent_room(void)
 {
     return layout__STATE_SIZE + 2 * layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT
-        + 6 * layout__STATION_LIMIT;
+        + 2 * layout__RUN_COUNT * layout__STATION_LIMIT;
 }
 
 /* Over which share of its usual size (as in the table of variables) an input moves for a difference. */
-static const double SHARE = 1e-4, USUAL[] = {1e-3, 1e-2, 1e-3, 1e5, 0.1, 1e-3, 1e-3};
+static const double SHARE = 1e-4;
 
 /* One step at the handle's inputs, moved by `way` along `seed`; the status. */
 static int step_along(const wrcontact_handle *own, const wrcontact_handle *handle, const double *seed, double way)
@@ -34,7 +34,7 @@ static void difference(const wrcontact_handle *own, const wrcontact_handle *hand
 {
     double size = 0.0, ways[2] = {0.0, 0.0};
     for (int i = 0; i < layout__INPUT_COUNT; i += 1)
-        size = fmax(size, fabs(seed[i]) / USUAL[i]);
+        size = fmax(size, fabs(seed[i]) / layout__INPUT_NOMINALS[i]);
     for (int side = 0; side < 2 && size > 0.0; side += 1)
     {
         const double sign = side ? 1.0 : -1.0;

@@ -13,7 +13,7 @@ from ..layout import (
     NODE_FIELDS,
     NODE_LIMIT,
     NODE_MIDDLE,
-    SEPARATION_CHORD,
+    SEPARATION_EQUIDISTANT_CHORD,
     SEPARATION_VERTICAL,
     WORK_NODES,
     NodeRun,
@@ -57,7 +57,7 @@ def node_stride(tables: Tables):
     """
     stride = int(tables.stride)
     kind = int(tables.separation)
-    if int(tables.lateral) != LATERAL_ADAPTIVE or kind == SEPARATION_CHORD or kind == SEPARATION_VERTICAL:
+    if int(tables.lateral) != LATERAL_ADAPTIVE or kind == SEPARATION_EQUIDISTANT_CHORD or kind == SEPARATION_VERTICAL:
         stride = 1
     return stride
 

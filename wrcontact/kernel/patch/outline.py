@@ -10,6 +10,7 @@ from ..layout import (
     OUTPUT_COUNT,
     RULE_ELLIPSE,
     RULE_QUADRATIC,
+    RUN_COUNT,
     STATION_COUNT,
     Outline,
     PatchTotals,
@@ -25,13 +26,13 @@ def row_size(tables: Tables):
     stations = int(tables.stations)
     size = OUTPUT_COUNT
     if stations != STATION_COUNT:
-        size += 6 * stations
+        size += 2 * RUN_COUNT * stations
     return size
 
 
 def fill_outline(outline: Outline, stations: int, value: float):
     """Write ``value`` all over an outline."""
-    for i in range(3 * stations):
+    for i in range(RUN_COUNT * stations):
         outline.numbers[i] = value
     return 0
 

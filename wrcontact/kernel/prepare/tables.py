@@ -10,9 +10,11 @@ from typing import Final
 
 from ..layout import (
     DEPTH_ALL,
+    LATERAL_LIMIT,
     OUT_LEFT,
     OUT_RIGHT,
     OUT_ROLL,
+    PARAMETERS_SIZE,
     SET_HERTZ,
     SET_INFLUENCE,
     SETTING_COUNT,
@@ -20,7 +22,9 @@ from ..layout import (
     SIDES_BOTH,
     STATION_COUNT,
     UNLOADED,
+    YAW_LIMIT,
     Profile,
+    Setup,
     Tables,
 )
 from ..search.starts import (
@@ -40,29 +44,6 @@ from .placement import highest_point, inner_face, keep_around_top, turn_zones
 from .scan import TOO_WIDE, write_scan
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES
 
-# the setup: parameters as numbers, SI
-SETUP_INCLINATION: Final[int] = 0
-SETUP_GAUGE: Final[int] = 1
-SETUP_GAUGE_DEPTH: Final[int] = 2
-SETUP_CIRCLE_DISTANCE: Final[int] = 3
-SETUP_RADIUS: Final[int] = 4
-SETUP_YOUNGS_MODULUS: Final[int] = 5
-SETUP_POISSON_RATIO: Final[int] = 6
-SETUP_CURVATURE_STEP: Final[int] = 7
-SETUP_CURVATURE_REACH: Final[int] = 8
-SETUP_NODES: Final[int] = 9
-SETUP_STRIDE: Final[int] = 10
-SETUP_STRIPS: Final[int] = 11
-SETUP_SWEEPS: Final[int] = 12
-SETUP_MODE: Final[int] = 13
-SETUP_LOAD: Final[int] = 14
-SETUP_NORMAL_MODEL: Final[int] = 15
-SETUP_SEPARATION: Final[int] = 16
-SETUP_LONGITUDINAL: Final[int] = 17
-SETUP_LATERAL: Final[int] = 18
-SETUP_NAN: Final[int] = 19           # not a number
-SETUP_SIZE: Final[int] = 20
-
 # what became of it
 PREPARED: Final[int] = 0
 TABLES_FULL: Final[int] = 1          # more room is needed
@@ -77,9 +58,6 @@ REPORT_WIDTH: Final[int] = 2         # of the wheel [m]
 REPORT_DEPTH: Final[int] = 3         # how deep the gauge is measured, in the same frame [m]
 REPORT_COUNT: Final[int] = 4
 
-#: Range of the inputs; beyond it the contact leaves the profiles' running surfaces.
-LATERAL_LIMIT: Final[float] = 0.015  # [m]
-YAW_LIMIT: Final[float] = 0.12       # [rad]
 START_STEP: Final[float] = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
 START_ROW_COUNT: Final[int] = 61
 STARTS_EACH_METRE: Final[float] = 2000.0
@@ -93,17 +71,17 @@ def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
     return at + size
 
 
-def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tables: Tables, report: 'float[:]'):
+def place_zones(setup: Setup, work: 'float[:]', wheel: int, rail: int, tables: Tables, report: 'float[:]'):
     """Cut the wheel's and place the rail's definition in the workspace, and note where the rail stands; the outcome."""
-    angle = -atan(setup[SETUP_INCLINATION])
+    angle = -atan(setup.parameters.rail_inclination)
     y_top, z_top = highest_point(work, rail, angle)
-    depth = z_top + setup[SETUP_GAUGE_DEPTH] / MM
+    depth = z_top + setup.parameters.gauge_depth / MM
     y_gauge, reached = inner_face(work, rail, angle, depth)
     if reached < depth:
         report[REPORT_DEEPEST] = reached * MM
         report[REPORT_DEPTH] = depth * MM
         return GAUGE_TOO_DEEP
-    tables.rail_y = setup[SETUP_GAUGE] / 2.0 + (y_top - y_gauge) * MM
+    tables.rail_y = setup.parameters.gauge / 2.0 + (y_top - y_gauge) * MM
     turn_zones(work, rail, angle, -y_top, -z_top)
     turn_zones(work, wheel, 0.0, 0.0, 0.0)
     if keep_around_top(work, rail) == 0 or keep_around_top(work, wheel) == 0:
@@ -111,35 +89,37 @@ def place_zones(setup: 'float[:]', work: 'float[:]', wheel: int, rail: int, tabl
     return PREPARED
 
 
-def write_settings(setup: 'float[:]', tables: Tables):
+def write_settings(setup: Setup, tables: Tables):
     """The settings that are known from the beginning, with each method's first choice."""
-    tables.radius = setup[SETUP_RADIUS]
-    tables.arm = 0.5 * setup[SETUP_CIRCLE_DISTANCE]
-    nu = setup[SETUP_POISSON_RATIO]
-    tables.contact_modulus = setup[SETUP_YOUNGS_MODULUS] / (2.0 * (1.0 - nu * nu))
+    tables.radius = setup.parameters.nominal_radius
+    tables.arm = 0.5 * setup.parameters.running_circle_distance
+    nu = setup.parameters.poisson_ratio
+    tables.contact_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 - nu * nu))
     tables.lateral_limit = LATERAL_LIMIT
     tables.yaw_limit = YAW_LIMIT
-    tables.nodes = setup[SETUP_NODES]
-    tables.stride = setup[SETUP_STRIDE]
-    tables.strips = setup[SETUP_STRIPS]
-    tables.sweeps = setup[SETUP_SWEEPS]
-    tables.penetration[0] = setup[SETUP_NAN]
-    tables.penetration[1] = setup[SETUP_NAN]
+    tables.nodes = setup.resolution.nodes
+    tables.stride = setup.resolution.stride
+    tables.strips = setup.resolution.strips
+    tables.sweeps = setup.resolution.sweeps
+    tables.penetration[0] = setup.absent
+    tables.penetration[1] = setup.absent
     tables.sides = float(SIDES_BOTH)
     tables.depth = float(DEPTH_ALL)
-    tables.absent = setup[SETUP_NAN]
+    tables.absent = setup.absent
     tables.stations = float(STATION_COUNT)
+    for i in range(PARAMETERS_SIZE):
+        tables.parameters[i] = setup.parameters[i]
     return 0
 
 
-def write_methods(setup: 'float[:]', tables: Tables):
+def write_methods(setup: Setup, tables: Tables):
     """The chosen methods."""
-    tables.mode = setup[SETUP_MODE]
-    tables.load = setup[SETUP_LOAD]
-    tables.normal_model = setup[SETUP_NORMAL_MODEL]
-    tables.separation = setup[SETUP_SEPARATION]
-    tables.longitudinal = setup[SETUP_LONGITUDINAL]
-    tables.lateral = setup[SETUP_LATERAL]
+    tables.mode = setup.parameters.contact_mode
+    tables.load = setup.parameters.load
+    tables.normal_model = setup.parameters.normal_model
+    tables.separation = setup.parameters.separation
+    tables.longitudinal = setup.parameters.longitudinal_curvature
+    tables.lateral = setup.parameters.lateral_curvature
     return 0
 
 
@@ -168,11 +148,11 @@ def append_starts(tables: Tables, at: int):
     return at + size
 
 
-def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
+def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
             influence: 'float[:]', tables: Tables, work: 'float[:]', report: 'float[:]'):
     """Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
     as the tables."""
-    kind = int(setup[SETUP_LATERAL])
+    kind = int(setup.parameters.lateral_curvature)
     for i in range(SETTING_COUNT):
         tables[i] = 0.0
     rail_zones = copy_definition(wheel_definition, work, 0)
@@ -183,11 +163,11 @@ def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'f
     write_settings(setup, tables)
     wheel = SETTING_COUNT
     tables.wheel = wheel
-    rail = write_profile(tables.raw, wheel, work, 0, setup[SETUP_NAN], work, scratch)
+    rail = write_profile(tables.raw, wheel, work, 0, setup.absent, work, scratch)
     if rail == FULL:
         return TABLES_FULL
     tables.rail = rail
-    at = write_profile(tables.raw, rail, work, rail_zones, setup[SETUP_NAN], work, scratch)
+    at = write_profile(tables.raw, rail, work, rail_zones, setup.absent, work, scratch)
     if at == FULL:
         return TABLES_FULL
     tables.scan = float(at)
@@ -203,11 +183,11 @@ def prepare(setup: 'float[:]', wheel_definition: 'float[:]', rail_definition: 'f
         at = append_starts(tables, at)
     if at != FULL:
         tables.wheel_curvature = at
-        at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
+        at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup.parameters.curvature_step, setup.parameters.curvature_reach,
                               work, scratch)
     if at != FULL:
         tables.rail_curvature = at
-        at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup[SETUP_CURVATURE_STEP], setup[SETUP_CURVATURE_REACH],
+        at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup.parameters.curvature_step, setup.parameters.curvature_reach,
                               work, scratch)
     if at == FULL:
         return TABLES_FULL

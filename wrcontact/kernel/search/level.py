@@ -14,10 +14,10 @@ at both ends of the way.  Where this does not settle it, the way is halved.
 from math import fabs
 from typing import Final
 
-from ..layout import NOT_CONVERGED, OFF_PROFILE, VALID, WORK_ROLLS, Place, State, Tables, Work
+from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, WORK_ROLLS, Place, State, Tables, Work
 from ..surface.locus import around_wheel, outline_point
 from ..surface.profile_table import height_slope
-from .roll import ROLL_LIMIT, close_in, follow_side, newton_move, search_both, some_roll, turn_both
+from .roll import close_in, follow_side, newton_move, search_both, some_roll, turn_both
 from .search import (
     REACH_SHARE,
     ROW_LEVER,

@@ -15,6 +15,7 @@ from typing import Final
 from ..layout import (
     NOT_CONVERGED,
     OFF_PROFILE,
+    ROLL_LIMIT,
     VALID,
     SideSearch,
     State,
@@ -26,8 +27,6 @@ from ..surface.locus import mirror_place, mirror_roll, outline_point, place_whee
 from ..surface.profile_table import height_slope
 from .search import SHARP, search_side
 
-#: The roll is searched within this [rad]; 12 mm of lateral shift need 0.013.
-ROLL_LIMIT: Final[float] = 0.12
 #: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a lever of 0.2 m and more.
 ROLL_SHARP: Final[float] = 1e-14
 SEARCHES: Final[int] = 120

@@ -19,9 +19,9 @@ from math import fabs
 from typing import Final
 
 from ..contact.touching import limited
-from ..layout import NOT_CONVERGED, OFF_PROFILE, UNLOADED, VALID, State, Tables, Work
+from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, State, Tables, Work
 from ..normal.estimate import first_penetration
-from ..search.roll import ROLL_LIMIT, follow_side, place_both, search_both, turn_both
+from ..search.roll import follow_side, place_both, search_both, turn_both
 from .side import load_side, press_side, rest_side, side_lever
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.

@@ -19,6 +19,7 @@ from ..layout import (
     DEPTH_PATCHES,
     NOT_CONVERGED,
     OFF_PROFILE,
+    RUN_COUNT,
     SIDE_PENETRATION,
     SIDE_SIZE,
     SIDE_STATION,
@@ -75,7 +76,7 @@ def outline_place(tables: Tables, work: Work, out: SideOutputs):
     if stations != STATION_COUNT:
         place = offset(work.outlines[0], work)
         if offset(out, work) > offset(work.outputs.left[0], work):
-            place += 3 * stations
+            place += RUN_COUNT * stations
     return place
 
 

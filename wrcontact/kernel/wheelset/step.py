@@ -14,6 +14,7 @@ from ..layout import (
     MODE_ELASTIC,
     MODE_RIGID,
     OFF_PROFILE,
+    ROLL_LIMIT,
     SIDE_SIZE,
     SIDES_BOTH,
     SIDES_LEFT,
@@ -27,7 +28,6 @@ from ..layout import (
 )
 from ..patch.outline import row_size
 from ..search.level import solve_roll
-from ..search.roll import ROLL_LIMIT
 from ..search.starts import START_LEFT, START_RIGHT, START_ROLL, nearest_start
 from .elastic import solve_elastic, stand_compliant
 from .resultant import clear_resultant, write_resultant

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from wrcontact.interface import session as module
-from wrcontact.interface.session import Refused, Session
+from wrcontact.simulation import session as module
+from wrcontact.simulation.session import Refused, Session
 from wrcontact.interface.variables import (
     FIRST_OUTPUT,
     INPUT,

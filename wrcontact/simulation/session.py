@@ -17,10 +17,10 @@ from pathlib import Path
 import numpy as np
 
 from .. import status as outcomes
+from ..interface.variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, STATUS, STRING, VARIABLES
 from ..kernel import layout
 from ..methods.choices import check_choice
 from ..system import ContactSystem
-from .variables import FIRST_OUTPUT, INTEGER, PARAMETER, REAL, STATUS, STRING, VARIABLES
 
 INPUTS = layout.INPUT_COUNT
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}

@@ -1,0 +1,76 @@
+"""How a call gives inputs and parameters: values and signatures from the rows of the table."""
+
+from inspect import Parameter, Signature, signature
+
+from ..methods.numbers import unit_behind
+from .inputs import INPUTS
+from .parameters import GROUPS, PARAMETERS
+
+#: Places in the kernel's inputs of those that can be given without their names, and of all by name.
+POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
+PLACES = {row.name: place for place, row in enumerate(INPUTS)}
+STARTS = [row.start for row in INPUTS]
+
+
+def input_values(arguments, keywords):
+    """The value of every input in the kernel's order, from the arguments and keywords of a call."""
+    values = STARTS.copy()
+    for place, value in zip(POSITIONAL, arguments):
+        values[place] = value
+    for name, value in keywords.items():
+        if name not in PLACES:
+            raise TypeError(f"there is no input {name!r}; inputs are {', '.join(PLACES)}")
+        values[PLACES[name]] = value
+    if len(arguments) > len(POSITIONAL) or any(
+        INPUTS[place].name in keywords for place in POSITIONAL[: len(arguments)]
+    ):
+        names = ", ".join(INPUTS[place].name for place in POSITIONAL)
+        raise TypeError(
+            f"{len(arguments)} inputs have no name; permitted are {names}, each once, and others by name"
+        )
+    return values
+
+
+def describe_inputs(function):
+    """Give ``evaluate`` or ``evaluate_many`` its signature, and the words of the inputs."""
+    found = signature(function).parameters
+    rows = [
+        _parameter(row.name, row.start, row.positional)
+        for row in sorted(INPUTS, key=lambda row: not row.positional)
+    ]
+    function.__signature__ = Signature(
+        [found["self"], *rows, *(found[name] for name in ("penetration", "side", "outputs"))]
+    )
+    _fill(function, "{inputs}", [f"        {row.name} : {row.meaning} [{row.unit}]." for row in INPUTS])
+
+
+def describe_parameters(system):
+    """Give :class:`~wrcontact.ContactSystem` its signature, with every keyword, and the words of the
+    parameters."""
+    names = [_parameter(row.name, row.default, row.name in ("wheel", "rail")) for row in PARAMETERS.values()]
+    groups = [_parameter(name, None, False) for name in GROUPS]
+    system.__signature__ = Signature(names[:2] + groups + names[2:])
+    _fill(system, "{parameters}", [line for row in list(PARAMETERS.values())[2:] for line in _lines(row)])
+
+
+def _parameter(name, default, positional):
+    """One parameter of a signature."""
+    return Parameter(
+        name, Parameter.POSITIONAL_OR_KEYWORD if positional else Parameter.KEYWORD_ONLY, default=default
+    )
+
+
+def _lines(row):
+    """What a docstring says about one parameter."""
+    if row.family is None:
+        known = row.number
+        yield f"    {row.name} : {row.meaning}, {known.low:g} ... {known.high:g}{unit_behind(known.unit)}."
+        return
+    yield f"    {row.name} : {row.family.decides}:"
+    for method in row.family.methods:
+        yield f"        {method.name!r}, :class:`~wrcontact.{method.__name__}` : {method.words}"
+
+
+def _fill(described, place, lines):
+    """Write ``lines`` at ``place`` of a docstring, which ``python -OO`` drops."""
+    described.__doc__ = (described.__doc__ or "").replace(place, "\n".join(lines))

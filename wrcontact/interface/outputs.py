@@ -1,0 +1,80 @@
+"""The outputs: one row for each, in the order of the kernel's array.
+
+A new output takes a row here and the code in the kernel that writes its field.
+"""
+
+from .rows import Blocks, Output, Run, Vector
+
+#: Patches that are reported for each wheel.
+PATCH_LIMIT = 3
+#: Stations of an outline, unless another number is asked for: at least and at most.
+STATION_COUNT, STATION_LEAST, STATION_LIMIT = 31, 3, 201
+
+PATCH = (
+    Output("normal_force", "N", 1e5, "normal force", 0.0),
+    Output("area", "m2", 1e-4, "contact area", 0.0),
+    Output("max_pressure", "Pa", 1e9, "highest contact pressure", 0.0),
+    Output("length", "m", 1e-2, "length in rolling direction", 0.0),
+    Output("width", "m", 1e-2, "width in the contact plane", 0.0),
+    Output("centroid", "m", 1e-3, "centre of load in the contact plane, from the contact point to the field "
+           "side"),
+    Output("contact_angle", "rad", 0.1, "contact angle where its gap is smallest, along whose normal it is "
+           "loaded, positive towards the flange"),
+)
+
+#: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow
+#: from its load.
+SIDE = (
+    Output("patch_count", "1", 1.0, "number of loaded regions", 0, PATCH_LIMIT, whole=True),
+    Output("contact.x_wheel", "m", 1e-3, "contact point in the wheel profile frame, forward of the principal "
+           "profile; the frame yaws and rolls with the wheelset but does not spin"),
+    Output("contact.y_wheel", "m", 1e-2, "contact point in the wheel profile frame, from the running circle "
+           "to the field side"),
+    Output("contact.z_wheel", "m", 1e-3, "contact point in the wheel profile frame, down from the running "
+           "circle"),
+    Output("contact.y_rail", "m", 1e-2, "contact point in the rail profile frame, from the highest point of "
+           "the inclined head to the field side"),
+    Output("contact.z_rail", "m", 1e-3, "contact point in the rail profile frame, down from the highest "
+           "point of the inclined head"),
+    Output("contact.x_track", "m", 1e-3, "contact point in the track frame, forward"),
+    Output("contact.y_track", "m", 1.0, "contact point in the track frame, to the right of the track centre "
+           "(not mirrored)"),
+    Output("contact.z_track", "m", 1e-3, "contact point in the track frame, down from top of rail"),
+    Output("contact_angle", "rad", 0.1, "contact angle, positive towards the flange"),
+    Output("rolling_radius", "m", 0.5, "rolling radius at the contact point: nominal radius plus height of "
+           "the wheel profile", 0.0),
+    Output("curvature_x", "1/m", 1.0, "relative (combined) principal curvature of wheel and rail at the "
+           "contact point, in rolling direction"),
+    Output("curvature_y", "1/m", 10.0, "relative (combined) principal curvature of wheel and rail at the "
+           "contact point, across the rail"),
+    Output("penetration", "m", 1e-4, "penetration: approach of the two bodies", 0.0),
+    Output("normal_force", "N", 1e5, "normal force, total over the patches", 0.0),
+    Output("area", "m2", 1e-4, "contact area, total over the patches", 0.0),
+    Output("max_pressure", "Pa", 1e9, "highest contact pressure", 0.0),
+    Output("patch_length", "m", 1e-2, "length of the contact in rolling direction", 0.0),
+    Output("patch_width", "m", 1e-2, "width of the contact in the contact plane, from first to last loaded "
+           "point", 0.0),
+    Output("patch_centroid", "m", 1e-3, "centre of load in the contact plane, from the contact point to the "
+           "field side"),
+    Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
+    Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
+        "point to the field side"),
+    Run("half_length", "m", 1e-2, "half the length of the patch in rolling direction at the station", 0.0),
+    Run("pressure", "Pa", 1e9, "contact pressure on the centre line of the patch at the station", 0.0),
+)
+
+#: Outputs of the wheelset, ahead of those of the left and then the right wheel.
+WHEELSET = (
+    Output("roll", "rad", 1e-3, "Roll of the wheelset, positive with the right wheel down"),
+    Output("vertical_shift", "m", 1e-3, "Vertical shift of the wheelset, positive down"),
+    Vector("force", "N", 1e5, "Resultant of the contact forces on the wheelset, {axis}"),
+    Vector("moment", "N.m", 1e4,
+           "Moment of the contact forces about the wheelset's centre, around the axis {axis}"),
+)
+
+SIDES = ("left", "right")
+
+#: Words for what stands before the dot of a name.
+PARTS = {
+    "contact": "The contact point in the frames of the wheel, the rail and the track.",
+}

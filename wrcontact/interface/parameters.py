@@ -1,0 +1,251 @@
+"""Everything that is fixed during a simulation: one row for each keyword of
+:class:`~wrcontact.ContactSystem`.
+
+The numbers of track, wheelset and material are declared here, those of a method in its file
+(wrcontact/methods).  Keywords, defaults, ranges, the parameters of an FMU and the options of the command line
+follow from :data:`PARAMETERS`.
+"""
+
+from dataclasses import dataclass, replace
+
+from ..methods import FAMILIES
+from ..methods.choices import check_choice
+from ..methods.numbers import Checked, Number, frozen, number, unit_behind
+from .outputs import STATION_COUNT, STATION_LEAST, STATION_LIMIT
+
+
+@frozen
+class Track(Checked):
+    """Rails: ``gauge`` [m], measured ``gauge_depth`` [m] below the highest point of the inclined head;
+    ``rail_inclination`` [1]."""
+
+    rail_inclination: float = number(
+        1 / 40, 0.0, 0.1, "1", "Inclination of the rail to the track centre as a slope; 0.025 is 1:40"
+    )
+    gauge: float = number(
+        1.435, 0.5, 2.0, "m", "Track gauge between the gauge faces of the rails", nominal=1.0
+    )
+    gauge_depth: float = number(
+        0.014,
+        0.005,
+        0.035,
+        "m",
+        "Depth below the highest point of the inclined rail head at which the gauge is measured",
+        nominal=0.01,
+    )
+
+
+@frozen
+class Wheelset(Checked):
+    """Wheels: ``running_circle_distance`` [m] of the two running circles, ``nominal_radius`` [m] there."""
+
+    running_circle_distance: float = number(
+        1.5, 0.5, 2.5, "m", "Distance between the running circles of the two wheels", nominal=1.0
+    )
+    nominal_radius: float = number(0.46, 0.1, 1.0, "m", "Wheel radius at the running circle", nominal=0.5)
+
+
+@frozen
+class Material(Checked):
+    """Wheel and rail, which are of one material: ``youngs_modulus`` [Pa], ``poisson_ratio`` [1]."""
+
+    youngs_modulus: float = number(210e9, 1e6, 1e13, "Pa", "Young's modulus of wheel and rail", nominal=1e11)
+    poisson_ratio: float = number(0.28, 0.0, 0.499, "1", "Poisson's ratio of wheel and rail", nominal=0.3)
+
+
+#: Records that may be given instead of the keywords that they hold.
+GROUPS = {"track": Track, "wheelset": Wheelset, "material": Material}
+
+#: Keywords that say where the profiles can touch.
+GEOMETRY = (*Track.keywords(), *Wheelset.keywords())
+
+#: Numbers that belong to none of the records.
+STATIONS = Number(
+    STATION_COUNT,
+    STATION_LEAST,
+    STATION_LIMIT,
+    "1",
+    "Stations of a patch's outline",
+    whole=True,
+    python_only=True,
+)
+SMOOTHING = Number(
+    None,
+    0.0,
+    0.5e-3,
+    "m",
+    "How far the curve may keep from the points of a profile file, in the mean of squares",
+    python_only=True,
+)
+
+
+OTHERS = {"stations": STATIONS, "smoothing": SMOOTHING}
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One keyword of :class:`~wrcontact.ContactSystem`.
+
+    Attributes
+    ----------
+    name : the keyword.
+    meaning : words for the user.
+    default : in Python; ``start`` for doors where None cannot be said.
+    number : its :class:`~wrcontact.methods.numbers.Number`; None for profiles and methods.
+    family : its :class:`~wrcontact.methods.families.Family`; None but for methods.
+    fmu_name : its name in an FMU, "" where an FMU does not have it.
+    """
+
+    name: str
+    meaning: str
+    default: object
+    number: Number | None = None
+    family: object = None
+    fmu_name: str = ""
+
+    @property
+    def start(self):
+        """The default of an FMU and the command line."""
+        return self.default if self.default is not None else self.number.start
+
+    def checked(self, value):
+        """``value`` in its type and range; ValueError, in a sentence, where it is not permitted."""
+        if self.number is not None:
+            return self.number.checked(self.name, value)
+        if self.family is not None:
+            check_choice(self.name, value, self.family.names())
+        return value
+
+
+def _profile(kind, default):
+    return Parameter(
+        kind,
+        f"{kind.capitalize()} profile: a built-in name, or the name of a file that is packed in the FMU",
+        default,
+        fmu_name=f"{kind}_profile",
+    )
+
+
+def _numeric(name, known):
+    return Parameter(name, known.meaning, known.default, known, fmu_name="" if known.python_only else name)
+
+
+def _method(family):
+    words = ", ".join(
+        f"{method.name} = {method.words}" for method in family.methods if not method.python_only
+    )
+    return Parameter(
+        family.parameter,
+        f"Method, {family.decides}: {words}",
+        family.default,
+        family=family,
+        fmu_name=family.parameter,
+    )
+
+
+def _numbers_of(family):
+    """The numbers of a family's methods by keyword; one that several methods have gets the range that
+    contains all of theirs."""
+    found = {}
+    for method in family.methods:
+        for keyword, name in method.keywords().items():
+            own = method.numbers()[name]
+            known = found.setdefault(keyword, own)
+            found[keyword] = replace(known, low=min(known.low, own.low), high=max(known.high, own.high))
+            if replace(own, low=0, high=0) != replace(known, low=0, high=0):
+                raise TypeError(
+                    f"{keyword} of the {family.parameter} {method.name!r} differs from that of another one"
+                )
+    return found
+
+
+def _rows():
+    yield _profile("wheel", "S1002")
+    yield _profile("rail", "UIC60")
+    for group in GROUPS.values():
+        for name, known in group.numbers().items():
+            yield _numeric(name, known)
+    for family in FAMILIES:
+        yield _method(family)
+        for keyword, known in _numbers_of(family).items():
+            yield _numeric(keyword, known)
+    for name, known in OTHERS.items():
+        yield _numeric(name, known)
+
+
+#: Every row by its name, in the order of the keywords.
+PARAMETERS = {row.name: row for row in _rows()}
+
+
+#: Names of those that always have a number or a method, and so have a place in the kernel's record
+#: Parameters.
+KERNEL_PARAMETERS = tuple(
+    row.name
+    for row in PARAMETERS.values()
+    if row.family or (row.number is not None and row.start is not None)
+)
+
+
+def checked_parameters(given, groups):
+    """What a system is built from: (parameters, methods).
+
+    Parameters
+    ----------
+    given : values by keyword, where other than the default; a method may be its string or its object.
+    groups : a :class:`Track`, :class:`Wheelset`, :class:`Material` or None by the name in :data:`GROUPS`.
+
+    Returns
+    -------
+    parameters : the checked value of every keyword; methods are strings.
+    methods : the object of every method, by its parameter.
+
+    Raises
+    ------
+    ValueError
+        in one sentence with name, value, unit and permitted range or choices.
+    """
+    given = dict(given)
+    for name, group in groups.items():
+        if group is not None:
+            if not isinstance(group, GROUPS[name]):
+                raise ValueError(f"{name} is {group!r}; permitted is a {GROUPS[name].__name__}")
+            _take(group, given, name)
+    for family in FAMILIES:
+        method = given.get(family.parameter)
+        if isinstance(method, family.methods):
+            given[family.parameter] = method.name
+            _take(method, given, family.parameter)
+    parameters = {name: row.checked(given.get(name, row.default)) for name, row in PARAMETERS.items()}
+    return parameters, {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+
+
+def _take(record, given, argument):
+    """Write the numbers of a group or method into the keywords ``given``; ValueError where one is there with
+    another value."""
+    for keyword, name in record.keywords().items():
+        own, other = getattr(record, name), given.get(keyword)
+        if other is not None and other != own:
+            unit = unit_behind(PARAMETERS[keyword].number.unit)
+            raise ValueError(
+                f"{keyword} is {other!r}{unit}, but {own!r}{unit} in {argument}={record!r}; "
+                "permitted is one value"
+            )
+        given[keyword] = own
+
+
+def _method_of(family, parameters):
+    """The chosen method of one family with its numbers."""
+    method = family.method(parameters[family.parameter])
+    for keyword in _numbers_of(family):
+        if (
+            parameters[keyword] is not None
+            and PARAMETERS[keyword].default is None
+            and keyword not in method.keywords()
+        ):
+            users = " or ".join(repr(name) for name in family.with_keyword(keyword))
+            raise ValueError(
+                f"{keyword} is {parameters[keyword]!r}; "
+                f"permitted with the {family.parameter} {method.name!r} is None, only {users} has {keyword}"
+            )
+    method().check_beside(parameters)
+    return method(**{name: parameters[keyword] for keyword, name in method.keywords().items()})

@@ -1,0 +1,83 @@
+"""Kinds of rows of the table of inputs and outputs; each row is declared once, in inputs.py or outputs.py.
+
+From a row follow a field of the kernel's record (wrcontact/kernel/layout/interface.py), a property of the
+results (wrcontact/state.py), variables of an FMU (variables.py) and their documentation.  Nothing here
+imports the kernel.
+"""
+
+from dataclasses import dataclass
+
+from .units import UNITS
+
+#: Axes of the track frame.
+AXES = (("x", "forward"), ("y", "to the right"), ("z", "down"))
+
+
+@dataclass(frozen=True)
+class Row:
+    """What all rows have.
+
+    Attributes
+    ----------
+    name : in the FMU, and in Python; a dot leads into a part of the results, as in ``contact.y_wheel``.
+    unit : one of :data:`~wrcontact.interface.units.UNITS`.
+    nominal : usual magnitude.
+    meaning : words for the user, without the place that they hold for and without a full stop.
+    minimum, maximum : limits; an angle without any is bounded by a right angle.
+    field : name of the field in the kernel's record, by default the part of the name behind the dot.
+    """
+
+    name: str
+    unit: str
+    nominal: float
+    meaning: str
+    minimum: float | None = None
+    maximum: float | None = None
+    field: str = ""
+
+    def __post_init__(self):
+        if self.unit not in UNITS:
+            raise TypeError(f"the unit of {self.name} is {self.unit!r}; there are {', '.join(UNITS)}")
+        object.__setattr__(self, "field", self.field or self.name.rpartition(".")[2])
+
+
+@dataclass(frozen=True)
+class Input(Row):
+    """What moves.
+
+    ``start`` is its default, ``hint`` whether it changes the cost of a step only, ``positional`` whether
+    :meth:`~wrcontact.ContactSystem.evaluate` takes it without its name too.
+    """
+
+    start: float = 0.0
+    hint: bool = False
+    positional: bool = False
+
+
+@dataclass(frozen=True)
+class Output(Row):
+    """A number; ``whole`` numbers are integers.  ``follows`` are names of the inputs that it depends on, None
+    for all but hints."""
+
+    whole: bool = False
+    follows: tuple | None = None
+
+
+@dataclass(frozen=True)
+class Vector(Output):
+    """Three numbers along :data:`AXES`; ``meaning`` is followed by the direction."""
+
+
+@dataclass(frozen=True)
+class Run(Output):
+    """One number for each station of an outline."""
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """``count`` times the same ``rows``, as in ``patch[2].area``; ``words`` name one of them."""
+
+    name: str
+    count: int
+    rows: tuple
+    words: str

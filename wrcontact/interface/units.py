@@ -1,0 +1,34 @@
+"""Units of all that crosses the border, each with the unit that people want to see."""
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit as a product of SI base units.
+
+    ``base`` holds the exponents of kg, m, s, rad; a value shown in ``display`` is ``display_factor`` times
+    the value.
+    """
+
+    name: str
+    base: dict
+    quantity: str = ""
+    display: str = ""
+    display_factor: float = 1.0
+
+
+UNITS = {
+    unit.name: unit
+    for unit in (
+        Unit("m", {"m": 1}, "Length", "mm", 1e3),
+        Unit("rad", {"rad": 1}, "Angle", "deg", 180.0 / math.pi),
+        Unit("N", {"kg": 1, "m": 1, "s": -2}, "Force", "kN", 1e-3),
+        Unit("N.m", {"kg": 1, "m": 2, "s": -2}, "Moment", "kN.m", 1e-3),
+        Unit("Pa", {"kg": 1, "m": -1, "s": -2}, "Pressure", "MPa", 1e-6),
+        Unit("m2", {"m": 2}, "Area", "mm2", 1e6),
+        Unit("1/m", {"m": -1}, "Curvature"),
+        Unit("1", {}),
+    )
+}

@@ -1,0 +1,123 @@
+"""Numbers that a user chooses, each declared once as a field of a frozen dataclass: default, range, unit and
+words.
+
+>>> @frozen
+... class Track(Checked):
+...     gauge: float = number(1.435, 0.5, 2.0, "m", "Track gauge")
+>>> Track(gauge=1435)
+Traceback (most recent call last):
+ValueError: gauge is 1435; permitted is 0.5 ... 2 m
+"""
+
+import math
+from dataclasses import dataclass, field, fields
+from numbers import Real
+
+#: Every record of numbers is a dataclass of this kind.
+frozen = dataclass(frozen=True, kw_only=True, repr=False)
+
+
+@dataclass(frozen=True)
+class Number:
+    """What is known of one number.
+
+    Attributes
+    ----------
+    default : in Python; None leaves the choice to the method, which then needs a ``start`` for doors without
+        None.
+    low, high : permitted range, ends included.
+    unit : SI, "1" without one.
+    meaning : words for the user, one sentence without the full stop.
+    nominal : usual magnitude; None is that of the default.
+    keyword : its name among the keywords of :class:`~wrcontact.ContactSystem`, "" for the name of the field.
+    whole : whether it is a whole number.
+    start : default where None cannot be said.
+    python_only : an FMU and the command line do not have it.
+    """
+
+    default: float | int | None
+    low: float
+    high: float
+    unit: str
+    meaning: str
+    nominal: float | None = None
+    keyword: str = ""
+    whole: bool = False
+    start: float | None = None
+    python_only: bool = False
+
+    def checked(self, name, value, context=""):
+        """``value`` as a float or int within the range; None where that is the default.
+
+        Raises
+        ------
+        ValueError
+            in a sentence with ``name``, value, permitted range and unit; ``context`` says with what that
+            range holds.
+        """
+        if value is None and self.default is None:
+            return None
+        found = (
+            _number(value)
+            if not self.whole or (isinstance(value, Real) and not isinstance(value, bool))
+            else math.nan
+        )
+        if not self.low <= found <= self.high or (self.whole and found != int(found)):
+            raise ValueError(f"{name} is {value!r}; permitted {self._permitted(context)}")
+        return int(found) if self.whole else found
+
+    def _permitted(self, context):
+        if self.whole:
+            return f"are whole numbers {self.low} ... {self.high}"
+        return f"{context}is {self.low:g} ... {self.high:g}{unit_behind(self.unit)}"
+
+
+def number(default, low, high, unit, meaning, **more):
+    """A field of a :class:`Checked` record that holds a :class:`Number`; ``more`` are other attributes."""
+    return field(default=default, metadata={"number": Number(default, low, high, unit, meaning, **more)})
+
+
+def whole(default, low, high, meaning, **more):
+    """The same for a whole number."""
+    return number(default, low, high, "1", meaning, whole=True, **more)
+
+
+class Checked:
+    """Base of the frozen records: every number is checked when a record is made."""
+
+    context = ""
+
+    def __post_init__(self):
+        for name, known in self.numbers().items():
+            object.__setattr__(self, name, known.checked(name, getattr(self, name), self.context))
+
+    def __repr__(self):
+        changed = [
+            f"{one.name}={getattr(self, one.name)!r}"
+            for one in fields(self)
+            if getattr(self, one.name) != one.default
+        ]
+        return f"{type(self).__name__}({', '.join(changed)})"
+
+    @classmethod
+    def numbers(cls):
+        """The :class:`Number` of every field, by its name."""
+        return {one.name: one.metadata["number"] for one in fields(cls)}
+
+    @classmethod
+    def keywords(cls):
+        """The name of every field by its keyword of :class:`~wrcontact.ContactSystem`."""
+        return {known.keyword or name: name for name, known in cls.numbers().items()}
+
+
+def unit_behind(unit):
+    """``unit`` as it follows a number in a sentence, with a space; "" for "1"."""
+    return "" if unit == "1" else f" {unit}"
+
+
+def _number(value):
+    """``value`` as a float; not a number where it is none."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return math.nan

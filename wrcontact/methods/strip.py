@@ -1,0 +1,44 @@
+"""ANALYN followed by a strip correction."""
+
+from .normal_model import NormalModel, Resolution, node_count, tolerance_from
+from .numbers import frozen, whole
+
+#: Resolution by falling tolerance.
+STRIP_LADDER = {
+    0.025: Resolution(8, 2, 16, 1),
+    0.015: Resolution(8, 1, 20, 2),
+    0.01: Resolution(15, 2, 24, 2),
+    0.007: Resolution(15, 1, 32, 2),
+    0.004: Resolution(22, 1, 48, 3),
+}
+
+
+@frozen
+class Strip(NormalModel):
+    """ANALYN, corrected by strips on one half-space.
+
+    ``tolerance`` [1] is the relative error of the numerics; ``strips``, ``sweeps`` (how often they are
+    corrected) and ``nodes`` per half-width replace what it needs.
+    """
+
+    name = "analyn_strip"
+    kernel_number = 2
+    words = "ANALYN followed by a strip correction"
+    ladder = STRIP_LADDER
+
+    tolerance: float | None = tolerance_from(min(STRIP_LADDER))
+    nodes: int | None = node_count()
+    strips: int | None = whole(
+        None,
+        16,
+        64,
+        "Strips of the strip correction, instead of those that the tolerance needs",
+        python_only=True,
+    )
+    sweeps: int | None = whole(
+        None,
+        1,
+        4,
+        "Sweeps of the strip correction, instead of those that the tolerance needs",
+        python_only=True,
+    )
