@@ -18,15 +18,13 @@
 #include "analyn.h"
 
 /* ``stop`` of the cell outward of node ``k``, cut where the region's bound (a hump) crosses the cell. */
-static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop)
+static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop)
 {
-    double spacing;
     double reach;
-    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
-    reach = ((*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION))) / spacing - (double)(k);
+    reach = ((*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION))) / (*cspan_at(&work, region + layout__REGION_SPACING)) - (double)(k);
     if (outward < INT64_C(0))
     {
-        reach = ((*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW))) / spacing + (double)(k);
+        reach = ((*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW))) / (*cspan_at(&work, region + layout__REGION_SPACING)) + (double)(k);
     }
     if (reach < stop)
     {
@@ -39,13 +37,9 @@ static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, 
     return stop;
 }
 
-/* Load [N] of ``region`` at local penetration ``level`` [m], and its derivative [N/m] to a few per mille. */
-static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level)
+/* Load [N] of a region at a local penetration [m], and its derivative [N/m] to a few per mille. */
+static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration)
 {
-    int64_t block;
-    double spacing;
-    int64_t rises;
-    int64_t lines;
     double load;
     double stiffness;
     int64_t outward;
@@ -62,35 +56,31 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
     double f_high;
     double start;
     double stop;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
-    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
-    rises = nodes__node_field(region, nodes__NODE_RISE);
-    lines = nodes__node_field(region, nodes__NODE_LINE);
     load = 0.0;
     stiffness = 0.0;
-    if (level > 0.0)
+    if (local_penetration > 0.0)
     {
         for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
         {
-            last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+            last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             if (outward < INT64_C(0))
             {
-                last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
+                last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
             }
-            d_before = level - (*cspan_at(&work, rises - outward));
-            c_before = (*cspan_at(&work, lines - outward));
-            d_low = level - (*cspan_at(&work, rises));
-            c_low = (*cspan_at(&work, lines));
+            d_before = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
+            c_before = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
+            d_low = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
+            c_low = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
             for (k = INT64_C(0); k < last; k += INT64_C(1))
             {
                 at = outward * (k + INT64_C(1));
-                d_high = level - (*cspan_at(&work, rises + at));
-                c_high = (*cspan_at(&work, lines + at));
+                d_high = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + at));
+                c_high = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + at));
                 f_low = c_low * d_low;
                 f_high = c_high * d_high;
                 if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
                 {
-                    /* a fully loaded cell: quadratic_integral from 0 to 1 */
+                    /* a fully loaded cell: quadratic_integral up to 1 */
                     load += 0.5 * (f_low + f_high) - quadrature__bend_of(c_before * d_before, f_low, f_high) / 6.0;
                     stiffness += 0.5 * (c_low + c_high);
                 }
@@ -99,11 +89,11 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
                     quadrature__cell_part(&start, &stop, d_before, d_low, d_high);
                     if (k == last - INT64_C(1))
                     {
-                        stop = analyn__clip_to_bound(work, block, outward * k, outward, stop);
+                        stop = analyn__clip_to_bound(work, region, outward * k, outward, stop);
                     }
                     if (stop > start)
                     {
-                        load += quadrature__quadratic_integral(c_before * d_before, f_low, f_high, start, stop);
+                        load += quadrature__quadratic_integral(c_before * d_before, f_low, f_high, stop) - quadrature__quadratic_integral(c_before * d_before, f_low, f_high, start);
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low));
                     }
                 }
@@ -114,37 +104,38 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
             }
         }
     }
-    (*result_0) = load * spacing;
-    (*result_1) = stiffness * spacing;
+    (*result_0) = load * (*cspan_at(&work, region + layout__REGION_SPACING));
+    (*result_1) = stiffness * (*cspan_at(&work, region + layout__REGION_SPACING));
     return 0;
 }
 
-/* Loads and stiffnesses of all regions at their levels; the total of what counts for the prescribed force [N]. */
-static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count)
+/* Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the prescribed force [N]. */
+static inline double analyn__load_regions(array_double_1d work, int64_t count)
 {
     int64_t i;
-    int64_t block;
+    int64_t region;
     double load;
     double stiffness;
     double total;
     total = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        analyn__region_load(&load, &stiffness, work, i, (*cspan_at(&work, block + layout__REGION_LEVEL)));
-        (*cspan_at(&work, block + layout__REGION_LOAD)) = load;
-        (*cspan_at(&work, block + layout__REGION_STIFFNESS)) = stiffness;
-        total += (*cspan_at(&work, block + layout__REGION_SHARE)) * load;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        analyn__region_load(&load, &stiffness, work, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LEVEL)));
+        (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
+        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
+        total += (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
     }
     return total;
 }
 
-/* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton on
- * all levels together, to ``sharp``, relative; levels and loads stay in the regions.  Second value: 1 when met, else 0.
+/* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton's method on all
+ * local penetrations together; these and the loads stay in the regions.  Second value: 1 when the force is satisfied, else 0.
  */
-static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp)
+static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed)
 {
     int64_t i;
+    int64_t region;
     double low;
     double high;
     double total_before;
@@ -157,11 +148,10 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     double rest;
     double share;
     double missed;
-    double following;
-    double newton;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_LEVEL)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_TURN)) * penetration - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_GAP));
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        (*cspan_at(&work, region + layout__REGION_LEVEL)) = (*cspan_at(&work, region + layout__REGION_TURN)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
@@ -171,11 +161,11 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
     {
         (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
-        total = analyn__load_regions(tables, work, count);
-        analyn__level_residuals(&residual, &slope, &rest, tables, work, count, penetration);
+        total = analyn__load_regions(work, count);
+        analyn__level_residuals(&residual, &slope, &rest, work, tables, count, penetration);
         if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__ROUNDING * force))
         {
-            /* what the slopes of both ends made of the last move, against what came of it */
+            /* the change of the load that the slopes of both ends predict for the last move, against the real one */
             share = (total - total_before) / (0.5 * (slope_before + slope) * move);
             if (fabs(share - 1.0) < analyn__SLOPE_ERROR)
             {
@@ -200,24 +190,9 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
                     high = penetration;
                 }
             }
-            following = 0.5 * (low + high);
-            /* the levels follow the penetration by their slopes, after closing their own residuals; the load's power 2/3 */
-            /* is nearly linear */
-            if (slope > 0.0)
-            {
-                newton = penetration + (force - total - rest) / slope;
-                if ((missed > analyn__NEARLY * force) && (total > 0.0))
-                {
-                    newton = penetration + (1.5 * total * (pow((force / total), (2.0 / 3.0)) - 1.0) - rest) / slope;
-                }
-                if ((newton > low) && (newton < high))
-                {
-                    following = newton;
-                }
-            }
-            move = following - penetration;
+            move = analyn__penetration_move(force, total, slope, rest, penetration, low, high);
         }
-        if ((missed <= sharp * force) && (residual <= sharp * penetration))
+        if ((missed <= analyn__FORCE_SHARP * force) && (residual <= analyn__FORCE_SHARP * penetration))
         {
             (*result_0_0001) = penetration;
             (*result_1_0001) = INT64_C(1);
@@ -237,16 +212,44 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     return 0;
 }
 
+/* Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry now [N].
+ *
+ * slope : rate of the total load [N/m], once the local penetrations have closed their residuals.
+ * rest : load that closing them adds [N].
+ * low, high : bracket of the penetration [m], halved where Newton's method leaves it.
+ *
+ * The power 2/3 of the load is nearly linear in the penetration.
+ */
+static inline double analyn__penetration_move(double force, double total, double slope, double rest, double penetration, double low, double high)
+{
+    double following;
+    double newton;
+    following = 0.5 * (low + high);
+    if (slope > 0.0)
+    {
+        newton = penetration + (force - total - rest) / slope;
+        if ((fabs(force - total) > analyn__NEARLY * force) && (total > 0.0))
+        {
+            newton = penetration + (1.5 * total * (pow((force / total), (2.0 / 3.0)) - 1.0) - rest) / slope;
+        }
+        if ((newton > low) && (newton < high))
+        {
+            following = newton;
+        }
+    }
+    return following - penetration;
+}
+
 /* Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
  * level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
  *
  * Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
  * Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
  */
-static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration)
+static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration)
 {
     int64_t i;
-    int64_t block;
+    int64_t region;
     double pushed;
     int64_t j;
     double turn;
@@ -260,20 +263,20 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     (*largest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             if (j != i)
             {
-                pushed += interaction__region_influence(work, tables, block, layout__WORK_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+                pushed += interaction__region_influence(work, tables, region, layout__WORK_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             }
         }
-        turn = (*cspan_at(&work, block + layout__REGION_TURN));
-        residual = turn * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed - (*cspan_at(&work, block + layout__REGION_LEVEL));
-        (*cspan_at(&work, block + layout__REGION_RESIDUAL)) = residual;
-        (*cspan_at(&work, block + layout__REGION_SLOPE)) = turn;
-        (*cspan_at(&work, block + layout__REGION_MOVE)) = residual;
+        turn = (*cspan_at(&work, region + layout__REGION_TURN));
+        residual = turn * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - pushed - (*cspan_at(&work, region + layout__REGION_LEVEL));
+        (*cspan_at(&work, region + layout__REGION_RESIDUAL)) = residual;
+        (*cspan_at(&work, region + layout__REGION_SLOPE)) = turn;
+        (*cspan_at(&work, region + layout__REGION_MOVE)) = residual;
         if (fabs(residual) > (*largest))
         {
             (*largest) = fabs(residual);
@@ -288,31 +291,31 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     {
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-            (*slope) = (*cspan_at(&work, block + layout__REGION_TURN));
-            move = (*cspan_at(&work, block + layout__REGION_RESIDUAL));
+            region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+            (*slope) = (*cspan_at(&work, region + layout__REGION_TURN));
+            move = (*cspan_at(&work, region + layout__REGION_RESIDUAL));
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
                 if (j != i)
                 {
                     other = layout__WORK_REGIONS + layout__REGION_SIZE * j;
-                    coupling = interaction__region_influence(work, tables, block, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
+                    coupling = interaction__region_influence(work, tables, region, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
                     (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
                     move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
                 }
             }
-            (*cspan_at(&work, block + layout__REGION_SLOPE)) = (*slope);
-            (*cspan_at(&work, block + layout__REGION_MOVE)) = move;
+            (*cspan_at(&work, region + layout__REGION_SLOPE)) = (*slope);
+            (*cspan_at(&work, region + layout__REGION_MOVE)) = move;
         }
     }
     (*slope) = 0.0;
     (*rest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        counted = (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_STIFFNESS));
-        (*slope) += counted * (*cspan_at(&work, block + layout__REGION_SLOPE));
-        (*rest) += counted * (*cspan_at(&work, block + layout__REGION_MOVE));
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        counted = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*cspan_at(&work, region + layout__REGION_STIFFNESS));
+        (*slope) += counted * (*cspan_at(&work, region + layout__REGION_SLOPE));
+        (*rest) += counted * (*cspan_at(&work, region + layout__REGION_MOVE));
     }
     return 0;
 }
@@ -321,11 +324,11 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move)
 {
     int64_t i;
-    int64_t block;
+    int64_t region;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work, block + layout__REGION_LEVEL)) += (*cspan_at(&work, block + layout__REGION_MOVE)) + (*cspan_at(&work, block + layout__REGION_SLOPE)) * move;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        (*cspan_at(&work, region + layout__REGION_LEVEL)) += (*cspan_at(&work, region + layout__REGION_MOVE)) + (*cspan_at(&work, region + layout__REGION_SLOPE)) * move;
     }
     return INT64_C(0);
 }

@@ -21,7 +21,6 @@
 #include "../native/spans.h"
 #include "interaction.h"
 #include "layout.h"
-#include "nodes.h"
 #include "quadrature.h"
 
 static const int64_t analyn__FORCE_ITERATIONS = INT64_C(60);
@@ -33,11 +32,12 @@ static const double analyn__NEARLY = 0.001;
 static const double analyn__CLOSED = 1e-10;
 static const double analyn__HIGHEST = 1000.0;
 
-static inline double analyn__clip_to_bound(array_double_1d work, int64_t block, int64_t k, int64_t outward, double stop);
-static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, double level);
-static inline double analyn__load_regions(array_double_1d tables, array_double_1d work, int64_t count);
-static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d tables, array_double_1d work, int64_t count, double penetration);
+static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop);
+static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration);
+static inline double analyn__load_regions(array_double_1d work, int64_t count);
+static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration);
+static inline double analyn__penetration_move(double force, double total, double slope, double rest, double penetration, double low, double high);
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
-static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed, double sharp);
+static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed);
 
 #endif

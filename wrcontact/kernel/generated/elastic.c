@@ -32,7 +32,7 @@ static OUT_OF_LINE int64_t elastic__first_sink(array_double_1d tables, array_dou
         status = layout__VALID;
         if (force > 0.0)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_FIRST)) = normal_contact__first_penetration(tables, work, state, force) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+            (*cspan_at(&work, support + layout__SUPPORT_FIRST)) = estimate__first_penetration(tables, work, state, force) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
         }
     }
     return status;
@@ -249,7 +249,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
         move_roll = touching__limited(move_roll, elastic__LONGEST);
         height += move_height;
         roll += move_roll / arm;
-        if (!(fabs(roll) < roll__ROLL_LIMIT))
+        if (!(fabs(roll) < layout__ROLL_LIMIT))
         {
             break;
         }
@@ -530,7 +530,7 @@ static OUT_OF_LINE int64_t elastic__bracket_roll(double* result_0, int64_t* resu
     reach = elastic__FIRST_REACH;
     while(at_low * at_high > 0.0)
     {
-        if (reach > roll__ROLL_LIMIT)
+        if (reach > layout__ROLL_LIMIT)
         {
             (*result_0) = roll;
             (*result_1) = layout__NOT_CONVERGED;

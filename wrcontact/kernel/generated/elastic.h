@@ -21,8 +21,8 @@
 #define WRCONTACT_KERNEL_ELASTIC_H
 
 #include "../native/spans.h"
+#include "estimate.h"
 #include "layout.h"
-#include "normal_contact.h"
 #include "roll.h"
 #include "side.h"
 #include "touching.h"

@@ -1,18 +1,34 @@
 /* Generated from patch/filling.py by tools/transpile_kernel.py; change that one.
  *
- * How a model of normal contact fills the solved patches: one after the other by rising station, then their ranks.
+ * How a model of normal contact fills the solved patches: one after the other by rising station, then totals and ranks.
  */
 
 #include "filling.h"
+
+/* Totals of nothing, at station ``start`` [m]. */
+static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals, double start)
+{
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = start;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) = start;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = 0.0;
+    return INT64_C(0);
+}
 
 /* No patches. */
 static inline int64_t filling__clear_patches(array_double_1d work)
 {
     (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    filling__clear_totals(work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS, 0.0);
     return INT64_C(0);
 }
 
-/* Begin the next patch at station ``start`` [m] and strip ``first``, with the plane and the point of ``region``; its index.
+/* Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its index.
  *
  * Where there is no room for another patch, the last one goes on.
  */
@@ -29,13 +45,14 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t region,
     (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
     (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
     patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_START)) = start;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = start;
+    filling__clear_totals(work, patch + layout__SOLVED_PATCH_TOTALS, start);
+    filling__place_patch(work, patch, region, first, rule, contact_angle);
+    return index;
+}
+
+/* Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first`` yet. */
+static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle)
+{
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = contact_angle;
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_COS)) = (*cspan_at(&work, region + layout__REGION_COS));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_SIN)) = (*cspan_at(&work, region + layout__REGION_SIN));
@@ -49,46 +66,89 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t region,
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)) = (double)(first);
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(first - INT64_C(1));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK)) = 0.0;
-    return index;
+    return INT64_C(0);
 }
 
-/* Give the last patch, if there is one, its largest pressure and half-length. */
+/* Let the first patch, whose totals are known, be the only one. */
+static inline int64_t filling__fill_single(array_double_1d work)
+{
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 1.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 1.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    return INT64_C(0);
+}
+
+/* Give the last patch, if there is one, what follows from its load, its edges and its largest squares. */
 static inline int64_t filling__finish_patch(array_double_1d work)
 {
     int64_t patch;
+    int64_t totals;
     if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        totals = patch + layout__SOLVED_PATCH_TOTALS;
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        filling__complete_totals(work, totals);
     }
     return INT64_C(0);
 }
 
-/* Rank the patches that carry load, the heaviest first; of equal ones the one with the smaller station. */
-static inline int64_t filling__rank_patches(array_double_1d work)
+/* Centroid and width from load, moment and edges. */
+static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals)
+{
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) - (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
+    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) > 0.0)
+    {
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
+    }
+    return INT64_C(0);
+}
+
+/* The totals of all patches, and their ranks, when the last patch is finished. */
+static inline int64_t filling__finish_patches(array_double_1d work)
 {
     int64_t count;
-    int64_t rank;
-    int64_t heaviest;
-    double load;
     int64_t index;
     int64_t patch;
+    int64_t one;
+    int64_t rank;
+    int64_t heaviest;
     int64_t ranked;
     count = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        one = patch + layout__SOLVED_PATCH_TOTALS;
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)))
+        {
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+        }
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)))
+        {
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        }
+        if (index == INT64_C(0))
+        {
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
+        }
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_STOP));
+    }
+    filling__complete_totals(work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
     for (rank = INT64_C(1); rank < count + INT64_C(1); rank += INT64_C(1))
     {
-        heaviest = -INT64_C(1);
-        load = 0.0;
-        for (index = INT64_C(0); index < count; index += INT64_C(1))
-        {
-            patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-            if (((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK))) == INT64_C(0)) && ((*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) > load))
-            {
-                heaviest = index;
-                load = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD));
-            }
-        }
+        heaviest = filling__heaviest_patch(work);
         if (heaviest >= INT64_C(0))
         {
             ranked = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * heaviest;
@@ -96,4 +156,27 @@ static inline int64_t filling__rank_patches(array_double_1d work)
         }
     }
     return INT64_C(0);
+}
+
+/* Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is none. */
+static inline int64_t filling__heaviest_patch(array_double_1d work)
+{
+    double load;
+    int64_t index_end;
+    int64_t index;
+    int64_t patch;
+    int64_t heaviest;
+    heaviest = -INT64_C(1);
+    load = 0.0;
+    index_end = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    {
+        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        if (((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK))) == INT64_C(0)) && ((*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > load))
+        {
+            heaviest = index;
+            load = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        }
+    }
+    return heaviest;
 }

@@ -1,6 +1,6 @@
 /* Generated from patch/filling.py by tools/transpile_kernel.py; change that one.
  *
- * How a model of normal contact fills the solved patches: one after the other by rising station, then their ranks.
+ * How a model of normal contact fills the solved patches: one after the other by rising station, then totals and ranks.
  */
 
 #ifndef WRCONTACT_KERNEL_FILLING_H
@@ -9,9 +9,14 @@
 #include "../native/spans.h"
 #include "layout.h"
 
+static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals, double start);
 static inline int64_t filling__clear_patches(array_double_1d work);
+static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle);
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t region, double start, int64_t first, int64_t rule, double contact_angle);
+static inline int64_t filling__fill_single(array_double_1d work);
+static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__finish_patch(array_double_1d work);
-static inline int64_t filling__rank_patches(array_double_1d work);
+static inline int64_t filling__heaviest_patch(array_double_1d work);
+static inline int64_t filling__finish_patches(array_double_1d work);
 
 #endif

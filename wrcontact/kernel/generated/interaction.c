@@ -1,14 +1,16 @@
 /* Generated from normal/interaction.py by tools/transpile_kernel.py; change that one.
  *
- * How the regions of one side press on each other: one half-space, planes of their own (docs/method.md, section 7.5).
+ * How the regions of one side press on each other: one half-space, planes of their own (docs/method.md,
+ * (8.4)).
  */
 
 #include "interaction.h"
 
 /* Displacement of region ``one`` under one newton on region ``other`` [m/N].
  *
- * Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and the lead of one
- * region over the other.  The displacement counts by the cosine of the angle between the planes.
+ * Boussinesq's 1 / (pi E* distance).  The distance includes the lengths of the patches along the track and
+ * the lead of one region over the other.  The displacement counts by the cosine of the angle between the
+ * planes.
  */
 static inline double interaction__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other)
 {
@@ -26,11 +28,12 @@ static inline double interaction__region_influence(array_double_1d work, array_d
     return result;
 }
 
-/* How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their planes form an
- * angle of less than 15 degrees.
+/* How far region ``one`` of a yawed wheel lies ahead of region ``other`` along the track [m]; 0 if their
+ * planes form an angle of less than 15 degrees.
  *
- * A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1 ... 3 mm in 10, the
- * lead is left out: the upright patches (docs/method.md, section 9) do without it, and the half-space agrees better.
+ * A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
+ * ... 3 mm in 10, the lead is left out: the upright patches (docs/method.md, section 9) do without it, and
+ * the half-space agrees better.
  */
 static inline double interaction__region_lead(array_double_1d work, int64_t one, int64_t other)
 {

@@ -1,6 +1,7 @@
 /* Generated from normal/interaction.py by tools/transpile_kernel.py; change that one.
  *
- * How the regions of one side press on each other: one half-space, planes of their own (docs/method.md, section 7.5).
+ * How the regions of one side press on each other: one half-space, planes of their own (docs/method.md,
+ * (8.4)).
  */
 
 #ifndef WRCONTACT_KERNEL_INTERACTION_H

@@ -5,34 +5,24 @@
 
 #include "interpolation.h"
 
-/* Half-length [m] and pressure [Pa] at ``station`` [m] in patch ``index``, or between it and the patch before it, by
- * RULE_QUADRATIC; zeros where nothing is loaded.
+/* Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count`` regions; zeros where
+ * nothing is loaded.
  *
  * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch they can be
- * positive, and so the strips of both neighbours are asked between two patches.
+ * positive.
  */
-static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t index, double station)
+static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
 {
-    int64_t patch;
-    int64_t first;
-    int64_t number_end;
-    int64_t number;
+    int64_t index;
     int64_t region;
     double own;
-    patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-    first = (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)));
-    if ((station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_START))) && (index > INT64_C(0)))
-    {
-        first = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (index - INT64_C(1)) + layout__SOLVED_PATCH_FIRST)));
-    }
     (*half_length) = 0.0;
     (*pressure) = 0.0;
-    number_end = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST))) + layout__SOLVED_STRIP_REGION))) + INT64_C(1);
-    for (number = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * first + layout__SOLVED_STRIP_REGION))); number < number_end; number += INT64_C(1))
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * number;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
-        if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0) && (own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
+        if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
         {
             interpolation__between_strips(half_length, pressure, work, region, own);
         }
@@ -46,6 +36,7 @@ static inline int64_t interpolation__quadratic_at(double* half_length, double* p
 static inline int64_t interpolation__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own)
 {
     double u;
+    bool inside;
     int64_t outward;
     int64_t low;
     double x;
@@ -58,7 +49,8 @@ static inline int64_t interpolation__between_strips(double* half_length, double*
     (*half_length) = 0.0;
     (*pressure) = 0.0;
     u = (own - (*cspan_at(&work, region + layout__REGION_STATION))) / (*cspan_at(&work, region + layout__REGION_SPACING));
-    if ((u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))
+    inside = (u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))));
+    if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0) && inside)
     {
         outward = INT64_C(1);
         if (u < 0.0)
@@ -97,7 +89,7 @@ static inline int64_t interpolation__straight_at(double* half_length, double* pr
     double high_pressure;
     int64_t outer;
     double share;
-    low = (*cspan_at(&work, patch + layout__SOLVED_PATCH_START));
+    low = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
     low_length = 0.0;
     low_pressure = 0.0;
     if (after > (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
@@ -107,7 +99,7 @@ static inline int64_t interpolation__straight_at(double* half_length, double* pr
         low_length = (*cspan_at(&work, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
         low_pressure = (*cspan_at(&work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
     }
-    high = (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP));
+    high = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
     high_length = 0.0;
     high_pressure = 0.0;
     if (after <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST))))

@@ -11,7 +11,7 @@
 #include "quadrature.h"
 
 static inline int64_t interpolation__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
-static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t index, double station);
+static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
 static inline int64_t interpolation__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
 
 #endif

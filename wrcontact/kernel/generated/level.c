@@ -315,11 +315,11 @@ static inline int64_t level__first_from_level(double* result_0, int64_t* result_
     }
     sign = 1.0;
     first = 0.0;
-    last = roll__ROLL_LIMIT;
+    last = layout__ROLL_LIMIT;
     if (difference < 0.0)
     {
         sign = -1.0;
-        first = -roll__ROLL_LIMIT;
+        first = -layout__ROLL_LIMIT;
         last = 0.0;
     }
     status = layout__VALID;

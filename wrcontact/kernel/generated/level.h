@@ -34,8 +34,8 @@ static const int64_t level__ENTRY_LEFT = INT64_C(2);
 static const int64_t level__ENTRY_RIGHT = INT64_C(3);
 static const int64_t level__ENTRY_SIZE = INT64_C(4);
 static const int64_t level__ENTRY_LIMIT = INT64_C(60);
-static const int64_t level__LEVEL = INT64_C(49596);
-static const int64_t level__ENDS = INT64_C(49600);
+static const int64_t level__LEVEL = INT64_C(48973);
+static const int64_t level__ENDS = INT64_C(48977);
 
 static inline double level__turned(double steep, double radius, double arm);
 static inline double level__lever_beyond(array_double_1d tables, double y, double roll, double sine);

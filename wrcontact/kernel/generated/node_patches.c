@@ -27,7 +27,7 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
         if ((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0)
         {
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
-            node_patches__fill_strips(work, region, index, layout__WORK_NODES + layout__NODES_SIZE * index);
+            node_patches__fill_strips(work, region, layout__WORK_NODES + layout__NODES_SIZE * index);
             strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
             angle = -atan((*cspan_at(&work, region + layout__REGION_LEAN)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
@@ -38,18 +38,23 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
         }
     }
     filling__finish_patch(work);
-    filling__rank_patches(work);
+    filling__finish_patches(work);
     return INT64_C(0);
 }
 
-/* The strips of region ``index``, one at each node, also where it is not loaded; they have no width yet.
+/* The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing, the outermost ones
+ * half of it; :func:`add_cell` takes away what is not loaded.
  *
  * The pressure on x = 0 is p0 = (2/pi) (E* /(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
  */
-static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t index, int64_t nodes)
+static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes)
 {
     double level;
     int64_t middle;
+    double spacing;
+    double origin;
+    double along;
+    double slant;
     int64_t k_end;
     int64_t k;
     int64_t strip;
@@ -58,6 +63,10 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
     double away;
     level = (*cspan_at(&work, region + layout__REGION_LEVEL));
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
+    origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    along = (*cspan_at(&work, region + layout__REGION_ALONG));
+    slant = (*cspan_at(&work, region + layout__REGION_SLANT));
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
@@ -67,13 +76,14 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = 4.0 / (M_PI * M_PI) * (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
-        away = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(k);
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION)) + away;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = 0.0;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_ALONG)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
+        away = spacing * (double)(k);
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = origin + away;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = spacing;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = along + slant * away;
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_REGION)) = (double)(index);
     }
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
     return INT64_C(0);
 }
 
@@ -88,8 +98,9 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
     int64_t high;
     double start;
     double stop;
-    int64_t strips;
+    int64_t strip;
     int64_t inner;
+    int64_t outer;
     double begin;
     double end;
     int64_t index;
@@ -110,10 +121,15 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
     {
         stop = analyn__clip_to_bound(work, region, low, outward, stop);
     }
+    strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
+    outer = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
+    if ((start > 0.0) || (stop < 1.0))
+    {
+        node_patches__narrow_strips(work, inner, outer, start, stop, spacing);
+    }
     if (stop > start)
     {
-        strips = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-        inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + low);
         begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
         end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * stop;
         if (outward < INT64_C(0))
@@ -121,14 +137,38 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
             begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
-        index = node_patches__patch_from(work, region, begin, strips + k, contact_angle);
+        index = node_patches__patch_from(work, region, begin, strip + k, contact_angle);
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = end;
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strips + k + INT64_C(1));
-        node_patches__widen_strips(work, inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, stop, spacing);
-        node_patches__add_load(work, patch, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + before), inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, stop, spacing * (double)(outward));
-        node_patches__keep_largest(work, strips + low);
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strip + k + INT64_C(1));
+        node_patches__add_load(work, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)(outward));
+        node_patches__keep_largest(work, strip + low);
     }
+    return INT64_C(0);
+}
+
+/* Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's strips add up to its
+ * own: the loaded part [start, stop] belongs to the strip that is inside the patch, which has half the cell so far.
+ */
+static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing)
+{
+    double inner_share;
+    double outer_share;
+    inner_share = 0.0;
+    outer_share = 0.0;
+    if (stop > start)
+    {
+        if (start > 0.0)
+        {
+            outer_share = stop - start;
+        }
+        else
+        {
+            inner_share = stop - start;
+        }
+    }
+    (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) += (inner_share - 0.5) * spacing;
+    (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) += (outer_share - 0.5) * spacing;
     return INT64_C(0);
 }
 
@@ -145,7 +185,7 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t reg
     if (index >= INT64_C(0))
     {
         last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
+        if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
         {
             joined = INT64_C(1);
         }
@@ -158,50 +198,33 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t reg
     return index;
 }
 
-/* Share the loaded part [start, stop] of a cell out among the strips at its ends: half each, or all to the one inside the
- * patch.  So the widths of a patch's strips add up to its own.
- */
-static inline int64_t node_patches__widen_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing)
-{
-    double width;
-    width = spacing * (stop - start);
-    if (stop < 1.0)
-    {
-        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) += width;
-    }
-    else if (start > 0.0)
-    {
-        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) += width;
-    }
-    else
-    {
-        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) += 0.5 * width;
-        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) += 0.5 * width;
-    }
-    return INT64_C(0);
-}
-
 /* Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
  *
  * ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and ``before`` the next one
  * further in.
  */
-static inline int64_t node_patches__add_load(array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
+static inline int64_t node_patches__add_load(array_double_1d work, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
 {
     double width;
     double load;
     double moment;
     double area;
     width = fabs(step);
-    load = width * quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start, stop);
-    moment = quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start, stop);
+    load = quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
+    moment = quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
+    if (start > 0.0)
+    {
+        load -= quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
+        moment -= quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
+    }
+    load *= width;
     area = quadrature__root_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, stop);
     moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + width * step * moment;
     (*cspan_at(&work, region + layout__REGION_CARRIED)) += load;
     (*cspan_at(&work, region + layout__REGION_MOMENT)) += moment;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) += load;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) += moment;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) += 2.0 * width * area;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) += load;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) += moment;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) += 2.0 * width * area;
     return INT64_C(0);
 }
 

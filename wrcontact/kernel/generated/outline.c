@@ -17,7 +17,7 @@ static inline int64_t outline__row_size(array_double_1d tables)
     size = layout__OUTPUT_COUNT;
     if (stations != layout__STATION_COUNT)
     {
-        size += INT64_C(6) * stations;
+        size += INT64_C(2) * layout__RUN_COUNT * stations;
     }
     return size;
 }
@@ -26,25 +26,27 @@ static inline int64_t outline__row_size(array_double_1d tables)
 static inline int64_t outline__fill_outline(array_double_1d work, int64_t outline, int64_t stations, double value)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3) * stations; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__RUN_COUNT * stations; i += INT64_C(1))
     {
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = value;
     }
     return INT64_C(0);
 }
 
-/* The outline of the solved patches at ``stations`` stations; the totals of ``side`` are known. */
-static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t side)
+/* The outline of the solved patches of ``count`` regions at ``stations`` stations. */
+static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t count)
 {
+    int64_t rule;
     if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
-        if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE))) == layout__RULE_ELLIPSE)
+        rule = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE)));
+        if (rule == layout__RULE_ELLIPSE)
         {
-            outline__write_ellipse(work, outline, stations, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES);
+            outline__write_ellipse(work, outline, stations, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
         }
-        else if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE))) == layout__RULE_QUADRATIC)
+        else if (rule == layout__RULE_QUADRATIC)
         {
-            outline__write_quadratic(work, outline, stations, side);
+            outline__write_quadratic(work, outline, stations, count);
         }
         else
         {
@@ -54,57 +56,46 @@ static inline int64_t outline__write_outline(array_double_1d work, int64_t outli
     return INT64_C(0);
 }
 
-/* Station ``j`` of an outline. */
-static inline int64_t outline__write_station(array_double_1d work, int64_t outline, int64_t stations, int64_t j, double station, double half_length, double pressure)
-{
-    (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
-    (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
-    (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
-    return INT64_C(0);
-}
-
 /* The outline of a single elliptic patch around station zero. */
-static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t patch)
+static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals)
 {
+    double half_length;
+    double half_width;
+    double pressure;
     int64_t j;
     double share;
     double height;
+    half_length = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    half_width = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
+    pressure = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
         height = sqrt(1.0 - share * share);
-        outline__write_station(work, outline, stations, j, share * (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)), (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) * height, (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) * height);
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure * height;
     }
     return INT64_C(0);
-}
-
-/* The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do. */
-static inline int64_t outline__patch_beside(array_double_1d work, int64_t index, double station)
-{
-    while((index < (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1)) && (station > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index + layout__SOLVED_PATCH_STOP))))
-    {
-        index += INT64_C(1);
-    }
-    return index;
 }
 
 /* The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the surfaces have a
  * kink; they are cut there.
  */
-static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t side)
+static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t count)
 {
     double start;
-    int64_t last;
     double stop;
-    int64_t index;
+    double largest;
+    double peak;
     int64_t j;
     double station;
     double half_length;
     double pressure;
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-    last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
-    stop = (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP));
-    index = INT64_C(0);
+    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    largest = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    peak = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         station = start + (stop - start) * (double)(j) / (double)(stations - INT64_C(1));
@@ -112,18 +103,19 @@ static inline int64_t outline__write_quadratic(array_double_1d work, int64_t out
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            index = outline__patch_beside(work, index, station);
-            interpolation__quadratic_at(&half_length, &pressure, work, index, station);
+            interpolation__quadratic_at(&half_length, &pressure, work, count, station);
         }
-        if (half_length > 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)))
+        if (half_length > largest)
         {
-            half_length = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH));
+            half_length = largest;
         }
-        if (pressure > (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)))
+        if (pressure > peak)
         {
-            pressure = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE));
+            pressure = peak;
         }
-        outline__write_station(work, outline, stations, j, station, half_length, pressure);
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
     }
     return INT64_C(0);
 }
@@ -132,7 +124,6 @@ static inline int64_t outline__write_quadratic(array_double_1d work, int64_t out
 static inline int64_t outline__write_straight(array_double_1d work, int64_t outline, int64_t stations)
 {
     double start;
-    int64_t last;
     double stop;
     int64_t index;
     int64_t strip;
@@ -141,9 +132,8 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
     double half_length;
     double pressure;
     int64_t patch;
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-    last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
-    stop = (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP));
+    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
     index = INT64_C(0);
     strip = INT64_C(0);
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
@@ -153,7 +143,7 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
         pressure = 0.0;
         index = outline__patch_beside(work, index, station);
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__SOLVED_PATCH_START))) && (station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP))))
+        if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
         {
             if (strip < (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
             {
@@ -165,7 +155,19 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
             }
             interpolation__straight_at(&half_length, &pressure, work, patch, strip, station);
         }
-        outline__write_station(work, outline, stations, j, station, half_length, pressure);
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
     }
     return INT64_C(0);
+}
+
+/* The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do. */
+static inline int64_t outline__patch_beside(array_double_1d work, int64_t index, double station)
+{
+    while((index < (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1)) && (station > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
+    {
+        index += INT64_C(1);
+    }
+    return index;
 }

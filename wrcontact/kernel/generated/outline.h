@@ -15,11 +15,10 @@
 
 static inline int64_t outline__row_size(array_double_1d tables);
 static inline int64_t outline__fill_outline(array_double_1d work, int64_t outline, int64_t stations, double value);
-static inline int64_t outline__write_station(array_double_1d work, int64_t outline, int64_t stations, int64_t j, double station, double half_length, double pressure);
-static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
+static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
+static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t count);
 static inline int64_t outline__patch_beside(array_double_1d work, int64_t index, double station);
-static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t side);
 static inline int64_t outline__write_straight(array_double_1d work, int64_t outline, int64_t stations);
-static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t side);
+static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t count);
 
 #endif

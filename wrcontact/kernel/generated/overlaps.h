@@ -21,8 +21,8 @@
 #include "regions.h"
 #include "search.h"
 
-static const int64_t overlaps__DEEP_COUNT = INT64_C(47900);
-static const int64_t overlaps__DEEP_FIRST = INT64_C(47901);
+static const int64_t overlaps__DEEP_COUNT = INT64_C(47277);
+static const int64_t overlaps__DEEP_FIRST = INT64_C(47278);
 static const int64_t overlaps__DEEP_SIZE = INT64_C(6);
 static const int64_t overlaps__DEEP_LIMIT = INT64_C(9);
 static const int64_t overlaps__DEEP_RAIL = INT64_C(0);
@@ -30,10 +30,10 @@ static const int64_t overlaps__DEEP_WHEEL = INT64_C(1);
 static const int64_t overlaps__DEEP_DEPTH = INT64_C(2);
 static const int64_t overlaps__DEEP_HUMP = INT64_C(3);
 static const int64_t overlaps__DEEP_BETWEEN = INT64_C(4);
-static const int64_t overlaps__SAMPLE_RAIL = INT64_C(47964);
-static const int64_t overlaps__SAMPLE_WHEEL = INT64_C(48364);
-static const int64_t overlaps__SAMPLE_RISE = INT64_C(48764);
-static const int64_t overlaps__SAMPLE_NEXT = INT64_C(49164);
+static const int64_t overlaps__SAMPLE_RAIL = INT64_C(47341);
+static const int64_t overlaps__SAMPLE_WHEEL = INT64_C(47741);
+static const int64_t overlaps__SAMPLE_RISE = INT64_C(48141);
+static const int64_t overlaps__SAMPLE_NEXT = INT64_C(48541);
 static const double overlaps__DEEP_SHARP = 1e-13;
 static const int64_t overlaps__DEEP_ITERATIONS = INT64_C(60);
 static const double overlaps__LEVEL_RISE = 0.0001;

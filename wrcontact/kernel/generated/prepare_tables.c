@@ -31,9 +31,9 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
     double depth;
     double y_gauge;
     double reached;
-    angle = -atan((*cspan_at(&setup, prepare_tables__SETUP_INCLINATION)));
+    angle = -atan((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION)));
     prepare_placement__highest_point(&y_top, &z_top, work, rail, angle);
-    depth = z_top + (*cspan_at(&setup, prepare_tables__SETUP_GAUGE_DEPTH)) / prepare_pieces__MM;
+    depth = z_top + (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH)) / prepare_pieces__MM;
     prepare_placement__inner_face(&y_gauge, &reached, work, rail, angle, depth);
     if (reached < depth)
     {
@@ -41,7 +41,7 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
         (*cspan_at(&report, prepare_tables__REPORT_DEPTH)) = depth * prepare_pieces__MM;
         return prepare_tables__GAUGE_TOO_DEEP;
     }
-    (*cspan_at(&tables, layout__TABLES_RAIL_Y)) = (*cspan_at(&setup, prepare_tables__SETUP_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    (*cspan_at(&tables, layout__TABLES_RAIL_Y)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
     prepare_placement__turn_zones(work, rail, angle, -y_top, -z_top);
     prepare_placement__turn_zones(work, wheel, 0.0, 0.0, 0.0);
     if ((prepare_placement__keep_around_top(work, rail) == INT64_C(0)) || (prepare_placement__keep_around_top(work, wheel) == INT64_C(0)))
@@ -55,34 +55,39 @@ static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_d
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables)
 {
     double nu;
-    (*cspan_at(&tables, layout__TABLES_RADIUS)) = (*cspan_at(&setup, prepare_tables__SETUP_RADIUS));
-    (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, prepare_tables__SETUP_CIRCLE_DISTANCE));
-    nu = (*cspan_at(&setup, prepare_tables__SETUP_POISSON_RATIO));
-    (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, prepare_tables__SETUP_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
-    (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = prepare_tables__LATERAL_LIMIT;
-    (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = prepare_tables__YAW_LIMIT;
-    (*cspan_at(&tables, layout__TABLES_NODES)) = (*cspan_at(&setup, prepare_tables__SETUP_NODES));
-    (*cspan_at(&tables, layout__TABLES_STRIDE)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIDE));
-    (*cspan_at(&tables, layout__TABLES_STRIPS)) = (*cspan_at(&setup, prepare_tables__SETUP_STRIPS));
-    (*cspan_at(&tables, layout__TABLES_SWEEPS)) = (*cspan_at(&setup, prepare_tables__SETUP_SWEEPS));
-    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(0))) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
-    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(1))) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    int64_t i;
+    (*cspan_at(&tables, layout__TABLES_RADIUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS));
+    (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE));
+    nu = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
+    (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
+    (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = layout__LATERAL_LIMIT;
+    (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = layout__YAW_LIMIT;
+    (*cspan_at(&tables, layout__TABLES_NODES)) = (*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES));
+    (*cspan_at(&tables, layout__TABLES_STRIDE)) = (*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIDE));
+    (*cspan_at(&tables, layout__TABLES_STRIPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS)));
+    (*cspan_at(&tables, layout__TABLES_SWEEPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_SWEEPS)));
+    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(0))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
+    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(1))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
     (*cspan_at(&tables, layout__TABLES_SIDES)) = (double)(layout__SIDES_BOTH);
     (*cspan_at(&tables, layout__TABLES_DEPTH)) = (double)(layout__DEPTH_ALL);
-    (*cspan_at(&tables, layout__TABLES_ABSENT)) = (*cspan_at(&setup, prepare_tables__SETUP_NAN));
+    (*cspan_at(&tables, layout__TABLES_ABSENT)) = (*cspan_at(&setup, layout__SETUP_ABSENT));
     (*cspan_at(&tables, layout__TABLES_STATIONS)) = (double)(layout__STATION_COUNT);
+    for (i = INT64_C(0); i < layout__PARAMETERS_SIZE; i += INT64_C(1))
+    {
+        (*cspan_at(&tables, layout__TABLES_PARAMETERS + i)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + i));
+    }
     return INT64_C(0);
 }
 
 /* The chosen methods. */
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables)
 {
-    (*cspan_at(&tables, layout__TABLES_MODE)) = (*cspan_at(&setup, prepare_tables__SETUP_MODE));
-    (*cspan_at(&tables, layout__TABLES_LOAD)) = (*cspan_at(&setup, prepare_tables__SETUP_LOAD));
-    (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (*cspan_at(&setup, prepare_tables__SETUP_NORMAL_MODEL));
-    (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (*cspan_at(&setup, prepare_tables__SETUP_SEPARATION));
-    (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LONGITUDINAL));
-    (*cspan_at(&tables, layout__TABLES_LATERAL)) = (*cspan_at(&setup, prepare_tables__SETUP_LATERAL));
+    (*cspan_at(&tables, layout__TABLES_MODE)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CONTACT_MODE));
+    (*cspan_at(&tables, layout__TABLES_LOAD)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD));
+    (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL));
+    (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION));
+    (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE));
+    (*cspan_at(&tables, layout__TABLES_LATERAL)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE));
     return INT64_C(0);
 }
 
@@ -120,7 +125,7 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
         (*cspan_at(&tables, at + i)) = 0.0;
     }
     (*cspan_at(&tables, at + starts__START_COUNT)) = (double)(prepare_tables__START_ROW_COUNT);
-    (*cspan_at(&tables, at + starts__START_FIRST)) = -prepare_tables__LATERAL_LIMIT;
+    (*cspan_at(&tables, at + starts__START_FIRST)) = -layout__LATERAL_LIMIT;
     (*cspan_at(&tables, at + starts__START_PER_METRE)) = prepare_tables__STARTS_EACH_METRE;
     return at + size;
 }
@@ -138,7 +143,7 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     int64_t wheel;
     int64_t rail;
     int64_t at;
-    kind = (int64_t)((*cspan_at(&setup, prepare_tables__SETUP_LATERAL)));
+    kind = (int64_t)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE)));
     for (i = INT64_C(0); i < layout__SETTING_COUNT; i += INT64_C(1))
     {
         (*cspan_at(&tables, i)) = 0.0;
@@ -153,13 +158,13 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     prepare_tables__write_settings(setup, tables);
     wheel = layout__SETTING_COUNT;
     (*cspan_at(&tables, layout__TABLES_WHEEL)) = (double)(wheel);
-    rail = prepare_pieces__write_profile(tables, wheel, work, INT64_C(0), (*cspan_at(&setup, prepare_tables__SETUP_NAN)), work, scratch);
+    rail = prepare_pieces__write_profile(tables, wheel, work, INT64_C(0), (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
     if (rail == prepare_pieces__FULL)
     {
         return prepare_tables__TABLES_FULL;
     }
     (*cspan_at(&tables, layout__TABLES_RAIL)) = (double)(rail);
-    at = prepare_pieces__write_profile(tables, rail, work, rail_zones, (*cspan_at(&setup, prepare_tables__SETUP_NAN)), work, scratch);
+    at = prepare_pieces__write_profile(tables, rail, work, rail_zones, (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
     if (at == prepare_pieces__FULL)
     {
         return prepare_tables__TABLES_FULL;
@@ -186,12 +191,12 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE)) = (double)(at);
-        at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, kind, (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_STEP)), (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_REACH)), work, scratch);
+        at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, kind, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP)), (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH)), work, scratch);
     }
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE)) = (double)(at);
-        at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, kind, (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_STEP)), (*cspan_at(&setup, prepare_tables__SETUP_CURVATURE_REACH)), work, scratch);
+        at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, kind, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP)), (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH)), work, scratch);
     }
     if (at == prepare_pieces__FULL)
     {

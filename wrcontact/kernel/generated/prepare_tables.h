@@ -19,27 +19,6 @@
 #include "prepare_zones.h"
 #include "starts.h"
 
-static const int64_t prepare_tables__SETUP_INCLINATION = INT64_C(0);
-static const int64_t prepare_tables__SETUP_GAUGE = INT64_C(1);
-static const int64_t prepare_tables__SETUP_GAUGE_DEPTH = INT64_C(2);
-static const int64_t prepare_tables__SETUP_CIRCLE_DISTANCE = INT64_C(3);
-static const int64_t prepare_tables__SETUP_RADIUS = INT64_C(4);
-static const int64_t prepare_tables__SETUP_YOUNGS_MODULUS = INT64_C(5);
-static const int64_t prepare_tables__SETUP_POISSON_RATIO = INT64_C(6);
-static const int64_t prepare_tables__SETUP_CURVATURE_STEP = INT64_C(7);
-static const int64_t prepare_tables__SETUP_CURVATURE_REACH = INT64_C(8);
-static const int64_t prepare_tables__SETUP_NODES = INT64_C(9);
-static const int64_t prepare_tables__SETUP_STRIDE = INT64_C(10);
-static const int64_t prepare_tables__SETUP_STRIPS = INT64_C(11);
-static const int64_t prepare_tables__SETUP_SWEEPS = INT64_C(12);
-static const int64_t prepare_tables__SETUP_MODE = INT64_C(13);
-static const int64_t prepare_tables__SETUP_LOAD = INT64_C(14);
-static const int64_t prepare_tables__SETUP_NORMAL_MODEL = INT64_C(15);
-static const int64_t prepare_tables__SETUP_SEPARATION = INT64_C(16);
-static const int64_t prepare_tables__SETUP_LONGITUDINAL = INT64_C(17);
-static const int64_t prepare_tables__SETUP_LATERAL = INT64_C(18);
-static const int64_t prepare_tables__SETUP_NAN = INT64_C(19);
-static const int64_t prepare_tables__SETUP_SIZE = INT64_C(20);
 static const int64_t prepare_tables__PREPARED = INT64_C(0);
 static const int64_t prepare_tables__TABLES_FULL = INT64_C(1);
 static const int64_t prepare_tables__GAUGE_TOO_DEEP = INT64_C(2);
@@ -50,8 +29,6 @@ static const int64_t prepare_tables__REPORT_DEEPEST = INT64_C(1);
 static const int64_t prepare_tables__REPORT_WIDTH = INT64_C(2);
 static const int64_t prepare_tables__REPORT_DEPTH = INT64_C(3);
 static const int64_t prepare_tables__REPORT_COUNT = INT64_C(4);
-static const double prepare_tables__LATERAL_LIMIT = 0.015;
-static const double prepare_tables__YAW_LIMIT = 0.12;
 static const double prepare_tables__START_STEP = 0.0005;
 static const int64_t prepare_tables__START_ROW_COUNT = INT64_C(61);
 static const double prepare_tables__STARTS_EACH_METRE = 2000.0;

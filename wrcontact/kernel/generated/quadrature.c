@@ -77,32 +77,24 @@ static inline int64_t quadrature__cell_part(double* start, double* stop, double 
     return 0;
 }
 
-/* Integral over [start, stop] of the quadratic of ``bend_of``. */
-static inline double quadrature__quadratic_integral(double before, double low, double high, double start, double stop)
+/* Integral over [0, stop] of the quadratic of ``bend_of``. */
+static inline double quadrature__quadratic_integral(double before, double low, double high, double stop)
 {
     double bend;
     double slope;
-    double upper;
-    double lower;
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
-    upper = stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
-    lower = start * (low + start * (slope / 2.0 + start * bend / 3.0));
-    return upper - lower;
+    return stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
 }
 
-/* Integral over [start, stop] of x times the quadratic of ``bend_of``. */
-static inline double quadrature__quadratic_moment(double before, double low, double high, double start, double stop)
+/* Integral over [0, stop] of x times the quadratic of ``bend_of``. */
+static inline double quadrature__quadratic_moment(double before, double low, double high, double stop)
 {
     double bend;
     double slope;
-    double upper;
-    double lower;
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
-    upper = stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0));
-    lower = start * start * (low / 2.0 + start * (slope / 3.0 + start * bend / 4.0));
-    return upper - lower;
+    return stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0));
 }
 
 /* Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.

@@ -17,8 +17,8 @@ static const double quadrature__STRAIGHT = 0.0001;
 static inline double quadrature__bend_of(double before, double low, double high);
 static inline double quadrature__quadratic_value(double before, double low, double high, double x);
 static inline int64_t quadrature__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
-static inline double quadrature__quadratic_integral(double before, double low, double high, double start, double stop);
-static inline double quadrature__quadratic_moment(double before, double low, double high, double start, double stop);
+static inline double quadrature__quadratic_integral(double before, double low, double high, double stop);
+static inline double quadrature__quadratic_moment(double before, double low, double high, double stop);
 static inline double quadrature__bent_integral(double low, double slope, double bend, double start, double stop);
 static inline double quadrature__root_integral(double before, double low, double high, double start, double stop);
 

@@ -336,7 +336,7 @@ static inline int64_t roll__some_roll(double* roll, int64_t* status, array_doubl
     int64_t known;
     double balanced;
     start = guess;
-    if (!((start > -roll__ROLL_LIMIT) && (start < roll__ROLL_LIMIT)))
+    if (!((start > -layout__ROLL_LIMIT) && (start < layout__ROLL_LIMIT)))
     {
         start = 0.0;
     }
@@ -344,17 +344,17 @@ static inline int64_t roll__some_roll(double* roll, int64_t* status, array_doubl
     roll__place_both(tables, work, start);
     if (warm == INT64_C(1))
     {
-        roll__balance(&balanced, &known, tables, work, state, start, -roll__ROLL_LIMIT, roll__ROLL_LIMIT);
+        roll__balance(&balanced, &known, tables, work, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
         if (known == INT64_C(1))
         {
             start = balanced;
         }
     }
-    roll__close_in(roll, status, tables, work, state, start, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, known);
+    roll__close_in(roll, status, tables, work, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
     if (((*status) != layout__VALID) && (start != 0.0))
     {
         /* far from level a wheel may be beside its rail, and D without a sign */
-        roll__close_in(roll, status, tables, work, state, 0.0, -roll__ROLL_LIMIT, roll__ROLL_LIMIT, INT64_C(0));
+        roll__close_in(roll, status, tables, work, state, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, INT64_C(0));
     }
     return 0;
 }

@@ -21,7 +21,6 @@
 #include "profile_table.h"
 #include "search.h"
 
-static const double roll__ROLL_LIMIT = 0.12;
 static const double roll__ROLL_SHARP = 1e-14;
 static const int64_t roll__SEARCHES = INT64_C(120);
 static const double roll__EQUAL = 1e-09;

@@ -174,7 +174,7 @@ static OUT_OF_LINE int64_t separation__open_origin(array_double_1d tables, array
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_CHORD)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
             (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }

@@ -63,7 +63,7 @@ static inline int64_t side__outline_place(array_double_1d tables, array_double_1
         place = layout__WORK_OUTLINES;
         if (out > layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT)
         {
-            place += INT64_C(3) * stations;
+            place += layout__RUN_COUNT * stations;
         }
     }
     return place;
@@ -87,6 +87,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     int64_t out;
     double penetration;
     int64_t met;
+    int64_t outline;
     int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     normal_contact__solve_normal(&penetration, count, &met, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
@@ -99,7 +100,8 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     totals__write_patches(work, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        outline__write_outline(work, side__outline_place(tables, work, out), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), out);
+        outline = side__outline_place(tables, work, out);
+        outline__write_outline(work, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
     }
     for (region = INT64_C(0); region < (*count); region += INT64_C(1))
     {

@@ -43,7 +43,7 @@ static inline int64_t step__inputs_in_range(array_double_1d tables, array_double
     {
         inside = INT64_C(0);
     }
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL))) > roll__ROLL_LIMIT))
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL))) > layout__ROLL_LIMIT))
     {
         inside = INT64_C(0);
     }

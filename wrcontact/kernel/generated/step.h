@@ -14,7 +14,6 @@
 #include "level.h"
 #include "outline.h"
 #include "resultant.h"
-#include "roll.h"
 #include "side.h"
 #include "starts.h"
 

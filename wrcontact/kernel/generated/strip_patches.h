@@ -1,9 +1,6 @@
-/* Generated from patch/strip_patches.py by tools/transpile_kernel.py; change that one.
+/* Generated from normal/strip_patches.py by tools/transpile_kernel.py; change that one.
  *
- * From corrected strips to contact patches: edges, loads, areas and pressures.
- *
- * A patch is a run of loaded strips that touch each other.  Near its edge the line load falls to zero in proportion to the
- * distance, so the edge is where the straight line through the last two strips' line loads ends.
+ * From corrected strips to solved patches: each run of loaded strips that touch each other is a patch.
  */
 
 #ifndef WRCONTACT_KERNEL_STRIP_PATCHES_H
@@ -13,14 +10,17 @@
 #include "filling.h"
 #include "layout.h"
 #include "quadrature.h"
-#include "strips.h"
+#include "strip_edges.h"
 
-static inline double strip_patches__divided_bend(array_double_1d work, int64_t field, int64_t i);
-static inline double strip_patches__cell_bend(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
+static inline int64_t strip_patches__add_strip(array_double_1d work, int64_t patch, int64_t region, int64_t strip, int64_t to);
+static inline double strip_patches__divided_bend(array_double_1d work, int64_t i, double before, double value, double after);
+static inline double strip_patches__square_bend(array_double_1d work, int64_t i);
+static inline double strip_patches__cell_bend(array_double_1d work, int64_t i, int64_t first, int64_t last);
 static inline double strip_patches__cell_area(double low, double high, double bend, double width);
 static inline double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop);
-static inline double strip_patches__top_value(array_double_1d work, int64_t field, int64_t i, int64_t first, int64_t last);
-static inline int64_t strip_patches__largest_of(array_double_1d work, int64_t field, int64_t first, int64_t last);
-static inline int64_t strip_patches__gather_strips(array_double_1d work, int64_t strips);
+static inline double strip_patches__summit(array_double_1d work, int64_t i, double before, double value, double after);
+static inline double strip_patches__largest_pressure(array_double_1d work, int64_t first, int64_t last);
+static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last);
+static inline int64_t strip_patches__fill_from_strips(array_double_1d work);
 
 #endif

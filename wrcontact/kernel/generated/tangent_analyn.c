@@ -6,27 +6,23 @@
 #include "tangent_analyn.h"
 
 /* Tangent of ``clip_to_bound``. */
-static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t block, int64_t k, int64_t outward, double stop, double stop_t)
+static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t)
 {
-    double spacing_t;
-    double spacing;
     double v1;
     double v2;
     double reach_t;
     double reach;
     double v3;
     double v4;
-    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
-    v1 = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
-    v2 = v1 / spacing;
-    reach_t = ((*cspan_at(&work_t, block + layout__REGION_HIGH)) - (*cspan_at(&work_t, block + layout__REGION_STATION)) - v2 * spacing_t) / spacing;
+    v1 = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
+    v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
+    reach_t = ((*cspan_at(&work_t, region + layout__REGION_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     reach = v2 - (double)(k);
     if (outward < INT64_C(0))
     {
-        v3 = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
-        v4 = v3 / spacing;
-        reach_t = ((*cspan_at(&work_t, block + layout__REGION_STATION)) - (*cspan_at(&work_t, block + layout__REGION_LOW)) - v4 * spacing_t) / spacing;
+        v3 = (*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW));
+        v4 = v3 / (*cspan_at(&work, region + layout__REGION_SPACING));
+        reach_t = ((*cspan_at(&work_t, region + layout__REGION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_LOW)) - v4 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
         reach = v4 + (double)(k);
     }
     if (reach < stop)
@@ -45,13 +41,8 @@ static inline int64_t tangent_analyn__clip_to_bound_t(double* result_0, double* 
 }
 
 /* Tangent of ``region_load``. */
-static inline int64_t tangent_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, double level, double level_t)
+static inline int64_t tangent_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
 {
-    int64_t block;
-    double spacing_t;
-    double spacing;
-    int64_t rises;
-    int64_t lines;
     double load_t;
     double load;
     double stiffness_t;
@@ -89,43 +80,40 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
     double v5;
     double v5_t;
     double v6;
+    double v6_t;
     double v7;
     double v8;
     double v9;
     double v10;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
-    spacing_t = (*cspan_at(&work_t, block + layout__REGION_SPACING));
-    spacing = (*cspan_at(&work, block + layout__REGION_SPACING));
-    rises = nodes__node_field(region, nodes__NODE_RISE);
-    lines = nodes__node_field(region, nodes__NODE_LINE);
+    double v11;
     load_t = 0.0;
     load = 0.0;
     stiffness_t = 0.0;
     stiffness = 0.0;
-    if (level > 0.0)
+    if (local_penetration > 0.0)
     {
         for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
         {
-            last = (int64_t)((*cspan_at(&work, block + layout__REGION_LAST)));
+            last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             if (outward < INT64_C(0))
             {
-                last = -(int64_t)((*cspan_at(&work, block + layout__REGION_FIRST)));
+                last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
             }
-            d_before_t = level_t - (*cspan_at(&work_t, rises - outward));
-            d_before = level - (*cspan_at(&work, rises - outward));
-            c_before_t = (*cspan_at(&work_t, lines - outward));
-            c_before = (*cspan_at(&work, lines - outward));
-            d_low_t = level_t - (*cspan_at(&work_t, rises));
-            d_low = level - (*cspan_at(&work, rises));
-            c_low_t = (*cspan_at(&work_t, lines));
-            c_low = (*cspan_at(&work, lines));
+            d_before_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
+            d_before = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
+            c_before_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
+            c_before = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
+            d_low_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
+            d_low = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
+            c_low_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
+            c_low = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
             for (k = INT64_C(0); k < last; k += INT64_C(1))
             {
                 at = outward * (k + INT64_C(1));
-                d_high_t = level_t - (*cspan_at(&work_t, rises + at));
-                d_high = level - (*cspan_at(&work, rises + at));
-                c_high_t = (*cspan_at(&work_t, lines + at));
-                c_high = (*cspan_at(&work, lines + at));
+                d_high_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + at));
+                d_high = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + at));
+                c_high_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + at));
+                c_high = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + at));
                 f_low_t = c_low_t * d_low + c_low * d_low_t;
                 f_low = c_low * d_low;
                 f_high_t = c_high_t * d_high + c_high * d_high_t;
@@ -145,22 +133,23 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
                     tangent_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
                     if (k == last - INT64_C(1))
                     {
-                        tangent_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, block, outward * k, outward, stop, stop_t);
+                        tangent_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, region, outward * k, outward, stop, stop_t);
                         stop_t = v4_t;
                         stop = v4;
                     }
                     if (stop > start)
                     {
-                        tangent_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t, stop, stop_t);
-                        load_t = load_t + v5_t;
-                        load = load + v5;
-                        v6 = stop - start;
-                        v7 = stop + start;
-                        v8 = 0.5 * v7;
-                        v9 = c_high - c_low;
-                        v10 = c_low + v8 * v9;
-                        stiffness_t = stiffness_t + ((stop_t - start_t) * v10 + v6 * (c_low_t + (0.5 * (stop_t + start_t) * v9 + v8 * (c_high_t - c_low_t))));
-                        stiffness = stiffness + v6 * v10;
+                        tangent_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
+                        tangent_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t);
+                        load_t = load_t + (v5_t - v6_t);
+                        load = load + (v5 - v6);
+                        v7 = stop - start;
+                        v8 = stop + start;
+                        v9 = 0.5 * v8;
+                        v10 = c_high - c_low;
+                        v11 = c_low + v9 * v10;
+                        stiffness_t = stiffness_t + ((stop_t - start_t) * v11 + v7 * (c_low_t + (0.5 * (stop_t + start_t) * v10 + v9 * (c_high_t - c_low_t))));
+                        stiffness = stiffness + v7 * v11;
                     }
                 }
                 d_before_t = d_low_t;
@@ -174,18 +163,18 @@ static inline int64_t tangent_analyn__region_load_t(double* result_0, double* re
             }
         }
     }
-    (*result_0) = load * spacing;
-    (*result_1) = load_t * spacing + load * spacing_t;
-    (*result_2) = stiffness * spacing;
-    (*result_3) = stiffness_t * spacing + stiffness * spacing_t;
+    (*result_0) = load * (*cspan_at(&work, region + layout__REGION_SPACING));
+    (*result_1) = load_t * (*cspan_at(&work, region + layout__REGION_SPACING)) + load * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    (*result_2) = stiffness * (*cspan_at(&work, region + layout__REGION_SPACING));
+    (*result_3) = stiffness_t * (*cspan_at(&work, region + layout__REGION_SPACING)) + stiffness * (*cspan_at(&work_t, region + layout__REGION_SPACING));
     return 0;
 }
 
 /* Tangent of ``load_regions``. */
-static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t tangent_analyn__load_regions_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, int64_t count)
 {
     int64_t i;
-    int64_t block;
+    int64_t region;
     double load;
     double load_t;
     double stiffness;
@@ -194,25 +183,24 @@ static inline int64_t tangent_analyn__load_regions_t(double* total, double* tota
     (*total) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, i, (*cspan_at(&work, block + layout__REGION_LEVEL)), (*cspan_at(&work_t, block + layout__REGION_LEVEL)));
-        (*cspan_at(&work_t, block + layout__REGION_LOAD)) = load_t;
-        (*cspan_at(&work, block + layout__REGION_LOAD)) = load;
-        (*cspan_at(&work_t, block + layout__REGION_STIFFNESS)) = stiffness_t;
-        (*cspan_at(&work, block + layout__REGION_STIFFNESS)) = stiffness;
-        (*total_t) = (*total_t) + ((*cspan_at(&work_t, block + layout__REGION_SHARE)) * load + (*cspan_at(&work, block + layout__REGION_SHARE)) * load_t);
-        (*total) = (*total) + (*cspan_at(&work, block + layout__REGION_SHARE)) * load;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LEVEL)), (*cspan_at(&work_t, region + layout__REGION_LEVEL)));
+        (*cspan_at(&work_t, region + layout__REGION_LOAD)) = load_t;
+        (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
+        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = stiffness_t;
+        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
+        (*total_t) = (*total_t) + ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * load + (*cspan_at(&work, region + layout__REGION_SHARE)) * load_t);
+        (*total) = (*total) + (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
     }
     return 0;
 }
 
 /* Tangent of ``levels_rule``. */
-static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed, double sharp, double sharp_t)
+static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed)
 {
     double given_t;
     double given;
     int64_t size;
-    int64_t width;
     int64_t i;
     int64_t region;
     double v1;
@@ -240,7 +228,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     double n4;
     given_t = penetration_t;
     given = penetration;
-    analyn__solve_levels(&penetration, met, tables, work, state, count, force, penetration, prescribed, sharp);
+    analyn__solve_levels(&penetration, met, work, tables, state, count, force, penetration, prescribed);
     penetration_t = 0.0;
     if ((*met) == INT64_C(0))
     {
@@ -249,20 +237,19 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
         return 0;
     }
     size = count + INT64_C(1);
-    width = size + INT64_C(2);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = 0.0;
     }
-    tangent_analyn__load_regions_t(&v1, &v1_t, tables, work, work_t, count);
+    tangent_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
     total_t = v1_t;
     total = v1;
-    last = layout__WORK_SYSTEM + width * count;
+    last = layout__WORK_EQUATIONS + INT64_C(106) * count;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        row = layout__WORK_SYSTEM + width * i;
+        row = layout__WORK_EQUATIONS + INT64_C(106) * i;
         pushed_t = 0.0;
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
@@ -286,21 +273,21 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
         (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + layout__REGION_TURN));
         (*cspan_at(&work_t, row + size)) = 0.0;
         (*cspan_at(&work, row + size)) = rest_t;
-        (*cspan_at(&work_t, row + size + INT64_C(1))) = 0.0;
-        (*cspan_at(&work, row + size + INT64_C(1))) = 0.0;
+        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = 0.0;
+        (*cspan_at(&work, row + (size + INT64_C(1)))) = 0.0;
     }
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         block = layout__WORK_REGIONS + layout__REGION_SIZE * j;
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, j, (*cspan_at(&work, block + layout__REGION_LEVEL)), 1.0);
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LEVEL)), 1.0);
         per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_SYSTEM + width * i + j)) = 0.0;
-            (*cspan_at(&work, layout__WORK_SYSTEM + width * i + j)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * i + j)) * per_level;
+            (*cspan_at(&work_t, layout__WORK_EQUATIONS + INT64_C(106) * i + j)) = 0.0;
+            (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + j)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + j)) * per_level;
         }
-        (*cspan_at(&work_t, layout__WORK_SYSTEM + width * j + j)) = 0.0;
-        (*cspan_at(&work, layout__WORK_SYSTEM + width * j + j)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * j + j)) + 1.0;
+        (*cspan_at(&work_t, layout__WORK_EQUATIONS + INT64_C(106) * j + j)) = 0.0;
+        (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * j + j)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * j + j)) + 1.0;
         (*cspan_at(&work_t, last + j)) = 0.0;
         (*cspan_at(&work, last + j)) = 0.0;
         if (prescribed == INT64_C(0))
@@ -313,8 +300,8 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     (*cspan_at(&work, last + count)) = 0.0;
     (*cspan_at(&work_t, last + size)) = 0.0;
     (*cspan_at(&work, last + size)) = force_t - total_t;
-    (*cspan_at(&work_t, last + size + INT64_C(1))) = 0.0;
-    (*cspan_at(&work, last + size + INT64_C(1))) = 0.0;
+    (*cspan_at(&work_t, last + (size + INT64_C(1)))) = 0.0;
+    (*cspan_at(&work, last + (size + INT64_C(1)))) = 0.0;
     if (prescribed == INT64_C(1))
     {
         (*cspan_at(&work_t, last + count)) = 0.0;
@@ -322,13 +309,13 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
         (*cspan_at(&work_t, last + size)) = 0.0;
         (*cspan_at(&work, last + size)) = given_t;
     }
-    strips__eliminate(work, size);
+    elimination__eliminate(work, size);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = (*cspan_at(&work, layout__WORK_SYSTEM + width * i + size));
+        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + size));
     }
-    tangent_analyn__load_regions_t(&n3, &n4, tables, work, work_t, count);
+    tangent_analyn__load_regions_t(&n3, &n4, work, work_t, count);
     penetration_t = (*cspan_at(&work, last + size));
     (*result_0) = penetration;
     (*result_1) = penetration_t;

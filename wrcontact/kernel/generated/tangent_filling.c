@@ -5,11 +5,36 @@
 
 #include "tangent_filling.h"
 
+/* Tangent of ``clear_totals``. */
+static inline int64_t tangent_filling__clear_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals, double start, double start_t)
+{
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = 0.0;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = 0.0;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)) = start_t;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = start;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)) = start_t;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) = start;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)) = 0.0;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = 0.0;
+    return INT64_C(0);
+}
+
 /* Tangent of ``clear_patches``. */
 static inline int64_t tangent_filling__clear_patches_t(array_double_1d work, array_double_1d work_t)
 {
     (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    tangent_filling__clear_totals_t(work, work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS, 0.0, 0.0);
     return INT64_C(0);
 }
 
@@ -30,20 +55,14 @@ static inline int64_t tangent_filling__begin_patch_t(array_double_1d work, array
     (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
     (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
     patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_START)) = start_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_START)) = start;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)) = start_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = start;
+    tangent_filling__clear_totals_t(work, work_t, patch + layout__SOLVED_PATCH_TOTALS, start, start_t);
+    tangent_filling__place_patch_t(work, work_t, patch, region, first, rule, contact_angle, contact_angle_t);
+    return index;
+}
+
+/* Tangent of ``place_patch``. */
+static inline int64_t tangent_filling__place_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle, double contact_angle_t)
+{
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = contact_angle_t;
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = contact_angle;
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_COS)) = (*cspan_at(&work_t, region + layout__REGION_COS));
@@ -70,55 +89,117 @@ static inline int64_t tangent_filling__begin_patch_t(array_double_1d work, array
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(first - INT64_C(1));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_RANK)) = 0.0;
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK)) = 0.0;
-    return index;
+    return INT64_C(0);
+}
+
+/* Tangent of ``fill_single``. */
+static inline int64_t tangent_filling__fill_single_t(array_double_1d work, array_double_1d work_t)
+{
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 1.0;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 1.0;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    return INT64_C(0);
 }
 
 /* Tangent of ``finish_patch``. */
 static inline int64_t tangent_filling__finish_patch_t(array_double_1d work, array_double_1d work_t)
 {
     int64_t patch;
+    int64_t totals;
     double v1;
     double v2;
     if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
+        totals = patch + layout__SOLVED_PATCH_TOTALS;
         v1 = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = tangent_rates__root_rate(v1, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = v1;
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = tangent_rates__root_rate(v1, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1;
         v2 = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = tangent_rates__root_rate(v2, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = v2;
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = tangent_rates__root_rate(v2, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2;
+        tangent_filling__complete_totals_t(work, work_t, totals);
     }
     return INT64_C(0);
 }
 
-/* Tangent of ``rank_patches``. */
-static inline int64_t tangent_filling__rank_patches_t(array_double_1d work, array_double_1d work_t)
+/* Tangent of ``complete_totals``. */
+static inline int64_t tangent_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals)
+{
+    double v1;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)) - (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START));
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) - (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
+    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) > 0.0)
+    {
+        v1 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)) = ((*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) - v1 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = v1;
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``finish_patches``. */
+static inline int64_t tangent_filling__finish_patches_t(array_double_1d work, array_double_1d work_t)
 {
     int64_t count;
-    int64_t rank;
-    int64_t heaviest;
-    double load_t;
-    double load;
     int64_t index;
     int64_t patch;
+    int64_t one;
+    int64_t rank;
+    int64_t heaviest;
     int64_t ranked;
     count = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        one = patch + layout__SOLVED_PATCH_TOTALS;
+        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_AREA));
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
+        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MOMENT));
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)))
+        {
+            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+        }
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)))
+        {
+            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        }
+        if (index == INT64_C(0))
+        {
+            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_START));
+            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
+        }
+        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_STOP));
+        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_STOP));
+    }
+    tangent_filling__complete_totals_t(work, work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
     for (rank = INT64_C(1); rank < count + INT64_C(1); rank += INT64_C(1))
     {
-        heaviest = -INT64_C(1);
-        load_t = 0.0;
-        load = 0.0;
-        for (index = INT64_C(0); index < count; index += INT64_C(1))
-        {
-            patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-            if (((int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK))) == INT64_C(0)) && ((*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) > load))
-            {
-                heaviest = index;
-                load_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD));
-                load = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD));
-            }
-        }
+        heaviest = filling__heaviest_patch(work);
         if (heaviest >= INT64_C(0))
         {
             ranked = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * heaviest;

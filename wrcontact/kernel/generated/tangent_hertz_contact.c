@@ -5,6 +5,20 @@
 
 #include "tangent_hertz_contact.h"
 
+/* Tangent of ``hertz_contact``. */
+static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t point, double force, double force_t, double prescribed, double prescribed_t)
+{
+    double v1;
+    double v1_t;
+    tangent_planes__line_up_t(tables, work, work_t, INT64_C(1));
+    tangent_hertz_contact__solve_hertz_t(&v1, &v1_t, work, work_t, tables, point, layout__WORK_REGIONS, force, force_t, prescribed, prescribed_t);
+    (*penetration_t) = v1_t;
+    (*penetration) = v1;
+    (*result_2) = INT64_C(1);
+    (*result_3) = INT64_C(1);
+    return 0;
+}
+
 /* Tangent of ``solve_hertz``. */
 static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t point, int64_t region, double force, double force_t, double prescribed, double prescribed_t)
 {
@@ -46,20 +60,17 @@ static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, 
     double v16;
     double area_t;
     double area;
-    int64_t n17;
-    int64_t index;
-    int64_t patch;
+    double v17;
     double v18;
-    double v19;
     base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A_t = 0.5 * (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CURVATURE_X));
     A = 0.5 * (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CURVATURE_X));
     B_t = 0.5 * (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CURVATURE_Y));
     B = 0.5 * (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CURVATURE_Y));
-    if (!(B > nodes__FLOOR * A))
+    if (!(B > node_coefficients__FLOOR * A))
     {
-        B_t = nodes__FLOOR * A_t;
-        B = nodes__FLOOR * A;
+        B_t = node_coefficients__FLOOR * A_t;
+        B = node_coefficients__FLOOR * A;
     }
     tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, base, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v1_t;
@@ -105,23 +116,27 @@ static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, 
     v16 = M_PI * half_length;
     area_t = M_PI * half_length_t * half_width + v16 * half_width_t;
     area = v16 * half_width;
-    tangent_filling__clear_patches_t(work, work_t);
-    n17 = tangent_filling__begin_patch_t(work, work_t, region, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
-    index = n17;
-    patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) = load_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = load;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) = area_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = area;
-    v18 = 1.5 * load;
-    v19 = v18 / area;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = (1.5 * load_t - v19 * area_t) / area;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) = v19;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = half_length_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) = half_length;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)) = half_width_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = half_width;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_RANK)) = 0.0;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK)) = 1.0;
+    tangent_filling__place_patch_t(work, work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES, region, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load_t;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area_t;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    v17 = 1.5 * load;
+    v18 = v17 / area;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (1.5 * load_t - v18 * area_t) / area;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = v18;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length_t;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width_t;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width_t;
+    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width;
+    tangent_filling__fill_single_t(work, work_t);
     return 0;
 }

@@ -6,32 +6,22 @@
 #include "tangent_interpolation.h"
 
 /* Tangent of ``quadratic_at``. */
-static inline int64_t tangent_interpolation__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t)
+static inline int64_t tangent_interpolation__quadratic_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
 {
-    int64_t patch;
-    int64_t first;
-    int64_t number_end;
-    int64_t number;
+    int64_t index;
     int64_t region;
     double own_t;
     double own;
-    patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-    first = (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)));
-    if ((station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_START))) && (index > INT64_C(0)))
-    {
-        first = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (index - INT64_C(1)) + layout__SOLVED_PATCH_FIRST)));
-    }
     (*half_length_t) = 0.0;
     (*half_length) = 0.0;
     (*pressure_t) = 0.0;
     (*pressure) = 0.0;
-    number_end = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST))) + layout__SOLVED_STRIP_REGION))) + INT64_C(1);
-    for (number = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * first + layout__SOLVED_STRIP_REGION))); number < number_end; number += INT64_C(1))
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * number;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
         own_t = station_t - (*cspan_at(&work_t, region + layout__REGION_OFFSET));
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
-        if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0) && (own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
+        if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
         {
             tangent_interpolation__between_strips_t(half_length, half_length_t, pressure, pressure_t, work, work_t, region, own, own_t);
         }
@@ -46,6 +36,7 @@ static inline int64_t tangent_interpolation__between_strips_t(double* half_lengt
     double v2;
     double u_t;
     double u;
+    bool inside;
     int64_t outward;
     int64_t low;
     double x_t;
@@ -72,7 +63,8 @@ static inline int64_t tangent_interpolation__between_strips_t(double* half_lengt
     v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
     u_t = (own_t - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     u = v2;
-    if ((u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))
+    inside = (u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))));
+    if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0) && inside)
     {
         outward = INT64_C(1);
         if (u < 0.0)
@@ -135,8 +127,8 @@ static inline int64_t tangent_interpolation__straight_at_t(double* half_length, 
     double v7;
     double v8;
     double v9;
-    low_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_START));
-    low = (*cspan_at(&work, patch + layout__SOLVED_PATCH_START));
+    low_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    low = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
     low_length_t = 0.0;
     low_length = 0.0;
     low_pressure_t = 0.0;
@@ -151,8 +143,8 @@ static inline int64_t tangent_interpolation__straight_at_t(double* half_length, 
         low_pressure_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
         low_pressure = (*cspan_at(&work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
     }
-    high_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP));
-    high = (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP));
+    high_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    high = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
     high_length_t = 0.0;
     high_length = 0.0;
     high_pressure_t = 0.0;

@@ -28,7 +28,7 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
         {
             (*cspan_at(&work_t, region + layout__REGION_STRIP)) = 0.0;
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
-            tangent_node_patches__fill_strips_t(work, work_t, region, index, layout__WORK_NODES + layout__NODES_SIZE * index);
+            tangent_node_patches__fill_strips_t(work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
             angle_t = -((*cspan_at(&work_t, region + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, region + layout__REGION_LEAN)) * (*cspan_at(&work, region + layout__REGION_LEAN))));
             angle = -atan((*cspan_at(&work, region + layout__REGION_LEAN)));
@@ -40,16 +40,24 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
         }
     }
     tangent_filling__finish_patch_t(work, work_t);
-    tangent_filling__rank_patches_t(work, work_t);
+    tangent_filling__finish_patches_t(work, work_t);
     return INT64_C(0);
 }
 
 /* Tangent of ``fill_strips``. */
-static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, int64_t nodes)
+static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
 {
     double level_t;
     double level;
     int64_t middle;
+    double spacing_t;
+    double spacing;
+    double origin_t;
+    double origin;
+    double along_t;
+    double along;
+    double slant_t;
+    double slant;
     int64_t k_end;
     int64_t k;
     int64_t strip;
@@ -64,9 +72,19 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
     double v5;
     double away_t;
     double away;
+    int64_t k6;
+    int64_t k7;
     level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL));
     level = (*cspan_at(&work, region + layout__REGION_LEVEL));
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
+    origin_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    along_t = (*cspan_at(&work_t, region + layout__REGION_ALONG));
+    along = (*cspan_at(&work, region + layout__REGION_ALONG));
+    slant_t = (*cspan_at(&work_t, region + layout__REGION_SLANT));
+    slant = (*cspan_at(&work, region + layout__REGION_SLANT));
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
@@ -86,19 +104,23 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
         (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (v2 * (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load + v3 * load_t) * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) + v4 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = v4 * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         v5 = (double)(k);
-        away_t = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v5;
-        away = (*cspan_at(&work, region + layout__REGION_SPACING)) * v5;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION)) + away_t;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION)) + away;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH)) = 0.0;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, region + layout__REGION_ALONG)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * away_t);
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_ALONG)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
+        away_t = spacing_t * v5;
+        away = spacing * v5;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_STATION)) = origin_t + away_t;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = origin + away;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH)) = spacing_t;
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = spacing;
+        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_X)) = along_t + (slant_t * away + slant * away_t);
+        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = along + slant * away;
         (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_REGION)) = 0.0;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_REGION)) = (double)(index);
     }
+    k6 = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH;
+    (*cspan_at(&work_t, k6)) = 0.5 * spacing_t;
+    (*cspan_at(&work, k6)) = 0.5 * spacing;
+    k7 = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH;
+    (*cspan_at(&work_t, k7)) = 0.5 * spacing_t;
+    (*cspan_at(&work, k7)) = 0.5 * spacing;
     return INT64_C(0);
 }
 
@@ -119,8 +141,9 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
     double stop_t;
     double v1;
     double v1_t;
-    int64_t strips;
+    int64_t strip;
     int64_t inner;
+    int64_t outer;
     double begin_t;
     double begin;
     double end_t;
@@ -149,10 +172,15 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
         stop_t = v1_t;
         stop = v1;
     }
+    strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
+    outer = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
+    if ((start > 0.0) || (stop < 1.0))
+    {
+        tangent_node_patches__narrow_strips_t(work, work_t, inner, outer, start, start_t, stop, stop_t, spacing, spacing_t);
+    }
     if (stop > start)
     {
-        strips = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-        inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + low);
         begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * start + spacing * start_t);
         begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
         end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * stop + spacing * stop_t);
@@ -164,18 +192,52 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
             end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * start + spacing * start_t);
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
-        n2 = tangent_node_patches__patch_from_t(work, work_t, region, begin, begin_t, strips + k, contact_angle, contact_angle_t);
+        n2 = tangent_node_patches__patch_from_t(work, work_t, region, begin, begin_t, strip + k, contact_angle, contact_angle_t);
         index = n2;
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)) = end_t;
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) = end;
+        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end_t;
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
         (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
-        (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strips + k + INT64_C(1));
-        tangent_node_patches__widen_strips_t(work, work_t, inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, start_t, stop, stop_t, spacing, spacing_t);
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strip + k + INT64_C(1));
         v3 = (double)(outward);
-        tangent_node_patches__add_load_t(work, work_t, patch, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + before), inner, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strips + high), start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
-        tangent_node_patches__keep_largest_t(work, work_t, strips + low);
+        tangent_node_patches__add_load_t(work, work_t, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        tangent_node_patches__keep_largest_t(work, work_t, strip + low);
     }
+    return INT64_C(0);
+}
+
+/* Tangent of ``narrow_strips``. */
+static inline int64_t tangent_node_patches__narrow_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t)
+{
+    double inner_share_t;
+    double inner_share;
+    double outer_share_t;
+    double outer_share;
+    double v1;
+    double v2;
+    inner_share_t = 0.0;
+    inner_share = 0.0;
+    outer_share_t = 0.0;
+    outer_share = 0.0;
+    if (stop > start)
+    {
+        if (start > 0.0)
+        {
+            outer_share_t = stop_t - start_t;
+            outer_share = stop - start;
+        }
+        else
+        {
+            inner_share_t = stop_t - start_t;
+            inner_share = stop - start;
+        }
+    }
+    v1 = inner_share - 0.5;
+    (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + (inner_share_t * spacing + v1 * spacing_t);
+    (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + v1 * spacing;
+    v2 = outer_share - 0.5;
+    (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + (outer_share_t * spacing + v2 * spacing_t);
+    (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + v2 * spacing;
     return INT64_C(0);
 }
 
@@ -191,7 +253,7 @@ static inline int64_t tangent_node_patches__patch_from_t(array_double_1d work, a
     if (index >= INT64_C(0))
     {
         last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
+        if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
         {
             joined = INT64_C(1);
         }
@@ -205,37 +267,8 @@ static inline int64_t tangent_node_patches__patch_from_t(array_double_1d work, a
     return index;
 }
 
-/* Tangent of ``widen_strips``. */
-static inline int64_t tangent_node_patches__widen_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t)
-{
-    double v1;
-    double width_t;
-    double width;
-    v1 = stop - start;
-    width_t = spacing_t * v1 + spacing * (stop_t - start_t);
-    width = spacing * v1;
-    if (stop < 1.0)
-    {
-        (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + width_t;
-        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + width;
-    }
-    else if (start > 0.0)
-    {
-        (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + width_t;
-        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + width;
-    }
-    else
-    {
-        (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width_t;
-        (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width;
-        (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width_t;
-        (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + 0.5 * width;
-    }
-    return INT64_C(0);
-}
-
 /* Tangent of ``add_load``. */
-static inline int64_t tangent_node_patches__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
+static inline int64_t tangent_node_patches__add_load_t(array_double_1d work, array_double_1d work_t, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
 {
     double width_t;
     double width;
@@ -249,35 +282,50 @@ static inline int64_t tangent_node_patches__add_load_t(array_double_1d work, arr
     double moment;
     double v3;
     double v3_t;
+    double v4;
+    double v4_t;
+    double v5;
+    double v5_t;
     double area_t;
     double area;
-    double v4;
-    double v5;
+    double v6;
+    double v7;
     width_t = tangent_rates__size_rate(step, step_t);
     width = fabs(step);
-    tangent_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t, stop, stop_t);
-    load_t = width_t * v1 + width * v1_t;
-    load = width * v1;
-    tangent_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t, stop, stop_t);
+    tangent_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
+    load_t = v1_t;
+    load = v1;
+    tangent_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
     moment_t = v2_t;
     moment = v2;
-    tangent_quadrature__root_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
-    area_t = v3_t;
-    area = v3;
-    v4 = width * step;
-    moment_t = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * load + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load_t + ((width_t * step + width * step_t) * moment + v4 * moment_t);
-    moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + v4 * moment;
+    if (start > 0.0)
+    {
+        tangent_quadrature__quadratic_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
+        load_t = load_t - v3_t;
+        load = load - v3;
+        tangent_quadrature__quadratic_moment_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
+        moment_t = moment_t - v4_t;
+        moment = moment - v4;
+    }
+    load_t = load_t * width + load * width_t;
+    load = load * width;
+    tangent_quadrature__root_integral_t(&v5, &v5_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
+    area_t = v5_t;
+    area = v5;
+    v6 = width * step;
+    moment_t = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * load + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load_t + ((width_t * step + width * step_t) * moment + v6 * moment_t);
+    moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + v6 * moment;
     (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + load_t;
     (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + load;
     (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + moment_t;
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + moment;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOAD)) + load_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD)) + load;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MOMENT)) + moment_t;
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) + moment;
-    v5 = 2.0 * width;
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_AREA)) + (2.0 * width_t * area + v5 * area_t);
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA)) + v5 * area;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) + load_t;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) + load;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) + moment_t;
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) + moment;
+    v7 = 2.0 * width;
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) + (2.0 * width_t * area + v7 * area_t);
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) + v7 * area;
     return INT64_C(0);
 }
 

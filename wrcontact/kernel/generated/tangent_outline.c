@@ -9,7 +9,7 @@
 static inline int64_t tangent_outline__fill_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, double value, double value_t)
 {
     int64_t i;
-    for (i = INT64_C(0); i < INT64_C(3) * stations; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__RUN_COUNT * stations; i += INT64_C(1))
     {
         (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = value_t;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = value;
@@ -18,17 +18,19 @@ static inline int64_t tangent_outline__fill_outline_t(array_double_1d work, arra
 }
 
 /* Tangent of ``write_outline``. */
-static inline int64_t tangent_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side)
+static inline int64_t tangent_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t count)
 {
+    int64_t rule;
     if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
-        if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE))) == layout__RULE_ELLIPSE)
+        rule = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE)));
+        if (rule == layout__RULE_ELLIPSE)
         {
-            tangent_outline__write_ellipse_t(work, work_t, outline, stations, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES);
+            tangent_outline__write_ellipse_t(work, work_t, outline, stations, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
         }
-        else if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE))) == layout__RULE_QUADRATIC)
+        else if (rule == layout__RULE_QUADRATIC)
         {
-            tangent_outline__write_quadratic_t(work, work_t, outline, stations, side);
+            tangent_outline__write_quadratic_t(work, work_t, outline, stations, count);
         }
         else
         {
@@ -38,42 +40,49 @@ static inline int64_t tangent_outline__write_outline_t(array_double_1d work, arr
     return INT64_C(0);
 }
 
-/* Tangent of ``write_station``. */
-static inline int64_t tangent_outline__write_station_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t j, double station, double station_t, double half_length, double half_length_t, double pressure, double pressure_t)
-{
-    (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
-    (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
-    (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t;
-    (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
-    (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t;
-    (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
-    return INT64_C(0);
-}
-
 /* Tangent of ``write_ellipse``. */
-static inline int64_t tangent_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch)
+static inline int64_t tangent_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals)
 {
+    double half_length_t;
+    double half_length;
+    double half_width_t;
+    double half_width;
+    double pressure_t;
+    double pressure;
     int64_t j;
     double share;
     double height;
+    half_length_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    half_length = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    half_width_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP));
+    half_width = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
+    pressure_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    pressure = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
         height = sqrt(1.0 - share * share);
-        tangent_outline__write_station_t(work, work_t, outline, stations, j, share * (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)), share * (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STOP)), (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) * height, (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) * height, (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) * height, (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) * height);
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width;
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length * height;
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure * height;
     }
     return INT64_C(0);
 }
 
 /* Tangent of ``write_quadratic``. */
-static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side)
+static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t count)
 {
     double start_t;
     double start;
-    int64_t last;
     double stop_t;
     double stop;
-    int64_t index;
+    double largest_t;
+    double largest;
+    double peak_t;
+    double peak;
     int64_t j;
     double v1;
     double v2;
@@ -85,12 +94,14 @@ static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, a
     double half_length;
     double pressure_t;
     double pressure;
-    start_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-    last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
-    stop_t = (*cspan_at(&work_t, last + layout__SOLVED_PATCH_STOP));
-    stop = (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP));
-    index = INT64_C(0);
+    start_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    largest_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    largest = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    peak_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    peak = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         v1 = stop - start;
@@ -105,20 +116,24 @@ static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, a
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
-            index = outline__patch_beside(work, index, station);
-            tangent_interpolation__quadratic_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, index, station, station_t);
+            tangent_interpolation__quadratic_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
         }
-        if (half_length > 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)))
+        if (half_length > largest)
         {
-            half_length_t = 0.5 * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_PATCH_LENGTH));
-            half_length = 0.5 * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH));
+            half_length_t = largest_t;
+            half_length = largest;
         }
-        if (pressure > (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)))
+        if (pressure > peak)
         {
-            pressure_t = (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MAX_PRESSURE));
-            pressure = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE));
+            pressure_t = peak_t;
+            pressure = peak;
         }
-        tangent_outline__write_station_t(work, work_t, outline, stations, j, station, station_t, half_length, half_length_t, pressure, pressure_t);
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
     }
     return INT64_C(0);
 }
@@ -128,7 +143,6 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
 {
     double start_t;
     double start;
-    int64_t last;
     double stop_t;
     double stop;
     int64_t index;
@@ -145,11 +159,10 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
     double pressure_t;
     double pressure;
     int64_t patch;
-    start_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-    last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
-    stop_t = (*cspan_at(&work_t, last + layout__SOLVED_PATCH_STOP));
-    stop = (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP));
+    start_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
     index = INT64_C(0);
     strip = INT64_C(0);
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
@@ -166,7 +179,7 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
         pressure = 0.0;
         index = outline__patch_beside(work, index, station);
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__SOLVED_PATCH_START))) && (station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP))))
+        if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
         {
             if (strip < (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
             {
@@ -178,7 +191,12 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
             }
             tangent_interpolation__straight_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, patch, strip, station, station_t);
         }
-        tangent_outline__write_station_t(work, work_t, outline, stations, j, station, station_t, half_length, half_length_t, pressure, pressure_t);
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
+        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
     }
     return INT64_C(0);
 }

@@ -12,10 +12,9 @@
 #include "tangent_interpolation.h"
 
 static inline int64_t tangent_outline__fill_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, double value, double value_t);
-static inline int64_t tangent_outline__write_station_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t j, double station, double station_t, double half_length, double half_length_t, double pressure, double pressure_t);
-static inline int64_t tangent_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch);
-static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side);
+static inline int64_t tangent_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals);
+static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t count);
 static inline int64_t tangent_outline__write_straight_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations);
-static inline int64_t tangent_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side);
+static inline int64_t tangent_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t count);
 
 #endif

@@ -125,7 +125,7 @@ static inline int64_t tangent_quadrature__cell_part_t(double* start, double* sta
 }
 
 /* Tangent of ``quadratic_integral``. */
-static inline int64_t tangent_quadrature__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t)
+static inline int64_t tangent_quadrature__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double stop, double stop_t)
 {
     double v1;
     double v1_t;
@@ -136,13 +136,6 @@ static inline int64_t tangent_quadrature__quadratic_integral_t(double* result_0,
     double v2;
     double v3;
     double v4;
-    double upper_t;
-    double upper;
-    double v5;
-    double v6;
-    double v7;
-    double lower_t;
-    double lower;
     tangent_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
     bend_t = v1_t;
     bend = v1;
@@ -151,20 +144,13 @@ static inline int64_t tangent_quadrature__quadratic_integral_t(double* result_0,
     v2 = stop * bend;
     v3 = slope / 2.0 + v2 / 3.0;
     v4 = low + stop * v3;
-    upper_t = stop_t * v4 + stop * (low_t + (stop_t * v3 + stop * (slope_t / 2.0 + (stop_t * bend + stop * bend_t) / 3.0)));
-    upper = stop * v4;
-    v5 = start * bend;
-    v6 = slope / 2.0 + v5 / 3.0;
-    v7 = low + start * v6;
-    lower_t = start_t * v7 + start * (low_t + (start_t * v6 + start * (slope_t / 2.0 + (start_t * bend + start * bend_t) / 3.0)));
-    lower = start * v7;
-    (*result_0) = upper - lower;
-    (*result_1) = upper_t - lower_t;
+    (*result_0) = stop * v4;
+    (*result_1) = stop_t * v4 + stop * (low_t + (stop_t * v3 + stop * (slope_t / 2.0 + (stop_t * bend + stop * bend_t) / 3.0)));
     return 0;
 }
 
 /* Tangent of ``quadratic_moment``. */
-static inline int64_t tangent_quadrature__quadratic_moment_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t)
+static inline int64_t tangent_quadrature__quadratic_moment_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double stop, double stop_t)
 {
     double v1;
     double v1_t;
@@ -176,14 +162,6 @@ static inline int64_t tangent_quadrature__quadratic_moment_t(double* result_0, d
     double v3;
     double v4;
     double v5;
-    double upper_t;
-    double upper;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double lower_t;
-    double lower;
     tangent_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
     bend_t = v1_t;
     bend = v1;
@@ -193,16 +171,8 @@ static inline int64_t tangent_quadrature__quadratic_moment_t(double* result_0, d
     v3 = stop * bend;
     v4 = slope / 3.0 + v3 / 4.0;
     v5 = low / 2.0 + stop * v4;
-    upper_t = (stop_t * stop + stop * stop_t) * v5 + v2 * (low_t / 2.0 + (stop_t * v4 + stop * (slope_t / 3.0 + (stop_t * bend + stop * bend_t) / 4.0)));
-    upper = v2 * v5;
-    v6 = start * start;
-    v7 = start * bend;
-    v8 = slope / 3.0 + v7 / 4.0;
-    v9 = low / 2.0 + start * v8;
-    lower_t = (start_t * start + start * start_t) * v9 + v6 * (low_t / 2.0 + (start_t * v8 + start * (slope_t / 3.0 + (start_t * bend + start * bend_t) / 4.0)));
-    lower = v6 * v9;
-    (*result_0) = upper - lower;
-    (*result_1) = upper_t - lower_t;
+    (*result_0) = v2 * v5;
+    (*result_1) = (stop_t * stop + stop * stop_t) * v5 + v2 * (low_t / 2.0 + (stop_t * v4 + stop * (slope_t / 3.0 + (stop_t * bend + stop * bend_t) / 4.0)));
     return 0;
 }
 

@@ -212,7 +212,7 @@ static inline int64_t tangent_separation__open_origin_t(array_double_1d tables, 
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap;
         (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_CHORD)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
             (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
             (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;

@@ -55,6 +55,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     double penetration;
     double penetration_t;
     int64_t met;
+    int64_t outline;
     int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &met, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
@@ -68,7 +69,8 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     tangent_totals__write_patches_t(work, work_t, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        tangent_outline__write_outline_t(work, work_t, side__outline_place(tables, work, out), (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), out);
+        outline = side__outline_place(tables, work, out);
+        tangent_outline__write_outline_t(work, work_t, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
     }
     for (region = INT64_C(0); region < (*count); region += INT64_C(1))
     {

@@ -8,52 +8,26 @@
 /* The totals of all patches, and the PATCH_LIMIT heaviest patches by falling load, into the outputs of a side. */
 static inline int64_t totals__write_patches(array_double_1d work, int64_t side)
 {
-    double load;
-    double area;
-    double moment;
-    double pressure;
-    double half_length;
-    int64_t count;
+    int64_t index_end;
     int64_t index;
     int64_t patch;
     int64_t rank;
-    int64_t last;
-    load = 0.0;
-    area = 0.0;
-    moment = 0.0;
-    pressure = 0.0;
-    half_length = 0.0;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    index_end = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
-        load += (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD));
-        area += (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA));
-        moment += (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT));
-        if ((*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE)) > pressure)
-        {
-            pressure = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE));
-        }
-        if ((*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH)) > half_length)
-        {
-            half_length = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH));
-        }
         rank = (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK)));
         if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
         {
             totals__write_patch(work, patch, side + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_SIZE * (rank - INT64_C(1)));
         }
-    }
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)(count);
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = load;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = area;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = pressure;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * half_length;
-    if (count > INT64_C(0))
-    {
-        last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (count - INT64_C(1));
-        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, last + layout__SOLVED_PATCH_STOP)) - (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_START));
-        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = moment / load;
     }
     return INT64_C(0);
 }
@@ -61,12 +35,14 @@ static inline int64_t totals__write_patches(array_double_1d work, int64_t side)
 /* One patch into its outputs. */
 static inline int64_t totals__write_patch(array_double_1d work, int64_t patch, int64_t to)
 {
-    (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD));
-    (*cspan_at(&work, to + layout__PATCH_AREA)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_AREA));
-    (*cspan_at(&work, to + layout__PATCH_MAX_PRESSURE)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_PRESSURE));
-    (*cspan_at(&work, to + layout__PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, patch + layout__SOLVED_PATCH_MAX_HALF_LENGTH));
-    (*cspan_at(&work, to + layout__PATCH_WIDTH)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_STOP)) - (*cspan_at(&work, patch + layout__SOLVED_PATCH_START));
-    (*cspan_at(&work, to + layout__PATCH_CENTROID)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_MOMENT)) / (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOAD));
+    int64_t totals;
+    totals = patch + layout__SOLVED_PATCH_TOTALS;
+    (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, to + layout__PATCH_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, to + layout__PATCH_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work, to + layout__PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work, to + layout__PATCH_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
+    (*cspan_at(&work, to + layout__PATCH_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
     (*cspan_at(&work, to + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE));
     return INT64_C(0);
 }
