@@ -1,9 +1,8 @@
-"""Work per pose, counted by the kernel itself (STATE_... in wrcontact/kernel/layout/records.py)."""
+"""Work per pose, counted by the kernel itself (the record State in wrcontact/kernel/layout/wheelset.py)."""
 
 import numpy as np
 
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import search
 
 from . import runs
 from .rows import system
@@ -47,8 +46,7 @@ def per_wheelset(model, poses):
 
 def raster():
     """Number of nodes on the wheel: gap evaluations of a scan without bounds."""
-    tables = system()._tables
-    return int(tables[int(tables[layout.SET_SCAN]) + search.SCAN_COUNT])
+    return layout.Tables.at(system()._tables).scan.count
 
 
 def table(count):

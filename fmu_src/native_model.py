@@ -12,7 +12,7 @@ from ..kernel.binding.influence_table import influence_table
 from ..kernel.binding.setup import PLACES, setup_of
 from ..kernel.prepare import tables as prepare_tables
 from ..kernel.prepare.scan import FINE_STEP
-from ..kernel.wheelset.elastic import DEEPEST
+from ..kernel.wheelset.trial import DEEPEST
 from ..methods import NUMBERS, family_of
 from ..methods.numbers import unit_behind
 from ..profiles.definition import definition

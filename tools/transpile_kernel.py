@@ -52,7 +52,8 @@ FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
 #: Modules that a usual step does not enter, and the function of each that decides it.  All others of theirs are kept out of
 #: line: a compiler inlines only so much of one unit, and what it spent on them it took from the usual step (4 % when yawed).
-SELDOM = {"separation": "separation"} | dict.fromkeys(("elastic", "overlaps", "planes", "pressed", "touching"))
+SELDOM = {"separation": "separation"} | dict.fromkeys(
+    ("brackets", "compliant", "elastic", "overlaps", "planes", "pressed", "touching", "trial"))
 #: Tuples of numbers of the room layout that the C beside the kernel reads.
 ARRAYS = {"INPUT_NOMINALS"}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}

@@ -5,7 +5,7 @@ from enum import IntEnum
 
 from .interface.inputs import INPUT_NAMES, INPUT_UNITS, LATERAL_LIMIT, ROLL_LIMIT, YAW_LIMIT
 from .kernel import layout
-from .kernel.wheelset.elastic import DEEPEST
+from .kernel.wheelset.trial import DEEPEST
 from .methods.numbers import unit_behind
 
 

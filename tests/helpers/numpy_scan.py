@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from wrcontact.kernel.layout import Profile
-from wrcontact.kernel.search import search as layout
-from wrcontact.kernel.layout import SCAN_LIMIT
+from wrcontact.kernel.layout import EXPONENTS, SCAN_LIMIT, Profile, RailCell, Scan, ScanNode, size
+from wrcontact.kernel.search.bounds import STEEP, WIDEST
 from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
 COARSE_STEP = 1.0e-3  # [m]
@@ -31,15 +30,14 @@ def scan_table(wheel, rail, radius, arm):
         raise ValueError(f"the wheel profile is {wheel_bends.stop - wheel_bends.start:.4g} m wide; permitted are at most "
                          f"{SCAN_LIMIT * FINE_STEP:.4g} m")
     nodes, bounds = _wheel_rows(wheel, wheel_bends, y), _rail_rows(rail_bends)
-    nodes[:, layout.ROW_LEVER] = _levers(wheel, y, radius, arm)
-    head = np.zeros(layout.SCAN_NODES)
-    head[layout.SCAN_COUNT], head[layout.SCAN_RAIL_COUNT] = len(y), len(bounds)
-    head[layout.SCAN_RAIL_START], head[layout.SCAN_RAIL_PER_METRE] = rail_bends.start, 1.0 / FINE_STEP
-    head[layout.SCAN_RAIL_OFFSET] = layout.SCAN_NODES + nodes.size
-    head[layout.SCAN_BIN_OFFSET] = head[layout.SCAN_RAIL_OFFSET] + bounds.size
-    head[layout.SCAN_BIN_COUNT], head[layout.SCAN_BINS_PER_METRE] = len(first), len(first) / (wheel_bends.stop - wheel_bends.start)
-    head[layout.SCAN_STEEPEST] = wheel_bends.between(np.array([wheel_bends.start]), np.array([wheel_bends.stop]))[2][0]
-    return np.concatenate([head, nodes.ravel(), bounds.ravel(), first.astype(float)])
+    nodes["lever"] = _levers(wheel, y, radius, arm)
+    steepest = wheel_bends.between(np.array([wheel_bends.start]), np.array([wheel_bends.stop]))[2][0]
+    head = Scan.nodes.offset // 8
+    cells = head + len(nodes) * size(ScanNode)
+    bins = cells + len(bounds) * size(RailCell)
+    return np.concatenate([[len(nodes), len(bounds), rail_bends.start, 1.0 / FINE_STEP, cells, bins, len(first),
+                            len(first) / (wheel_bends.stop - wheel_bends.start), steepest],
+                           nodes.view(float), bounds.view(float), first.astype(float)])
 
 
 class BendRange:
@@ -77,25 +75,25 @@ def _over(extreme, values, first, last, nothing):
 
 
 def _wheel_rows(wheel, bends, y):
-    """Rows of the nodes ``y`` (n,), see search.ROW_...; stretches end with the table.
+    """The records ScanNode of the nodes ``y`` (n,), without levers; stretches end with the table.
 
     Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
     """
-    nodes = np.zeros((len(y), layout.SCAN_ROW))
-    nodes[:, layout.ROW_Y] = y
-    nodes[:, layout.ROW_HEIGHT], nodes[:, layout.ROW_SLOPE], _ = evaluate_table(wheel, y)
+    nodes = np.zeros(len(y), ScanNode)
+    nodes["y"] = y
+    nodes["height"], nodes["slope"], _ = evaluate_table(wheel, y)
     last = len(y) - 1
-    for level in range(layout.LEVELS):
-        least, most, steepest = bends.between(y, y[np.minimum(np.arange(len(y)) + 2**level, last)])
-        nodes[:, layout.ROW_MOST_BENDS + level] = np.where(steepest < layout.STEEP, most, TOO_STEEP)
-        nodes[:, layout.ROW_STEEPEST_BENDS + level] = np.maximum(np.abs(least), np.abs(most))
-        if level == 0:
-            nodes[:, layout.ROW_LEAST_BEND] = least
+    for exponent in range(EXPONENTS):
+        least, most, steepest = bends.between(y, y[np.minimum(np.arange(len(y)) + 2**exponent, last)])
+        nodes["most_bends"][:, exponent] = np.where(steepest < STEEP, most, TOO_STEEP)
+        nodes["steepest_bends"][:, exponent] = np.maximum(np.abs(least), np.abs(most))
+        if exponent == 0:
+            nodes["least_bend"] = least
     return nodes
 
 
 def _levers(wheel, y, radius, arm):
-    """The largest lever of each node ``y`` (n,) and all beyond it [m]: how a level wheelset's gap changes with the roll."""
+    """The largest lever of each node ``y`` (n,) and all beyond it [m]: how the gap of a wheelset at zero roll changes with the roll."""
     widths = np.append(np.diff(y), 0.0)[:, None]
     places = y[:, None] + widths * np.linspace(0.0, 1.0, SAMPLES)[:-1]
     z, slope, _ = evaluate_table(wheel, places)
@@ -104,19 +102,18 @@ def _levers(wheel, y, radius, arm):
 
 
 def _rail_rows(bends):
-    """Rows of the rail's raster, see search.RAIL_...
+    """The records RailCell of the rail's raster.
 
     A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
     """
     count = int(np.ceil((bends.stop - bends.start) / FINE_STEP))
     edges = bends.start + FINE_STEP * np.arange(count)
-    rows = np.zeros((count, layout.RAIL_ROW))
+    rows = np.zeros(count, RailCell)
     # a wheel cell starts in a raster cell and is COARSE_STEP long, a quarter more when yawed
-    rows[:, layout.RAIL_LEAST_BEND], rows[:, layout.RAIL_MOST_BEND] = bends.between(edges - FINE_STEP,
-                                                                                    edges + FINE_STEP + 1.5 * COARSE_STEP)[:2]
-    for level in range(layout.LEVELS + 1):
-        length = FINE_STEP * (1.01 + (1.0 + layout.WIDEST) * 1.01 * 2**level)
-        rows[:, layout.RAIL_LEAST_BENDS + level] = bends.between(edges - 0.01 * FINE_STEP, edges + length)[0]
+    rows["least_bend"], rows["most_bend"] = bends.between(edges - FINE_STEP, edges + FINE_STEP + 1.5 * COARSE_STEP)[:2]
+    for exponent in range(EXPONENTS + 1):
+        length = FINE_STEP * (1.01 + (1.0 + WIDEST) * 1.01 * 2**exponent)
+        rows["least_bends"][:, exponent] = bends.between(edges - 0.01 * FINE_STEP, edges + length)[0]
     return rows
 
 

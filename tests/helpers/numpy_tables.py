@@ -7,7 +7,6 @@ from tests.helpers.numpy_scan import scan_table
 from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import influence_table
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import starts
 from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
 from wrcontact.kernel.prepare.tables import START_STEP
@@ -72,26 +71,25 @@ def curvature_table(profile, sign, kind, step, reach):
 
 
 def empty_starts():
-    """Table of starts with nothing known; layout in wrcontact/kernel/search/starts.py."""
-    count = 2 * round(LATERAL_LIMIT / START_STEP) + 1
-    table = np.zeros(starts.START_ROWS + starts.START_ROW * count)
-    table[starts.START_COUNT] = count
-    table[starts.START_FIRST], table[starts.START_PER_METRE] = -LATERAL_LIMIT, 1.0 / START_STEP
+    """The record Starts with nothing known."""
+    table = np.zeros(layout.STARTS_SIZE)
+    starts = layout.Starts.at(table)
+    assert layout.START_COUNT == 2 * round(LATERAL_LIMIT / START_STEP) + 1
+    starts.count, starts.first_shift, starts.per_metre = layout.START_COUNT, -LATERAL_LIMIT, 1.0 / START_STEP
     return table
 
 
 def fill_starts(tables):
     """Roll and contacts at the table of starts' lateral shifts, from the kernel itself, in one sweep without load."""
-    base = int(tables[layout.SET_STARTS])
-    count, first, per_metre = tables[base:base + starts.START_ROWS]
+    starts = layout.Tables.at(tables).starts
     state, inputs, outputs = (np.zeros(size) for size in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
     bound = default_kernel().bind(tables, state, np.zeros(layout.WORK_SIZE), inputs, outputs)
-    rows = tables[base + starts.START_ROWS:][:starts.START_ROW * int(count)].reshape(-1, starts.START_ROW)
-    found = np.zeros_like(rows)
-    for row, shift in zip(found, first + np.arange(count) / per_metre):
+    found = np.zeros(layout.START_COUNT, layout.Start)
+    result = layout.Outputs.at(outputs)
+    for row, shift in zip(found, starts.first_shift + np.arange(layout.START_COUNT) / starts.per_metre):
         inputs[layout.IN_LATERAL_SHIFT] = shift
         if bound.step() <= layout.UNLOADED:
-            row[[starts.START_KNOWN, starts.START_ROLL]] = 1.0, outputs[layout.OUT_ROLL]
-            row[starts.START_LEFT] = outputs[layout.OUT_LEFT + layout.SIDE_Y_WHEEL]
-            row[starts.START_RIGHT] = outputs[layout.OUT_RIGHT + layout.SIDE_Y_WHEEL]
-    rows[:] = found
+            row["_known"], row["roll"] = 1.0, result.roll
+            row["left"], row["right"] = result.left[0].y_wheel, result.left[1].y_wheel
+    for row, one in zip(starts.rows, found):
+        row.known, row.roll, row.left, row.right = one["_known"] == 1.0, one["roll"], one["left"], one["right"]

@@ -11,8 +11,8 @@ from tests.helpers.fuzzing import cut
 from tests.helpers.numpy_tables import build_tables
 from tests.helpers.surface_witness import Surfaces
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import roll, search
-from wrcontact.kernel.surface import gap, locus, profile_table
+from wrcontact.kernel.search import bounds, raster, roll
+from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel
@@ -132,36 +132,37 @@ PER_CELL = 8                             # samples of the gap in a cell of the s
 
 
 def sampled_placements(count, seed, largest_roll):
-    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of the search: tables, workspace,
-    abscissae, gaps, slope differences and whether the rail is below, (n,) each."""
+    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of the search: tables, inputs, the
+    wheel's place, abscissae, gaps, slope differences and whether the rail is below, (n,) each."""
     rng = np.random.default_rng(seed)
-    tables = system_tables()
-    work, scan = np.zeros(layout.WORK_SIZE), int(tables[layout.SET_SCAN])
-    nodes = tables[scan + search.SCAN_NODES:][:search.SCAN_ROW * int(tables[scan])].reshape(-1, search.SCAN_ROW)
+    array = system_tables()
+    tables, work = layout.Tables.at(array), layout.Work.at(np.zeros(layout.WORK_SIZE))
+    nodes = np.array([tables.scan.nodes[node].y for node in range(tables.scan.count)])
     share = np.arange(PER_CELL) / PER_CELL
-    y = np.append((nodes[:-1, :1] + share * np.diff(nodes[:, 0])[:, None]).ravel(), nodes[-1, 0])
+    y = np.append((nodes[:-1, None] + share * np.diff(nodes)[:, None]).ravel(), nodes[-1])
+    place = work.sides[1].place
     for trial in range(count):
-        work[layout.WORK_INPUTS] = rng.uniform(-0.01, 0.01)
-        work[layout.WORK_INPUTS + 1] = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
-        roll.place_both(tables, work, rng.uniform(-largest_roll, largest_roll))
-        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, work.places[1], place) for place in y]).T
-        below = np.array([on_rail(tables, work, [place]) for place in y])
-        yield tables, work, y, gaps, mismatches, below
+        work.inputs.lateral_shift = rng.uniform(-0.01, 0.01)
+        work.inputs.yaw = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
+        roll.place_both(tables, work.inputs, work.sides, rng.uniform(-largest_roll, largest_roll))
+        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, place, where) for where in y]).T
+        below = np.array([on_rail(tables, place, where) for where in y])
+        yield tables, work.inputs, place, y, gaps, mismatches, below
 
 
 def test_no_cell_of_the_search_holds_more_than_its_bound_says():
     """The certificate of the global minimum, against dense sampling of the gap at random placements up to 6 deg."""
     checked = 0
-    for tables, work, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
+    for tables, inputs, place, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
         for cell in range(len(y) // PER_CELL):
             inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
             if not np.all(below[inside]):
                 continue
             checked += 1
-            abscissa = search.node_gap(tables, work, roll.RIGHT_PLACE, cell)[2]
-            least, most = search.bend_bounds(tables, work, roll.RIGHT_PLACE, cell, abscissa)
+            abscissa = raster.node_gap(tables, place, cell)[2]
+            least, most = bounds.bend_bounds(tables.scan, place, cell, abscissa)
             dip = min(gaps[inside][0], gaps[inside][-1]) - gaps[inside].min()
-            where = (cell, y[inside][0], work[layout.WORK_INPUTS + 1])
+            where = (cell, y[inside][0], inputs.yaw)
             assert dip <= most * np.ptp(y[inside])**2 / 8 + 1e-12, where
             if least > 0.0 and mismatches[inside].max() < gap.FOLDED:
                 assert np.all(np.diff(mismatches[inside]) > -1e-12), where     # one place of contact at most
@@ -169,50 +170,52 @@ def test_no_cell_of_the_search_holds_more_than_its_bound_says():
 
 
 def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
-    """What roll and yaw make of a profile point, against the shares of ``clear_level``."""
+    """What roll and yaw make of a profile point, against the shares of ``least_bend``."""
     rng = np.random.default_rng(23)
     place, checked = layout.Place.at(np.zeros(layout.PLACE_SIZE)), 0
     for _ in range(20000):
         turn, yaw = rng.choice([0.02, 0.1]) * rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.12, 0.12)])
-        slope, bend = rng.uniform(-search.STEEP, search.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
+        slope, bend = rng.uniform(-bounds.STEEP, bounds.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
         z = rng.uniform(-0.02, 0.03)
         locus.place_wheelset(place, 0.0, yaw, turn, 0.46, 0.75)
         _, _, _, stretch, rate = locus.outline_jet(place, rng.uniform(-0.04, 0.03), z, slope, bend)
         square = np.sin(yaw)**2
-        widened = (search.ROLL_STRETCH * abs(np.sin(turn))
-                   + square * (search.BEND_STRETCH * 0.46 * abs(bend) + search.STEEP_STRETCH))
-        if widened < search.WIDEST:
+        widened = (bounds.ROLL_STRETCH * abs(np.sin(turn))
+                   + square * (bounds.BEND_STRETCH * 0.46 * abs(bend) + bounds.STEEP_STRETCH))
+        if widened < bounds.WIDEST:
             checked += 1
             assert abs(stretch - 1.0) <= widened + 1e-12, (turn, yaw, slope, bend)
-            share = search.ROLL_BEND * abs(np.sin(turn)) + search.YAW_BEND * square
+            share = bounds.ROLL_BEND * abs(np.sin(turn)) + bounds.YAW_BEND * square
             assert abs(rate - bend) <= (share + 1e-12) * abs(bend), (turn, yaw, slope, bend)
     assert checked > 8000
 
 
 def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
-    """``clear_level`` may not clear a stretch in which the sampled gap falls further than allowed, nor call one rising that
-    is not; and it has to clear most of those far above."""
+    """``clear_exponent`` may not clear a stretch in which the sampled gap falls further than allowed, nor ``rising_exponent`` one
+    that does not rise; and it has to clear most of those far above."""
     checked = cleared = 0
-    for tables, work, y, gaps, _, below in sampled_placements(16, 22, 0.013):
+    for tables, inputs, place, y, gaps, _, below in sampled_placements(16, 22, 0.013):
         for node in np.flatnonzero(below[::PER_CELL]):
-            gap_there, mismatch, abscissa = search.node_gap(tables, work, roll.RIGHT_PLACE, node)
+            node = int(node)
+            gap_there, mismatch, abscissa = raster.node_gap(tables, place, node)
             for direction in (1, -1):
-                for level in range(search.LEVELS):
-                    end = PER_CELL * (node + direction * 2**level)
+                for exponent in range(layout.EXPONENTS):
+                    end = PER_CELL * (node + direction * 2**exponent)
                     if not 0 <= end < len(y):
                         continue
                     inside = np.arange(PER_CELL * node, end + direction, direction)
                     inside = inside[np.cumprod(below[inside]) == 1]      # up to the end of the rail
                     fall = gap_there - gaps[inside].min()
-                    arguments = (tables, work, roll.RIGHT_PLACE, int(node), direction, abscissa)
-                    where = (work[layout.WORK_INPUTS:][:2], node, direction, level)
+                    arguments = (tables.scan, place, node, direction, abscissa)
+                    where = (inputs.lateral_shift, inputs.yaw, node, direction, exponent)
+                    slope = direction * mismatch
                     checked += 1
                     if fall > 1e-12:
                         allowed = fall * (1 - 1e-9) - 1e-13
-                        assert search.clear_level(*arguments, allowed, direction * mismatch, level, 0) < level, where
+                        assert bounds.clear_exponent(*arguments, allowed, slope, exponent) < exponent, where
                     if len(inside) > 1 and np.diff(gaps[inside]).min() < -1e-13:
-                        assert search.clear_level(*arguments, -1.0, direction * mismatch, level, 1) < level, where
-                    if search.clear_level(*arguments, 2e-3, direction * mismatch, level, 0) == level:
+                        assert bounds.rising_exponent(*arguments, -1.0, slope, exponent) < exponent, where
+                    if bounds.clear_exponent(*arguments, 2e-3, slope, exponent) == exponent:
                         cleared += 1
     assert checked > 10000 and cleared > checked / 2
 
@@ -249,14 +252,9 @@ def system_tables():
                                  "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=Analyn().resolution)
 
 
-def on_rail(tables, work, places):
-    """Whether the outline is above the rail at all wheel abscissae ``places``."""
-    for place in places:
-        z, slope = profile_table.height_slope(tables.wheel, place)
-        y_track = locus.outline_point(work.places[1], place, z, slope)[0]
-        if not gap.above_rail(tables, y_track - tables.rail_y):
-            return False
-    return True
+def on_rail(tables, place, y):
+    """Whether the outline of a placed wheel is above the rail at wheel abscissa ``y`` [m]."""
+    return gap.above_rail(tables, raster.rail_below(tables, place, y)) == 1
 
 
 def test_roll_guess_changes_nothing(system):

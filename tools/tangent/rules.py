@@ -8,7 +8,7 @@ RULES = {
     "normal_line": "line_rule", "find_overlaps": "overlaps_rule",
 }
 #: Called as they are: they look for places from which an iteration starts.
-SEARCHES = {"scan_side"}
+SEARCHES = {"list_minima"}
 #: A part of a rule, and the function whose rule it is a part of.
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: Called by the rules as it is: it solves for rates.

@@ -22,12 +22,11 @@ import numpy as np
 from . import files
 from .files import HERE
 from .. import layout
-from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, STATE_SIZE, WORK_SIZE, Inputs, Setup,
+from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE, WORK_SIZE, Inputs, Setup,
                       State, Tables, Work)
 from ..patch.outline import row_size
 from .platforms import LIBRARY_NAME
 from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
-from ..search.starts import START_ROW
 
 #: How many numbers the tables get room for at first, and at most.
 TABLE_ROOM, MOST_ROOM = 100_000, 10_000_000
@@ -103,12 +102,11 @@ def fill_starts(source, tables):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
     state, workspace, inputs, outputs = (np.zeros(size) for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
-    rows = np.zeros(START_ROW * source.START_ROW_COUNT)
-    for row in range(source.START_ROW_COUNT):
+    for row in range(START_COUNT):
         Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
         status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
-        source.note_start(view(rows), row, status, view(outputs))
-    source.keep_starts(tables, view(rows))
+        source.note_start(tables, Work.at(workspace), row, status)
+    source.open_starts(tables)
 
 
 class CompiledKernel:

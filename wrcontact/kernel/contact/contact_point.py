@@ -24,7 +24,7 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
 
     1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
     """
-    at = work.places[index]
+    at = work.sides[index].place
     out = work.outputs.left[index]
     z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
     sin_phi, cos_phi = around_wheel(at, slope)

@@ -8,18 +8,9 @@ between two samples where it turns from rising to falling lies a deepest point, 
 from math import fabs
 from typing import Final
 
-from ..layout import OVERLAP_LIMIT, REGION_LIMIT, WORK_OVERLAP, Place, SideSearch, State, Tables, Work
-from ..search.search import (
-    LEVELS,
-    ROW_HEIGHT,
-    ROW_SLOPE,
-    ROW_Y,
-    SCAN_COUNT,
-    SCAN_NODES,
-    SCAN_ROW,
-    clear_level,
-    node_below,
-)
+from ..layout import EXPONENTS, OVERLAP_LIMIT, REGION_LIMIT, WORK_OVERLAP, Place, SideSearch, State, Tables, Work
+from ..search.bounds import clear_exponent
+from ..search.raster import node_below
 from ..surface.gap import above_rail
 from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope, height_slope_bend
@@ -63,9 +54,9 @@ WIDENINGS: Final[int] = 6
 
 def sample_overlap(tables: Tables, work: Work, at: Place, node: int, height: float, entry: int):
     """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]."""
-    row = int(tables.scan) + SCAN_NODES + SCAN_ROW * node
-    y = tables[row + ROW_Y]
-    y_track, z_track, outline_slope = outline_point(at, y, tables[row + ROW_HEIGHT], tables[row + ROW_SLOPE])
+    point = tables.scan.nodes[node]
+    y = point.y
+    y_track, z_track, outline_slope = outline_point(at, y, point.height, point.slope)
     abscissa = y_track - tables.rail_y
     z_rail, m, bend = height_slope_bend(tables.rail, abscissa)
     gap = z_rail - z_track
@@ -98,9 +89,9 @@ def walk_overlap(tables: Tables, work: Work, state: State, at: Place, node: int,
                  first: int):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
     the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
-    count = int(tables[int(tables.scan) + SCAN_COUNT])
+    count = tables.scan.count
     entry = first
-    level = LEVELS - 1
+    exponent = EXPONENTS - 1
     neighbour = 1.0
     while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
         gap, mismatch, abscissa = sample_overlap(tables, work, at, node, height, entry)
@@ -118,15 +109,15 @@ def walk_overlap(tables: Tables, work: Work, state: State, at: Place, node: int,
         neighbour = 1.0
         step = 1
         if gap > height:
-            level = clear_level(tables, work, at, node, direction, abscissa, gap - height, float(direction) * mismatch,
-                                level, 0)
-            if level < 0:
-                level = 0
-            elif level > 0:
-                step = 1 << level
+            exponent = clear_exponent(tables.scan, at, node, direction, abscissa, gap - height, float(direction) * mismatch,
+                                      exponent)
+            if exponent < 0:
+                exponent = 0
+            elif exponent > 0:
+                step = 1 << exponent
                 neighbour = 0.0
-            if level < LEVELS - 1:
-                level += 1
+            if exponent < EXPONENTS - 1:
+                exponent += 1
         node += direction * step
     return entry
 
@@ -281,7 +272,7 @@ def remove_deep(work: 'float[:]', entry: int):
 
 def find_overlaps(tables: Tables, work: Work, state: State, side: SideSearch, at: Place, height: float):
     """List the regions in which the wheel placed at ``at`` and moved down by ``height`` [m] overlaps its rail; their number."""
-    node = node_below(tables, side.best_y)
+    node = node_below(tables.scan, side.best_y)
     work[DEEP_COUNT] = 0.0
     start = walk_overlap(tables, work, state, at, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, work, state, at, node + 1, 1, height, OVERLAP_LIMIT)

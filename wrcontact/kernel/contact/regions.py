@@ -7,8 +7,8 @@ between them stays below MERGE of the penetration; otherwise the hump bounds bot
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, Place, Region, SideSearch, State, Tables, Work
-from ..search.search import scan_side
+from ..layout import LOAD_VERTICAL, REGION_BLOCK, REGION_LIMIT, Region, SideSearch, State, Tables, Work
+from ..search.smallest_gap import list_minima
 from ..surface.profile_table import height_slope
 from .contact_plane import NO_GAP, normal_gap, start_tracer
 from .separation import open_origin, separation
@@ -120,11 +120,11 @@ def find_regions(tables: Tables, work: Work, state: State, side: SideSearch, lev
     """
     count = 1
     reach = side.best + 2.0 * level / work.frame.cos
-    scan_side(tables, work, side, work, Place.at(work, int(work.frame.place)), state, reach, work.frame.abscissa)
+    list_minima(tables, side, state, reach, work.frame.abscissa)
     for i in range(side.first, side.last + 1):
         if count < REGION_LIMIT:
-            y = side.place[i]
-            abscissa = side.abscissa[i]
+            y = side.candidates[i].y
+            abscissa = side.candidates[i].rail
             height, slope = height_slope(tables.rail, abscissa)
             station = ((abscissa - work.frame.abscissa) * work.frame.cos
                        + (height - work.frame.height) * work.frame.sin)

@@ -13,7 +13,7 @@ from .interface import *  # noqa: F403
 from .normal import *  # noqa: F403
 from .offsets import *  # noqa: F403
 from .patch import *  # noqa: F403
-from .record import offset  # noqa: F401
+from .record import offset, size  # noqa: F401
 from .search import *  # noqa: F403
 from .sizes import *  # noqa: F403
 from .surface import *  # noqa: F403

@@ -95,4 +95,5 @@ class Region:
     spare_43: Float * 8
 
 
+#: The loaded regions of one wheel.
 Regions = Region * REGION_LIMIT

@@ -2,7 +2,6 @@
 
 from .interface import Inputs, Outputs, Parameters, Patch, SideOutputs
 from .record import size
-from .search import SideSearch
 from .tables import Setup, Tables
 from .wheelset import State
 from .work import Work
@@ -16,9 +15,6 @@ def _offsets(prefix, kind):
 globals().update(_offsets("IN", Inputs))
 globals().update(_offsets("OUT", Outputs))
 globals().update(_offsets("SIDE", SideOutputs))
-globals().update({name: value for name, value in _offsets("SIDE", SideSearch).items()
-                  if name in ("SIDE_BEST", "SIDE_BEST_Y", "SIDE_BEST_RAIL", "SIDE_FIRST", "SIDE_LAST", "SIDE_PLACE",
-                              "SIDE_ABSCISSA", "SIDE_STACK")})
 globals().update(_offsets("PATCH", Patch))
 globals().update(_offsets("SET", Tables))
 globals().update(_offsets("SETUP", Setup))
@@ -27,6 +23,6 @@ globals().update(_offsets("STATE", State))
 globals().update(_offsets("WORK", Work))
 OUT_RIGHT = OUT_LEFT + size(SideOutputs)  # noqa: F821
 SIDE_SIZE, PATCH_SIZE = size(SideOutputs), size(Patch)
-WORK_PLACE, WORK_SIDE, WORK_CONTACT = WORK_PLACES, WORK_SIDES, WORK_FRAME  # noqa: F821
+WORK_SIDE, WORK_CONTACT = WORK_SIDES, WORK_FRAME  # noqa: F821
 WORK_REGION, WORK_SEPARATION, WORK_SUPPORT = WORK_REGIONS, WORK_ORIGIN, WORK_SUPPORTS  # noqa: F821
 SET_PENETRATION_LEFT, SET_PENETRATION_RIGHT = SET_PENETRATION, SET_PENETRATION + 1  # noqa: F821

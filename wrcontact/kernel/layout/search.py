@@ -1,21 +1,138 @@
-"""Records of the room search: the smallest gap of a side."""
+"""Records of the room search: the raster over wheel and rail, what is known of a side, rolls that were tried, and starts."""
 
 from typing import Final
 
-from .record import Float, record
+from .record import OPEN, Float, To, record, run, size
+from .surface import Place
 
-SCAN_LIMIT: Final[int] = 400         # scan nodes over one wheel
-ROLLS_BLOCK: Final[int] = 256        # rolls at which both sides have been searched
+SCAN_LIMIT: Final[int] = 400         # nodes of the raster over a wheel
+EXPONENTS: Final[int] = 6            # bounds are known over stretches of 2^0, 2^1 ... 2^5 cells of the raster
+CANDIDATES: Final[int] = 16          # further minima that are listed to either side of the smallest gap; two or three occur
+STACK_LIMIT: Final[int] = 52         # parts of a cell that wait to be searched; 1 mm is halved down to 2 um 9 times
+TRIAL_LIMIT: Final[int] = 60   # rolls kept at a time on the way to the first root
+START_COUNT: Final[int] = 61         # lateral shifts for which a start is kept
+
+
+@record
+class ScanNode:
+    """A node of the raster over the wheel."""
+
+    y: float                         # wheel abscissa [m]
+    height: float                    # of the profile [m]
+    slope: float                     # [-]
+    least_bend: float                # smallest second derivative up to the next node [1/m]
+    most_bends: Float * EXPONENTS    # largest one up to the node 2^k further on [1/m]
+    steepest_bends: Float * EXPONENTS        # largest absolute value, likewise [1/m]
+    lever: float                     # largest change of the gap with the roll, here and at all nodes beyond [m]
+
+
+@record
+class RailCell:
+    """A cell of the raster over the rail."""
+
+    least_bend: float                # smallest and largest second derivative around it [1/m]
+    most_bend: float
+    least_bends: Float * (EXPONENTS + 1)     # smallest one along a wheel's stretch of 2^k fine cells that starts in it [1/m]
+
+
+SCAN_NODE_SIZE: Final[int] = size(ScanNode)
+RAIL_CELL_SIZE: Final[int] = size(RailCell)
+#: The raster's cells of the rail, and the number of the first node of each bin of the wheel.
+RailCells = RailCell * OPEN
+Bins = run(OPEN)
+
+
+@record
+class Scan:
+    """The raster over wheel and rail; its nodes are followed by the rail's cells and the bins."""
+
+    count: int                       # of nodes
+    rail_count: int                  # of the rail's cells
+    rail_start: float                # where the first one begins [m]
+    rail_per_metre: float
+    rail: To(RailCells)
+    bins: To(Bins)
+    bin_count: int
+    bins_per_metre: float
+    steepest: float                  # largest absolute slope of the wheel [-]
+    nodes: ScanNode * OPEN
+
+
+@record
+class Cell:
+    """A part of a cell that waits to be searched: its ends, and gap and slope difference there."""
+
+    low: float                       # wheel abscissae [m]
+    high: float
+    gap_low: float                   # [m]
+    gap_high: float
+    mismatch_low: float              # slope of the rail minus that of the outline [-]
+    mismatch_high: float
+
+
+@record
+class Candidate:
+    """A local minimum of the gap."""
+
+    y: float                         # wheel abscissa [m]
+    rail: float                      # its abscissa on the rail [m]
 
 
 @record
 class SideSearch:
-    best: float                     # smallest gap found [m]
-    best_y: float                   # its wheel abscissa
-    best_rail: float                # and its rail abscissa, while the roll is sought
-    first: int                    # first and last of the minima listed as candidates for further regions:
+    """One wheel over its rail, and what the search has found."""
+
+    place: Place
+    best: float                      # smallest gap found [m]
+    best_y: float                    # its wheel abscissa [m]
+    best_rail: float                 # and its abscissa on the rail [m], while the roll is sought
+    reach: float                     # gap below which further minima are listed [m]
+    first: int                       # first and last of them in ``candidates``, by rising abscissa
     last: int
-    spare_5: Float * 3
-    place: Float * 40               # their wheel abscissae [m]
-    abscissa: Float * 40            # their places on the rail [m]
-    stack: Float * 312              # cells still to be searched
+    candidates: Candidate * (2 * CANDIDATES)
+    stack: Cell * STACK_LIMIT
+
+
+#: Left and right side.
+Sides = SideSearch * 2
+
+
+@record
+class RollTrial:
+    """What is known of the difference of the gaps at a roll."""
+
+    roll: float                      # [rad]
+    difference: float                # smallest gap of the right side minus that of the left one [m]
+    left: float                      # wheel abscissae of the smallest gaps [m]
+    right: float
+
+
+@record
+class RollTrials:
+    """The way from zero roll to a root."""
+
+    near: RollTrial                  # up to here there is no root
+    far: RollTrial * TRIAL_LIMIT       # the known root, then the ends of stretches still to be examined, the nearest last
+
+
+@record
+class Start:
+    """Where the search for the roll may start at a lateral shift."""
+
+    known: bool                      # whether the wheelset touches both rails there
+    roll: float                      # [rad]
+    left: float                      # wheel abscissae of the contacts [m]
+    right: float
+
+
+@record
+class Starts:
+    """Starts at even lateral shifts."""
+
+    count: float                     # none while the table is being filled
+    first_shift: float               # [m]
+    per_metre: float
+    rows: Start * START_COUNT
+
+
+STARTS_SIZE: Final[int] = size(Starts)

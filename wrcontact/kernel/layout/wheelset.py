@@ -1,29 +1,62 @@
 """Records of the room wheelset: how each side carries its load, and what one step leaves for the next."""
 
-from .record import Float, record, run
+from typing import Final
 
+from .record import record, run
+
+RESULTANT_COUNT: Final[int] = 6
 #: Force x, y, z [N] and moment x, y, z [N m].
-Resultant = run(6)
+Resultant = run(RESULTANT_COUNT)
 
 
 @record
 class Support:
-    first: float                    # how far below its smallest gap the wheel is estimated to sink [m]
+    """How a side carries its load."""
+
+    approach: float                 # how far the wheel is estimated to come down below its smallest gap [m]
     height: float                   # the vertical shift at which it carries its load [m]
     lever: float                    # how that follows the roll [m]
-    spare_3: Float * 5
     resultant: Resultant            # force on the wheel and its moment about the track's origin
-    spare_14: Float * 2
+
+
+#: Of the left and right side.
+Supports = Support * 2
+
+
+@record
+class Broyden:
+    """Broyden's method for the height and roll of an elastic wheelset; rolls count in metres at the wheels."""
+
+    left: float                     # residuals: how much lower each side carries its load than where it is [m]
+    right: float
+    left_height: float              # their derivatives with respect to height and roll [-]
+    left_roll: float
+    right_height: float
+    right_roll: float
+    move_height: float              # the last move [m]
+    move_roll: float
+
+
+@record
+class Bracket:
+    """Two places between which a value changes its sign."""
+
+    low: float                      # height [m] or roll [rad]
+    high: float
+    at_low: float                   # the value there [m]
+    at_high: float
 
 
 @record
 class State:
+    """What one step leaves for the next, and counters; the head of its array."""
+
     array = "state"
     roll: float                     # last valid roll [rad]
-    warm: float                     # 1 when STATE_ROLL holds one
+    warm: bool                      # whether there is one
     gap_count: float                # evaluations of the vertical gap since the state was cleared
-    scan_count: float               # scans of one side
-    roll_count: float               # iterations of the roll search
+    scan_count: float               # searches of one side
+    roll_count: float               # iterations of the search for roll or equilibrium
     node_count: float               # evaluations of the normal gap
     solve_count: float              # iterations of the force solve
     y_left: float                   # wheel abscissae of the last contacts [m]

@@ -5,21 +5,19 @@ from .interface import Inputs, Outputs
 from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
 from .record import Float, record
-from .search import ROLLS_BLOCK, SideSearch
-from .surface import Place
-from .wheelset import Support
+from .search import RollTrials, Sides
+from .wheelset import Bracket, Broyden, Supports
 
 
 @record
 class Work:
     array = "work"
     inputs: Inputs
-    known: float
-    status: float
+    known: bool                     # whether the outputs are those of the inputs, and with which status
+    status: int
     outputs: Outputs
     outlines: Outline * 2           # with another number of stations than STATION_COUNT; one right after the other
-    places: Place * 2
-    sides: SideSearch * 2
+    sides: Sides
     frame: Frame
     regions: Regions
     nodes: NodesOfRegions
@@ -29,5 +27,8 @@ class Work:
     origin: Origin
     frames: Float * (CONTACT_BLOCK * (REGION_LIMIT + 1))
     overlap: Float * OVERLAP_BLOCK
-    supports: Support * 2
-    rolls: Float * ROLLS_BLOCK
+    supports: Supports
+    broyden: Broyden
+    height_bracket: Bracket
+    roll_bracket: Bracket
+    trials: RollTrials

@@ -11,34 +11,30 @@
 #endif
 #include "../generated/prepare_unit.c"
 
-enum {
-    ROWS = 61 * 4       /* numbers of the table of starts, as in prepare_tables.py */
-};
-
 /* Where the wheelset stands without load at the shifts of the table of starts, from the kernel itself. */
 static void fill_starts(array_double_1d tables, double *work)
 {
-    const int64_t sizes[] = {layout__STATE_SIZE, layout__WORK_SIZE, layout__INPUT_COUNT, layout__OUTPUT_COUNT, ROWS};
-    array_double_1d parts[5];
-    for (int i = 0; i < 5; i += 1)
+    const int64_t sizes[] = {layout__STATE_SIZE, layout__WORK_SIZE, layout__INPUTS_SIZE, layout__OUTPUTS_SIZE};
+    array_double_1d parts[4];
+    for (int i = 0; i < 4; i += 1)
     {
         parts[i] = span_of(work, sizes[i]);
         memset(work, 0, (size_t)sizes[i] * sizeof *work);
         work += sizes[i];
     }
     const wrcontact_handle handle = {tables, parts[0], parts[1], parts[2], parts[3]};
-    for (int64_t row = 0; row < prepare_tables__START_ROW_COUNT; row += 1)
+    for (int64_t row = 0; row < layout__START_COUNT; row += 1)
     {
-        parts[2].data[layout__IN_LATERAL_SHIFT] = prepare_tables__start_shift(tables, row);
-        prepare_tables__note_start(parts[4], row, wrcontact_step(&handle), parts[3]);
+        parts[2].data[layout__INPUTS_LATERAL_SHIFT] = prepare_tables__start_shift(tables, row);
+        prepare_tables__note_start(tables, parts[1], row, wrcontact_step(&handle));
     }
-    prepare_tables__keep_starts(tables, parts[4]);
+    prepare_tables__open_starts(tables);
 }
 
 int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation)
 {
     const int64_t zones = preparation->wheel.shape[0] + preparation->rail.shape[0];
-    const int64_t starts = layout__STATE_SIZE + layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT + ROWS;
+    const int64_t starts = layout__STATE_SIZE + layout__WORK_SIZE + layout__INPUTS_SIZE + layout__OUTPUTS_SIZE;
     const int64_t needed = zones + preparation->tables.shape[0] + 1000;
     return needed > starts ? needed : starts;
 }

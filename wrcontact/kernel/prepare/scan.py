@@ -1,40 +1,24 @@
 """The search's raster over the wheel, with the bounds that certify it.
 
-Layout in search.py.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
+The table is the record Scan.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
 largest absolute slope of its samples.
 """
 
 from math import ceil, fabs
 from typing import Final
 
-from ..layout import PIECE_SIZE, SCAN_LIMIT, Profile, Tables, offset
-from ..search.search import (
-    LEVELS,
-    RAIL_LEAST_BEND,
-    RAIL_LEAST_BENDS,
-    RAIL_MOST_BEND,
-    RAIL_ROW,
-    ROW_HEIGHT,
-    ROW_LEAST_BEND,
-    ROW_LEVER,
-    ROW_MOST_BENDS,
-    ROW_SLOPE,
-    ROW_STEEPEST_BENDS,
-    ROW_Y,
-    SCAN_BIN_COUNT,
-    SCAN_BIN_OFFSET,
-    SCAN_BINS_PER_METRE,
-    SCAN_COUNT,
-    SCAN_NODES,
-    SCAN_RAIL_COUNT,
-    SCAN_RAIL_OFFSET,
-    SCAN_RAIL_PER_METRE,
-    SCAN_RAIL_START,
-    SCAN_ROW,
-    SCAN_STEEPEST,
-    STEEP,
-    WIDEST,
+from ..layout import (
+    EXPONENTS,
+    PIECE_SIZE,
+    RAIL_CELL_SIZE,
+    SCAN_LIMIT,
+    SCAN_NODE_SIZE,
+    Profile,
+    Scan,
+    Tables,
+    offset,
 )
+from ..search.bounds import STEEP, WIDEST
 from ..surface.profile_table import find_piece, height_slope, height_slope_bend
 from .pieces import FULL
 
@@ -154,125 +138,128 @@ def raster_place(start: float, stop: float, count: int, i: int):
     return y
 
 
-def write_raster(tables: 'float[:]', base: int, wheel: int, work: 'float[:]', scratch: int, firsts: int):
+def write_raster(tables: Tables, scan: Scan, work: 'float[:]', scratch: int, firsts: int):
     """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where it
     is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
     or TOO_WIDE or FULL."""
-    start = Profile.at(tables, wheel).start
-    stop = Profile.at(tables, wheel).stop
+    wheel = tables.wheel
+    start = wheel.start
+    stop = wheel.stop
     count = coarse_count(start, stop)
     step = (stop - start) / float(count)
-    if base + SCAN_NODES + SCAN_ROW * (2 * count + 1) > tables.shape[0]:
+    if offset(scan.nodes, tables) + SCAN_NODE_SIZE * (2 * count + 1) > tables.raw.shape[0]:
         return FULL
     node = 0
     for i in range(count + 1):
         y = raster_place(start, stop, count, i)
-        tables[base + SCAN_NODES + SCAN_ROW * node + ROW_Y] = y
+        scan.nodes[node].y = y
         work[firsts + i] = float(node)
         node += 1
         if i < count:
-            least, most, steepest = bend_range(tables, wheel, work, scratch, y,
-                                                raster_place(start, stop, count, i + 1))
+            least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y,
+                                               raster_place(start, stop, count, i + 1))
             if max(fabs(least), fabs(most)) > STRAIGHT:
-                tables[base + SCAN_NODES + SCAN_ROW * node + ROW_Y] = y + 0.5 * step
+                scan.nodes[node].y = y + 0.5 * step
                 node += 1
     if node > SCAN_LIMIT:
         node = TOO_WIDE
     return node
 
 
-def write_wheel_rows(tables: 'float[:]', base: int, wheel: int, count: int, work: 'float[:]', scratch: int):
+def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]', scratch: int):
     """Height, slope and bounds of the nodes; stretches end with the table.
 
     Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
     """
-    for node in range(count):
-        row = base + SCAN_NODES + SCAN_ROW * node
-        y = tables[row + ROW_Y]
-        z, slope = height_slope(Profile.at(tables, wheel), y)
-        tables[row + ROW_HEIGHT] = z
-        tables[row + ROW_SLOPE] = slope
+    wheel = tables.wheel
+    for i in range(count):
+        node = scan.nodes[i]
+        y = node.y
+        z, slope = height_slope(wheel, y)
+        node.height = z
+        node.slope = slope
         cells = 1
-        for level in range(LEVELS):
-            end = min(node + cells, count - 1)
-            least, most, steepest = bend_range(tables, wheel, work, scratch, y,
-                                               tables[base + SCAN_NODES + SCAN_ROW * end + ROW_Y])
-            tables[row + ROW_STEEPEST_BENDS + level] = max(fabs(least), fabs(most))
+        for exponent in range(EXPONENTS):
+            end = min(i + cells, count - 1)
+            least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y, scan.nodes[end].y)
+            node.steepest_bends[exponent] = max(fabs(least), fabs(most))
             if not steepest < STEEP:
                 most = TOO_STEEP
-            tables[row + ROW_MOST_BENDS + level] = most
-            if level == 0:
-                tables[row + ROW_LEAST_BEND] = least
+            node.most_bends[exponent] = most
+            if exponent == 0:
+                node.least_bend = least
             cells += cells
     return 0
 
 
-def write_levers(tables: Tables, base: int, wheel: int, count: int):
-    """The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a level
-    wheelset, if wheel and rail were parallel there."""
+def write_levers(tables: Tables, scan: Scan, count: int):
+    """The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a wheelset at
+    zero roll, if wheel and rail were parallel there."""
     largest = -FAR
     for i in range(count):
-        node = count - 1 - i
-        row = base + SCAN_NODES + SCAN_ROW * node
+        node = scan.nodes[count - 1 - i]
         width = 0.0
         if i > 0:
-            width = tables[row + SCAN_ROW + ROW_Y] - tables[row + ROW_Y]
+            width = scan.nodes[count - i].y - node.y
         for k in range(LAST_SAMPLE):
-            y = tables[row + ROW_Y] + width * (float(k) / float(LAST_SAMPLE))
-            z, slope = height_slope(Profile.at(tables, wheel), y)
+            y = node.y + width * (float(k) / float(LAST_SAMPLE))
+            z, slope = height_slope(tables.wheel, y)
             largest = max(largest, -slope * (tables.radius + z) - (tables.arm + y))
-        tables[row + ROW_LEVER] = largest
+        node.lever = largest
     return 0
 
 
-def write_rail_rows(tables: 'float[:]', at: int, rail: int, count: int, work: 'float[:]', scratch: int):
-    """Bounds of the rail's raster at offset ``at``.
+def write_rail_bounds(tables: Tables, scan: Scan, work: 'float[:]', scratch: int):
+    """Bounds of the rail's raster.
 
     A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
     """
-    for cell in range(count):
-        row = at + RAIL_ROW * cell
-        edge = Profile.at(tables, rail).start + FINE_STEP * float(cell)
-        least, most, steepest = bend_range(tables, rail, work, scratch, edge - FINE_STEP, edge + FINE_STEP + 1.5 * COARSE_STEP)
-        tables[row + RAIL_LEAST_BEND] = least
-        tables[row + RAIL_MOST_BEND] = most
+    rail = offset(tables.rail, tables)
+    for i in range(scan.rail_count):
+        cell = scan.rail[i]
+        edge = tables.rail.start + FINE_STEP * float(i)
+        least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - FINE_STEP, edge + FINE_STEP + 1.5 * COARSE_STEP)
+        cell.least_bend = least
+        cell.most_bend = most
         cells = 1.0
-        for level in range(LEVELS + 1):
+        for exponent in range(EXPONENTS + 1):
             length = FINE_STEP * (1.01 + (1.0 + WIDEST) * 1.01 * cells)
-            least, most, steepest = bend_range(tables, rail, work, scratch, edge - 0.01 * FINE_STEP, edge + length)
-            tables[row + RAIL_LEAST_BENDS + level] = least
+            least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - 0.01 * FINE_STEP, edge + length)
+            cell.least_bends[exponent] = least
             cells += cells
     return 0
 
 
-def write_scan(tables: Tables, base: int, wheel: int, rail: int, work: 'float[:]', scratch: int):
-    """The scan table at ``base`` from the profile tables ``wheel`` and ``rail``; the offset after it, or TOO_WIDE or FULL."""
-    pieces = max(piece_count(tables.raw, wheel), piece_count(tables.raw, rail))
+def write_scan(tables: Tables, work: 'float[:]', scratch: int):
+    """The raster over wheel and rail, where the settings say that it begins; the offset after it, or TOO_WIDE or FULL."""
+    scan = tables.scan
+    wheel = tables.wheel
+    rail = tables.rail
+    pieces = max(piece_count(tables.raw, offset(wheel, tables)), piece_count(tables.raw, offset(rail, tables)))
     firsts = scratch + 3 * pieces
-    sample_pieces(tables.raw, wheel, work, scratch)
-    count = write_raster(tables.raw, base, wheel, work, scratch, firsts)
+    sample_pieces(tables.raw, offset(wheel, tables), work, scratch)
+    count = write_raster(tables, scan, work, scratch, firsts)
     if count < 0:
         return count
-    bins = coarse_count(Profile.at(tables, wheel).start, Profile.at(tables, wheel).stop)
-    cells = int(ceil((Profile.at(tables, rail).stop - Profile.at(tables, rail).start) / FINE_STEP))
-    rail_offset = SCAN_NODES + SCAN_ROW * count
-    bin_offset = rail_offset + RAIL_ROW * cells
-    if base + bin_offset + bins > tables.raw.shape[0]:
+    bins = coarse_count(wheel.start, wheel.stop)
+    cells = int(ceil((rail.stop - rail.start) / FINE_STEP))
+    scan.count = count
+    scan.rail_count = cells
+    scan.rail_start = rail.start
+    scan.rail_per_metre = 1.0 / FINE_STEP
+    scan.rail = offset(scan.nodes, scan) + SCAN_NODE_SIZE * count
+    scan.bins = offset(scan.rail, scan) + RAIL_CELL_SIZE * cells
+    scan.bin_count = bins
+    scan.bins_per_metre = float(bins) / (wheel.stop - wheel.start)
+    end = offset(scan.bins, tables) + bins
+    if end > tables.raw.shape[0]:
         return FULL
-    write_wheel_rows(tables.raw, base, wheel, count, work, scratch)
-    write_levers(tables, base, wheel, count)
-    least, most, steepest = bend_range(tables.raw, wheel, work, scratch, Profile.at(tables, wheel).start, Profile.at(tables, wheel).stop)
-    tables[base + SCAN_STEEPEST] = steepest
-    sample_pieces(tables.raw, rail, work, scratch)
-    write_rail_rows(tables.raw, base + rail_offset, rail, cells, work, scratch)
-    tables[base + SCAN_COUNT] = float(count)
-    tables[base + SCAN_RAIL_COUNT] = float(cells)
-    tables[base + SCAN_RAIL_START] = Profile.at(tables, rail).start
-    tables[base + SCAN_RAIL_PER_METRE] = 1.0 / FINE_STEP
-    tables[base + SCAN_RAIL_OFFSET] = float(rail_offset)
-    tables[base + SCAN_BIN_OFFSET] = float(bin_offset)
-    tables[base + SCAN_BIN_COUNT] = float(bins)
-    tables[base + SCAN_BINS_PER_METRE] = float(bins) / (Profile.at(tables, wheel).stop - Profile.at(tables, wheel).start)
+    write_wheel_bounds(tables, scan, count, work, scratch)
+    write_levers(tables, scan, count)
+    least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, wheel.start, wheel.stop)
+    scan.steepest = steepest
+    sample_pieces(tables.raw, offset(rail, tables), work, scratch)
+    write_rail_bounds(tables, scan, work, scratch)
     for i in range(bins):
-        tables[base + bin_offset + i] = work[firsts + i]
-    return base + bin_offset + bins
+        scan.bins[i] = work[firsts + i]
+    return end

@@ -11,14 +11,12 @@ from typing import Final
 from ..layout import (
     DEPTH_ALL,
     LATERAL_LIMIT,
-    OUT_LEFT,
-    OUT_RIGHT,
-    OUT_ROLL,
     PARAMETERS_SIZE,
     SET_HERTZ,
     SET_INFLUENCE,
     SETTING_COUNT,
-    SIDE_Y_WHEEL,
+    START_COUNT,
+    STARTS_SIZE,
     SIDES_BOTH,
     STATION_COUNT,
     UNLOADED,
@@ -26,17 +24,7 @@ from ..layout import (
     Profile,
     Setup,
     Tables,
-)
-from ..search.starts import (
-    START_COUNT,
-    START_FIRST,
-    START_KNOWN,
-    START_LEFT,
-    START_PER_METRE,
-    START_RIGHT,
-    START_ROLL,
-    START_ROW,
-    START_ROWS,
+    Work,
 )
 from .curvatures import write_curvatures
 from .pieces import FULL, MM, write_profile
@@ -59,7 +47,6 @@ REPORT_DEPTH: Final[int] = 3         # how deep the gauge is measured, in the sa
 REPORT_COUNT: Final[int] = 4
 
 START_STEP: Final[float] = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
-START_ROW_COUNT: Final[int] = 61
 STARTS_EACH_METRE: Final[float] = 2000.0
 
 
@@ -135,17 +122,16 @@ def append(tables: 'float[:]', at: int, setting: int, table: 'float[:]'):
 
 
 def append_starts(tables: Tables, at: int):
-    """A table of starts with nothing known at ``at``; the offset after it, or FULL."""
-    size = START_ROWS + START_ROW * START_ROW_COUNT
-    if at + size > tables.raw.shape[0]:
+    """A table of starts at ``at``, which counts as empty until ``open_starts``; the offset after it, or FULL."""
+    if at + STARTS_SIZE > tables.raw.shape[0]:
         return FULL
-    tables.starts = float(at)
-    for i in range(size):
+    for i in range(STARTS_SIZE):
         tables[at + i] = 0.0
-    tables[at + START_COUNT] = float(START_ROW_COUNT)
-    tables[at + START_FIRST] = -LATERAL_LIMIT
-    tables[at + START_PER_METRE] = STARTS_EACH_METRE
-    return at + size
+    tables.starts = at
+    starts = tables.starts
+    starts.first_shift = -LATERAL_LIMIT
+    starts.per_metre = STARTS_EACH_METRE
+    return at + STARTS_SIZE
 
 
 def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
@@ -170,8 +156,8 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
     at = write_profile(tables.raw, rail, work, rail_zones, setup.absent, work, scratch)
     if at == FULL:
         return TABLES_FULL
-    tables.scan = float(at)
-    at = write_scan(tables, at, wheel, rail, work, scratch)
+    tables.scan = at
+    at = write_scan(tables, work, scratch)
     if at == TOO_WIDE:
         report[REPORT_WIDTH] = Profile.at(tables, wheel).stop - Profile.at(tables, wheel).start
         return WHEEL_TOO_WIDE
@@ -197,24 +183,21 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
 
 def start_shift(tables: Tables, row: int):
     """Lateral shift [m] of a row of the table of starts."""
-    base = int(tables.starts)
-    return tables[base + START_FIRST] + float(row) / tables[base + START_PER_METRE]
+    return tables.starts.first_shift + float(row) / tables.starts.per_metre
 
 
-def note_start(rows: 'float[:]', row: int, status: int, outputs: 'float[:]'):
-    """Note in ``rows`` where the wheelset of a row stands, if it does."""
-    at = START_ROW * row
+def note_start(tables: Tables, work: Work, row: int, status: int):
+    """Note in a row of the table of starts where the wheelset touches, from the step at its shift."""
+    start = tables.starts.rows[row]
     if status <= UNLOADED:
-        rows[at + START_KNOWN] = 1.0
-        rows[at + START_ROLL] = outputs[OUT_ROLL]
-        rows[at + START_LEFT] = outputs[OUT_LEFT + SIDE_Y_WHEEL]
-        rows[at + START_RIGHT] = outputs[OUT_RIGHT + SIDE_Y_WHEEL]
+        start.known = True
+        start.roll = work.outputs.roll
+        start.left = work.outputs.left[0].y_wheel
+        start.right = work.outputs.left[1].y_wheel
     return 0
 
 
-def keep_starts(tables: Tables, rows: 'float[:]'):
-    """Put all rows in their place; not before the last one is known, as the kernel reads them."""
-    base = int(tables.starts) + START_ROWS
-    for i in range(START_ROW * START_ROW_COUNT):
-        tables[base + i] = rows[i]
+def open_starts(tables: Tables):
+    """Let the search use the table of starts, once its last row is known."""
+    tables.starts.count = float(START_COUNT)
     return 0

@@ -1,8 +1,8 @@
 """The roll of the wheelset: the angle at which both wheels have the same smallest gap.
 
 D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg for
-750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.  Where it has several zeros, level.py
-tells which is the roll.
+750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail.  Where it has several roots,
+first_root.py decides which is the roll.
 
 Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
 roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
@@ -12,20 +12,12 @@ take over, within a bracket that every search narrows.
 from math import fabs
 from typing import Final
 
-from ..layout import (
-    NOT_CONVERGED,
-    OFF_PROFILE,
-    ROLL_LIMIT,
-    VALID,
-    SideSearch,
-    State,
-    Tables,
-    Work,
-)
+from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, SideSearch, Sides, State, Tables
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
-from ..surface.locus import mirror_place, mirror_roll, outline_point, place_wheelset, turn_wheelset
-from ..surface.profile_table import height_slope
-from .search import SHARP, search_side
+from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
+from .cells import SHARP
+from .raster import rail_below
+from .smallest_gap import search_side
 
 #: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a lever of 0.2 m and more.
 ROLL_SHARP: Final[float] = 1e-14
@@ -42,32 +34,30 @@ FOLLOW_STEPS: Final[int] = 8
 FOLLOW_REACH: Final[float] = 2e-3
 
 
-def place_both(tables: Tables, work: Work, roll: float):
+def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    place_wheelset(work.places[1], work.inputs.lateral_shift, work.inputs.yaw, roll,
-                   tables.radius, tables.arm)
-    mirror_place(work.places[1], work.places[0])
+    place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, tables.radius, tables.arm)
+    mirror_place(sides[1].place, sides[0].place)
     return 0
 
 
-def turn_both(work: Work, roll: float):
+def turn_both(sides: Sides, roll: float):
     """Both placed wheels at another ``roll``."""
-    turn_wheelset(work.places[1], roll)
-    mirror_roll(work.places[1], work.places[0])
+    turn_wheelset(sides[1].place, roll)
+    mirror_roll(sides[1].place, sides[0].place)
     return 0
 
 
-def search_both(tables: Tables, work: Work, state: State, known: int):
+def search_both(tables: Tables, sides: Sides, state: State, known: int):
     """Search both sides; 1 if both wheels are above their rails, else 0."""
-    left = search_side(tables, work, work.sides[0], work, work.places[0], state, known)
-    right = search_side(tables, work, work.sides[1], work, work.places[1], state, known)
+    left = search_side(tables, sides[0], state, known)
+    right = search_side(tables, sides[1], state, known)
     return left * right
 
 
-def follow_side(tables: Tables, work: Work, state: State, index: int):
+def follow_side(tables: Tables, side: SideSearch, state: State):
     """Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0."""
-    side = work.sides[index]
-    at = work.places[index]
+    at = side.place
     wheel = tables.wheel
     y = side.best_y
     for i in range(FOLLOW_STEPS):
@@ -77,13 +67,10 @@ def follow_side(tables: Tables, work: Work, state: State, index: int):
             return 0
         move = -mismatch / rate
         if fabs(move) < SHARP:
-            z, slope = height_slope(wheel, y)
-            y_track, z_track, outline_slope = outline_point(at, y, z, slope)
-            if above_rail(tables, y_track - tables.rail_y) == 0:
+            abscissa = rail_below(tables, at, y)
+            if above_rail(tables, abscissa) == 0:
                 return 0
-            side.best = gap
-            side.best_y = y
-            side.best_rail = y_track - tables.rail_y
+            keep_known(side, y, gap, abscissa)
             return 1
         y += move
         if fabs(y - side.best_y) > FOLLOW_REACH or not (y > wheel.start and y < wheel.stop):
@@ -91,33 +78,32 @@ def follow_side(tables: Tables, work: Work, state: State, index: int):
     return 0
 
 
-def newton_move(tables: Tables, work: Work):
+def newton_move(tables: Tables, sides: Sides):
     """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
-    difference = work.sides[1].best - work.sides[0].best
-    rate = (gap_per_roll(tables, work.places[1], work.sides[1].best_y)
-            + gap_per_roll(tables, work.places[0], work.sides[0].best_y))
+    difference = sides[1].best - sides[0].best
+    rate = (gap_per_roll(tables, sides[1].place, sides[1].best_y)
+            + gap_per_roll(tables, sides[0].place, sides[0].best_y))
     move = 1.0
     if rate < 0.0:
         move = -difference / rate
     return difference, move
 
 
-def balance(tables: Tables, work: Work, state: State, roll: float, low: float, high: float):
+def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low: float, high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
 
     Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
     It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
     a minimum can run away or vanish.
     """
-    left = work.sides[0].best_y
-    right = work.sides[1].best_y
+    left = sides[0].best_y
+    right = sides[1].best_y
     for i in range(NEWTON_STEPS):
         state.roll_count += 1.0
         state.gap_count += 2.0
-        turn_both(work, roll)
-        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, work.places[0], left)
-        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, work.places[1],
-                                                                                             right)
+        turn_both(sides, roll)
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, sides[0].place, left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, sides[1].place, right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
         move_left = -mismatch_left / rate_left
@@ -133,8 +119,8 @@ def balance(tables: Tables, work: Work, state: State, roll: float, low: float, h
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
             if on_profiles(tables, left, rail_left) == 0 or on_profiles(tables, right, rail_right) == 0:
                 return roll, 0
-            keep_known(work, work.sides[0], left, gap_left, rail_left)
-            keep_known(work, work.sides[1], right, gap_right, rail_right)
+            keep_known(sides[0], left, gap_left, rail_left)
+            keep_known(sides[1], right, gap_right, rail_right)
             return roll, 1
         if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE and fabs(move_right) < LONGEST_MOVE):
             return roll, 0
@@ -155,7 +141,7 @@ def on_profiles(tables: Tables, y: float, abscissa: float):
     return on
 
 
-def keep_known(work: Work, side: SideSearch, y: float, gap: float, abscissa: float):
+def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
     """Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]."""
     side.best = gap
     side.best_y = y
@@ -163,11 +149,11 @@ def keep_known(work: Work, side: SideSearch, y: float, gap: float, abscissa: flo
     return 0
 
 
-def close_in(tables: Tables, work: Work, state: State, roll: float, first: float, last: float, known: int):
-    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; these gaps stay in the
-    workspace.  D has to be positive at ``first`` and negative at ``last``.
+def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first: float, last: float, known: int):
+    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; both gaps are known
+    at it.  D has to be positive at ``first`` and negative at ``last``.
 
-    With ``known`` = 1 the workspace holds local minima that are equal at ``roll``.
+    With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
     """
     low = first
     high = last
@@ -175,20 +161,20 @@ def close_in(tables: Tables, work: Work, state: State, roll: float, first: float
     difference = 0.0
     for i in range(SEARCHES):
         if known == 0:
-            turn_both(work, roll)
-        before_left = work.sides[0].best_y
-        before_right = work.sides[1].best_y
-        found = search_both(tables, work, state, known)
-        if known == 1 and before_left == work.sides[0].best_y and before_right == work.sides[1].best_y:
+            turn_both(sides, roll)
+        before_left = sides[0].best_y
+        before_right = sides[1].best_y
+        found = search_both(tables, sides, state, known)
+        if known == 1 and before_left == sides[0].best_y and before_right == sides[1].best_y:
             return roll, VALID
         known = 0
         # a wheel beside its rail has a large gap
-        difference = work.sides[1].best - work.sides[0].best
+        difference = sides[1].best - sides[0].best
         if found == 0 and difference == 0.0:
             return roll, OFF_PROFILE
         move = 1.0
         if found == 1:
-            difference, move = newton_move(tables, work)
+            difference, move = newton_move(tables, sides)
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
         if difference > 0.0:
@@ -205,7 +191,7 @@ def close_in(tables: Tables, work: Work, state: State, roll: float, first: float
         elif fabs(move) > LONGEST_TURN:
             roll += move
         else:
-            balanced, known = balance(tables, work, state, roll + move, low, high)
+            balanced, known = equalize_minima(tables, sides, state, roll + move, low, high)
             roll += move
             if known == 1:
                 roll = balanced
@@ -218,22 +204,22 @@ def close_in(tables: Tables, work: Work, state: State, roll: float, first: float
     return roll, status
 
 
-def some_roll(tables: Tables, work: Work, state: State, guess: float, warm: int):
-    """A roll [rad] at which both smallest gaps are equal, and the outcome; these gaps stay in the workspace.
+def any_roll(tables: Tables, inputs: Inputs, sides: Sides, state: State, guess: float, warm: int):
+    """A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
 
-    With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+    With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
     """
     start = guess
     if not (start > -ROLL_LIMIT and start < ROLL_LIMIT):
         start = 0.0
     known = 0
-    place_both(tables, work, start)
+    place_both(tables, inputs, sides, start)
     if warm == 1:
-        balanced, known = balance(tables, work, state, start, -ROLL_LIMIT, ROLL_LIMIT)
+        balanced, known = equalize_minima(tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT)
         if known == 1:
             start = balanced
-    roll, status = close_in(tables, work, state, start, -ROLL_LIMIT, ROLL_LIMIT, known)
+    roll, status = roll_between(tables, sides, state, start, -ROLL_LIMIT, ROLL_LIMIT, known)
     if status != VALID and start != 0.0:
-        # far from level a wheel may be beside its rail, and D without a sign
-        roll, status = close_in(tables, work, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
+        # far from zero roll a wheel may be beside its rail, and D without a sign
+        roll, status = roll_between(tables, sides, state, 0.0, -ROLL_LIMIT, ROLL_LIMIT, 0)
     return roll, status

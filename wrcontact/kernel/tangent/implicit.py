@@ -63,9 +63,12 @@ from ..search.roll import place_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, outline_jet, turn_wheelset
 from ..surface.profile_table import height_slope_bend
-from ..wheelset.elastic import ELASTIC_SHARP, bear_side, carry_side
+from ..wheelset.compliant import load_at_height
+from ..wheelset.elastic import ELASTIC_SHARP
+from ..wheelset.requested import omit_outputs, side_force
 from ..wheelset.resultant import write_resultant
-from ..wheelset.step import side_force, stand_rigid, withhold
+from ..wheelset.rigid import solve_rigid
+from ..wheelset.trial import balance_side
 
 
 def held(x: float):
@@ -95,14 +98,14 @@ def differentiated(x: float):
 
 def place_moving(tables: Tables, work: Work, roll: float):
     """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
-    place_both(tables, work, roll)
+    place_both(tables, work.inputs, work.sides, roll)
     yaw = work.inputs.yaw
     if yaw == 0.0 and rate_of(yaw) != 0.0:
-        work.places[1].sin_yaw = sin(yaw)
-        work.places[1].cos_yaw = cos(yaw)
-        work.places[1].yawed = True
-        turn_wheelset(work.places[1], roll)
-        mirror_place(work.places[1], work.places[0])
+        work.sides[1].place.sin_yaw = sin(yaw)
+        work.sides[1].place.cos_yaw = cos(yaw)
+        work.sides[1].place.yawed = True
+        turn_wheelset(work.sides[1].place, roll)
+        mirror_place(work.sides[1].place, work.sides[0].place)
     return 0
 
 
@@ -110,7 +113,7 @@ def follow_minimum(tables: Tables, work: Work, index: int):
     """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of wheel and rail
     agree, mismatch(y) = 0."""
     side = work.sides[index]
-    at = work.places[index]
+    at = work.sides[index].place
     y = held(side.best_y)
     gap, mismatch, rate = vertical_gap(tables, at, y)
     y = moving(y, -mismatch / held(rate))
@@ -126,9 +129,9 @@ def follow_roll(tables: Tables, work: Work):
     place_moving(tables, work, roll)
     left = held(work.sides[0].best_y)
     right = held(work.sides[1].best_y)
-    gap_left, mismatch_left, rate_left = vertical_gap(tables, work.places[0], left)
-    gap_right, mismatch_right, rate_right = vertical_gap(tables, work.places[1], right)
-    lever = (gap_per_roll(tables, work.places[1], right) + gap_per_roll(tables, work.places[0], left))
+    gap_left, mismatch_left, rate_left = vertical_gap(tables, work.sides[0].place, left)
+    gap_right, mismatch_right, rate_right = vertical_gap(tables, work.sides[1].place, right)
+    lever = (gap_per_roll(tables, work.sides[1].place, right) + gap_per_roll(tables, work.sides[0].place, left))
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
@@ -137,7 +140,7 @@ def follow_stand(tables: Tables, work: Work, state: State, roll: float, height: 
     place_moving(tables, work, roll)
     for index in range(2):
         follow_minimum(tables, work, index)
-        carry_side(tables, work, state, index, side_force(work, index), height)
+        balance_side(tables, work, state, index, side_force(work.inputs, index), height)
     return 0
 
 
@@ -182,27 +185,27 @@ def follow_compliant(tables: Tables, work: Work, state: State):
     work.outputs.vertical_shift = height
     for index in range(2):
         follow_minimum(tables, work, index)
-        bear_side(tables, work, state, index, height)
+        load_at_height(tables, work, state, index, height)
     return 0
 
 
 def differentiate(tables: Tables, work: Work, state: State):
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step left it.
     1 where that cannot be told (``follow_elastic``), else 0."""
-    mode = int(tables.mode)
+    mode = tables.mode
     outcome = 0
     if mode == MODE_RIGID:
         roll = follow_roll(tables, work)
         place_moving(tables, work, roll)
         for index in range(2):
             follow_minimum(tables, work, index)
-        stand_rigid(tables, work, state, roll)
+        solve_rigid(tables, work, state, roll)
     if mode == MODE_ELASTIC:
         outcome = follow_elastic(tables, work, state)
     if mode == MODE_COMPLIANT:
         follow_compliant(tables, work, state)
-    write_resultant(tables, work, work.supports[0].resultant, work.supports[1].resultant)
-    withhold(tables, work)
+    write_resultant(tables, work.inputs, work.outputs, work.supports[0].resultant, work.supports[1].resultant)
+    omit_outputs(tables, work)
     return outcome
 
 

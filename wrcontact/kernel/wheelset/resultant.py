@@ -2,21 +2,18 @@
 
 The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
 acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
-that about the wheelset's centre, which stands the nominal radius above the running circles.
+that about the wheelset's centre, which is the nominal radius above the running circles.
 """
 
 from math import sqrt
-from typing import Final
 
-from ..layout import LOAD_VERTICAL, Resultant, Tables, Work
+from ..layout import LOAD_VERTICAL, RESULTANT_COUNT, Inputs, Outputs, Resultant, Tables, Work
 from ..surface.profile_table import height_slope
-
-RESULTANT_SIZE: Final[int] = 6       # force x, y, z [N], moment x, y, z [N m]
 
 
 def clear_resultant(resultant: Resultant):
     """No force and no moment."""
-    for i in range(RESULTANT_SIZE):
+    for i in range(RESULTANT_COUNT):
         resultant[i] = 0.0
     return 0
 
@@ -37,7 +34,7 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
         height, slope = height_slope(tables.rail, abscissa)
         normal_cos = 1.0 / sqrt(1.0 + slope * slope)
         normal_sin = slope * normal_cos
-        if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:
+        if work.frame.pressed or tables.load == LOAD_VERTICAL:
             normal_cos = block.cos
             normal_sin = block.sin
         x = block.along + block.slant * away
@@ -53,12 +50,12 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
     return 0
 
 
-def write_resultant(tables: Tables, work: Work, left: Resultant, right: Resultant):
+def write_resultant(tables: Tables, inputs: Inputs, outputs: Outputs, left: Resultant, right: Resultant):
     """The resultant of both sides, from ``left`` and ``right``, its moment about the wheelset's centre."""
     for i in range(3):
-        work.outputs.force[i] = left[i] + right[i]
-        work.outputs.moment[i] = left[3 + i] + right[3 + i]
-    y = work.inputs.lateral_shift
-    z = work.outputs.vertical_shift - tables.radius
-    work.outputs.moment[0] -= y * work.outputs.force[2] - z * work.outputs.force[1]
+        outputs.force[i] = left[i] + right[i]
+        outputs.moment[i] = left[3 + i] + right[3 + i]
+    y = inputs.lateral_shift
+    z = outputs.vertical_shift - tables.radius
+    outputs.moment[0] -= y * outputs.force[2] - z * outputs.force[1]
     return 0

@@ -1,4 +1,4 @@
-"""One side of a wheelset, from where its wheel stands to its outputs: contact, patches, and its share of the resultant."""
+"""One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its share of the resultant."""
 
 from math import isfinite
 
@@ -16,98 +16,53 @@ from ..contact.overlaps import (
 from ..layout import (
     DEPTH_ALL,
     DEPTH_GEOMETRY,
-    DEPTH_PATCHES,
     NOT_CONVERGED,
     OFF_PROFILE,
-    RUN_COUNT,
-    SIDE_PENETRATION,
     SIDE_SIZE,
-    SIDE_STATION,
-    STATION_COUNT,
     UNLOADED,
     VALID,
     Outline,
-    SideOutputs,
     State,
     Tables,
     Work,
-    offset,
 )
 from ..normal.normal_contact import solve_normal
-from ..patch.outline import fill_outline, write_outline
+from ..patch.outline import write_outline
 from ..patch.totals import write_patches
 from ..surface.gap import gap_per_roll
+from .outlines import fill_apart, outline_place
 from .resultant import add_region, clear_resultant
 
 
-def clear_side(tables: Tables, work: Work, out: SideOutputs):
+def clear_side(tables: Tables, work: Work, index: int):
     """Zeros in a side's outputs."""
+    out = work.outputs.left[index]
     for i in range(SIDE_SIZE):
         out[i] = 0.0
-    fill_apart(tables, work, out, 0.0)
-    return 0
-
-
-def clear_from(tables: Tables, work: Work, out: SideOutputs, first: int):
-    """Write what stands for outputs that are not wanted, from a side's output ``first`` on."""
-    for i in range(first, SIDE_SIZE):
-        out[i] = tables.absent
-    fill_apart(tables, work, out, tables.absent)
-    if first <= SIDE_PENETRATION:
-        out.patch_count = tables.absent
-    return 0
-
-
-def first_unwanted(tables: Tables):
-    """The first of a side's outputs that is not wanted; SIDE_SIZE if all are."""
-    depth = int(tables.depth)
-    first = SIDE_SIZE
-    if depth == DEPTH_PATCHES:
-        first = SIDE_STATION
-    if depth == DEPTH_GEOMETRY:
-        first = SIDE_PENETRATION
-    return first
-
-
-def outline_place(tables: Tables, work: Work, out: SideOutputs):
-    """Offset in the workspace of the outline of the side whose outputs are at ``out``."""
-    stations = int(tables.stations)
-    place = offset(out.station, work)
-    if stations != STATION_COUNT:
-        place = offset(work.outlines[0], work)
-        if offset(out, work) > offset(work.outputs.left[0], work):
-            place += RUN_COUNT * stations
-    return place
-
-
-def fill_apart(tables: Tables, work: Work, out: SideOutputs, value: float):
-    """Write ``value`` all over a side's outline, where it is not part of the side's outputs."""
-    stations = int(tables.stations)
-    if stations != STATION_COUNT:
-        fill_outline(Outline.at(work, outline_place(tables, work, out)), stations, value)
+    fill_apart(tables, work, index, 0.0)
     return 0
 
 
 def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome."""
     out = work.outputs.left[index]
-    penetration, count, met = solve_normal(tables, work, state, work.sides[index], out, force, prescribed)
+    penetration, count, satisfied = solve_normal(tables, work, state, work.sides[index], out, force, prescribed)
     out.penetration = penetration
-    if met == 0:
+    if satisfied == 0:
         return count, NOT_CONVERGED
     write_patches(work.solved, out)
-    if int(tables.depth) == DEPTH_ALL:
-        outline = Outline.at(work, outline_place(tables, work, out))
-        write_outline(outline, int(tables.stations), work.solved, work.regions, count)
+    if tables.depth == DEPTH_ALL:
+        outline = Outline.at(work, outline_place(tables, work, index))
+        write_outline(outline, tables.stations, work.solved, work.regions, count)
     for region in range(count):
         add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
     return count, VALID
 
 
-def rest_side(tables: Tables, work: Work, state: State, index: int):
+def touch_side(tables: Tables, work: Work, state: State, index: int):
     """Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED."""
     side = work.sides[index]
-    clear_side(tables, work, work.outputs.left[index])
+    clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
     status = UNLOADED
     if describe_contact(tables, work, state, index, side.best_y, 0.0, side.best) == 0:
@@ -115,9 +70,9 @@ def rest_side(tables: Tables, work: Work, state: State, index: int):
     return status
 
 
-def step_side(tables: Tables, work: Work, state: State, index: int, force: float):
-    """Contact and patches of one side of a rigid wheelset, as far as they are wanted; its outcome."""
-    status = rest_side(tables, work, state, index)
+def solve_side(tables: Tables, work: Work, state: State, index: int, force: float):
+    """Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome."""
+    status = touch_side(tables, work, state, index)
     if status == UNLOADED:
         penetration = tables.penetration[index]
         pressed = force
@@ -125,17 +80,17 @@ def step_side(tables: Tables, work: Work, state: State, index: int, force: float
             pressed = penetration
         if pressed > 0.0:
             status = VALID
-            if int(tables.depth) != DEPTH_GEOMETRY:
+            if tables.depth != DEPTH_GEOMETRY:
                 count, status = load_side(tables, work, state, index, force, penetration)
     return status
 
 
-def press_side(tables: Tables, work: Work, state: State, index: int, sink: float):
-    """Describe the side whose wheel stands ``sink`` [m] below its smallest gap, where it overlaps its rail most; its outcome."""
+def press_side(tables: Tables, work: Work, state: State, index: int, approach: float):
+    """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its rail most; its outcome."""
     side = work.sides[index]
-    at = work.places[index]
-    height = side.best + sink
-    clear_side(tables, work, work.outputs.left[index])
+    at = side.place
+    height = side.best + approach
+    clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
     if find_overlaps(tables, work, state, side, at, height) == 0:
         # it overlaps most at the end of a profile
@@ -150,7 +105,7 @@ def press_side(tables: Tables, work: Work, state: State, index: int, sink: float
 
 def side_lever(tables: Tables, work: Work, index: int, count: int):
     """How the height at which a side carries its load follows the roll [m], from its regions' levers and stiffnesses."""
-    at = work.places[index]
+    at = work.sides[index].place
     total = 0.0
     weight = 0.0
     for region in range(count):

@@ -1,0 +1,198 @@
+"""How far the gap can fall: bounds of its second derivative between nodes of the raster.
+
+Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for its share, and the
+gap changes by that slope times the outline's stretch 1 +- w.  Both second derivatives are bounded in the tables over stretches
+of 2^k cells.  The shares are compared with dense sampling in tests/search/test_rigid.py.
+"""
+
+from math import fabs
+from typing import Final
+
+from ..layout import EXPONENTS, Place, Scan
+from .raster import node_below
+
+#: Share by which roll and yaw change the second derivative of either profile, as seen along the track [-]; with yaw also in
+#: proportion to how much the outline is stretched or folded.
+YAWED_SHARE: Final[float] = 0.3
+STRETCHED_SHARE: Final[float] = 10.0
+ROLLED_SHARE: Final[float] = 0.02
+#: Stretches of the wheel that are steeper than this somewhere are not skipped [-]; 71.5 deg.  On the others the outline is
+#: stretched by no more than the share ROLL_STRETCH sin(roll) + sin^2(yaw) (BEND_STRETCH r |r''| + STEEP_STRETCH), and its
+#: slope changes along the profile like r'' but for the share ROLL_BEND sin(roll) + YAW_BEND sin^2(yaw).
+STEEP: Final[float] = 3.0
+ROLL_STRETCH: Final[float] = 3.1
+BEND_STRETCH: Final[float] = 1.1
+STEEP_STRETCH: Final[float] = 10.0
+ROLL_BEND: Final[float] = 9.5
+YAW_BEND: Final[float] = 18.0
+#: Stretches that the yawed outline stretches or folds by more than this share are not skipped [-].
+WIDEST: Final[float] = 0.25
+#: A stretch of no more than this times its number of cells consists of fine cells only [m].
+FINE_CELL: Final[float] = 0.501e-3
+
+
+def rail_place(scan: Scan, abscissa: float):
+    """Place of ``abscissa`` [m] in the raster of the rail, in cells."""
+    return (abscissa - scan.rail_start) * scan.rail_per_metre
+
+
+def rail_index(scan: Scan, u: float):
+    """The cell of the raster of the rail at place ``u``, or the nearest."""
+    if not u > 0.0:
+        u = 0.0
+    if u > scan.rail_count - 1.0:
+        u = scan.rail_count - 1.0
+    return int(u)
+
+
+def least_bend(scan: Scan, at: Place, first: int, exponent: int, length: float, u: float):
+    """By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m] together, that begin
+    with node ``first``, and the share by which the outline is stretched there [-]; the first is no bound where the second is not
+    below WIDEST.
+
+    u : place in the raster of the rail where they begin, in cells.
+    """
+    node = scan.nodes[first]
+    roll = fabs(at.sin_roll)
+    stretch = ROLL_STRETCH * roll
+    share = ROLL_BEND * roll
+    if at.yawed:
+        square = at.sin_yaw * at.sin_yaw
+        stretch += STEEP_STRETCH * square + BEND_STRETCH * square * at.radius * node.steepest_bends[exponent]
+        share += YAW_BEND * square
+    bend = 0.0
+    if stretch < WIDEST:
+        rail = scan.rail[rail_index(scan, u)]
+        bend = rail.least_bends[exponent]
+        if length > FINE_CELL * float(1 << exponent):
+            bend = rail.least_bends[exponent + 1]
+        wheel = node.most_bends[exponent]
+        bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
+    return bend, stretch
+
+
+def stretch_bend(scan: Scan, at: Place, node: int, direction: int, exponent: int, u: float):
+    """Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over them [1/m] and the share
+    of the outline's stretch [-], which is WIDEST where the raster ends before.
+
+    u : place of the node in the raster of the rail, in cells.
+    """
+    cells = 1 << exponent
+    first = node
+    if direction < 0:
+        first = node - cells
+    length = 0.0
+    bend = 0.0
+    stretch = WIDEST
+    if first >= 0 and first + cells < scan.count:
+        length = scan.nodes[first + cells].y - scan.nodes[first].y
+        begin = u
+        if direction < 0:
+            begin -= (1.0 + WIDEST) * scan.rail_per_metre * length
+        bend, stretch = least_bend(scan, at, first, exponent, length, begin)
+    return length, bend, stretch
+
+
+def largest_fall(slope: float, bend: float, length: float, stretch: float):
+    """How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
+    than ``bend`` [1/m], on a wheel that is stretched by no more than the share ``stretch``."""
+    if bend >= 0.0:
+        if slope >= 0.0:
+            return 0.0
+        if -slope < bend * length:
+            return 0.5 * (1.0 + stretch) * slope * slope / bend
+    fall = -slope * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length
+    if fall < 0.0:
+        fall = 0.0
+    return fall
+
+
+def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float, slope: float,
+                   exponent: int):
+    """The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than ``excess`` [m] over the
+    2^exponent cells from ``node`` on; -1 if there is none.
+
+    abscissa : of the node on the rail [m].
+    slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+    """
+    u = rail_place(scan, abscissa)
+    while exponent >= 0:
+        length, bend, stretch = stretch_bend(scan, at, node, direction, exponent, u)
+        if stretch < WIDEST and largest_fall(slope, bend, length, stretch) <= excess:
+            return exponent
+        exponent -= 1
+    return exponent
+
+
+def rising_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float, slope: float,
+                    exponent: int):
+    """As ``clear_exponent``, also for cells over which the gap only rises."""
+    u = rail_place(scan, abscissa)
+    while exponent >= 0:
+        length, bend, stretch = stretch_bend(scan, at, node, direction, exponent, u)
+        if stretch < WIDEST:
+            if largest_fall(slope, bend, length, stretch) <= excess:
+                return exponent
+            if slope >= 0.0 and slope + bend * length >= 0.0:
+                return exponent
+        exponent -= 1
+    return exponent
+
+
+def rising_from_minimum(scan: Scan, at: Place, y: float, direction: int, abscissa: float):
+    """``clear_exponent`` from a minimum of the gap at ``y``, at ``abscissa`` on the rail [m], on: where the gap only rises.
+
+    The stretch is counted from the far node of the minimum's cell, so that it covers the whole cell.
+    """
+    cell = node_below(scan, y)
+    margin = (1.0 + WIDEST) * (scan.nodes[cell + 1].y - scan.nodes[cell].y)
+    node = cell
+    start = abscissa - margin
+    if direction < 0:
+        node = cell + 1
+        start = abscissa + margin
+    return clear_exponent(scan, at, node, direction, start, 0.0, 0.0, EXPONENTS - 1)
+
+
+def bend_bounds(scan: Scan, at: Place, cell: int, abscissa: float):
+    """Bounds [1/m] of the gap's second derivative between the nodes ``cell`` and ``cell`` + 1, the first of them above
+    the rail's ``abscissa`` [m]: rail minus wheel."""
+    rail = scan.rail[rail_index(scan, rail_place(scan, abscissa))]
+    node = scan.nodes[cell]
+    share = ROLLED_SHARE
+    if at.yawed:
+        # how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''|
+        sine = at.sin_yaw
+        share = YAWED_SHARE + STRETCHED_SHARE * sine * sine * at.radius * node.steepest_bends[0]
+    least_rail = rail.least_bend
+    most_rail = rail.most_bend
+    least_wheel = node.least_bend
+    most_wheel = node.most_bends[0]
+    least = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel))
+    most = most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel))
+    if not most > 0.0:
+        most = 0.0
+    return least, most
+
+
+def only_rises_or_falls(least: float, most: float, width: float, mismatch_low: float, mismatch_high: float):
+    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
+    than ``least`` and no more than ``most`` [1/m], else 0."""
+    steady = 0
+    if mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0:
+        steady = 1
+    if mismatch_high <= 0.0 and least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0:
+        steady = 1
+    return steady
+
+
+def least_slope(least: float, most: float, width: float, first: float, last: float):
+    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
+    no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet."""
+    lowest = min(first, last)
+    if least < 0.0:
+        lowest = first + least * width
+        if most > 0.0:
+            meet = (last - first - most * width) / (least - most)
+            lowest = first + least * min(max(meet, 0.0), width)
+    return lowest

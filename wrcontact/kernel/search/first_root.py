@@ -1,0 +1,303 @@
+"""Which roll of several: the first root of the difference of both gaps, starting from zero roll.
+
+While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls and has one root.  A large
+wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has
+three.  The roll is then the first root on the way from zero roll to the side on which the sign of D(0) says that there is
+one: it depends on nothing but the pose, and D falls through it.
+
+That no root lies before a known one is certified.  On that way the contact of the wheel that rises moves towards its flange and
+the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts
+at both ends of the way.  Where this does not settle it, the way is halved.
+"""
+
+from math import fabs
+from typing import Final
+
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    TRIAL_LIMIT,
+    VALID,
+    Inputs,
+    Place,
+    RollTrial,
+    RollTrials,
+    SideSearch,
+    Sides,
+    State,
+    Tables,
+)
+from ..surface.locus import around_wheel, outline_point
+from ..surface.profile_table import height_slope
+from .raster import REACH_SHARE, node_below
+from .roll import any_roll, follow_side, newton_move, roll_between, search_both, turn_both
+from .smallest_gap import search_side
+
+#: Roots of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
+APART: Final[float] = 1e-13
+TRIALS: Final[int] = 300
+#: How a lever changes with roll and yaw, as shares of what slopes change at first order [-].
+TURNED_SHARE: Final[float] = 1.1
+YAWED_SHARE: Final[float] = 1.2
+#: Share by which the outline's slope changes faster along a yawed wheel than the profile's [-].
+FASTER: Final[float] = 1.5
+
+
+def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State, guess: float, warm: int):
+    """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
+
+    With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.  A start from which there is no roll does not decide
+    that.
+    """
+    roll, status = certified_roll(tables, inputs, sides, trials, state, guess, warm)
+    if status != VALID and (guess != 0.0 or warm == 1):
+        roll, status = certified_roll(tables, inputs, sides, trials, state, 0.0, 0)
+    return roll, status
+
+
+def certified_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State, guess: float, warm: int):
+    """``solve_roll`` from this start alone."""
+    roll, status = any_roll(tables, inputs, sides, state, guess, warm)
+    if status == VALID and falls_at_zero_roll(tables, sides, roll) == 0:
+        if is_certainly_first(tables, sides, state, roll) == 0:
+            roll, status = first_root(tables, sides, trials, state, roll)
+    return roll, status
+
+
+def falls_at_zero_roll(tables: Tables, sides: Sides, roll: float):
+    """1 if D falls through its known root at ``roll``, and that is zero roll, else 0."""
+    falls = 0
+    if fabs(roll) < APART:
+        difference, move = newton_move(tables, sides)
+        if fabs(move) < 0.5:
+            falls = 1
+    return falls
+
+
+# --- the first certificate: the steepest places of the wheels ---------------------------------------------
+
+
+def lever_per_roll(steep: float, radius: float, arm: float):
+    """How fast a lever changes with the roll at most [m], where profiles are as steep as ``steep`` [-]."""
+    return TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius)
+
+
+def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
+    """The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to ``roll`` [rad] and the
+    yaw whose sine is given."""
+    scan = tables.scan
+    lever = scan.nodes[node_below(scan, y)].lever
+    radius = tables.radius
+    arm = tables.arm
+    steep = fabs(lever + arm) / radius
+    yawed = YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine
+    return lever + lever_per_roll(steep, radius, arm) * fabs(roll) + yawed
+
+
+def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: float):
+    """1 if all places of a wheel whose levers are not below -``known`` [m] are beside the rail at zero roll, else 0."""
+    scan = tables.scan
+    low = -1
+    high = scan.count - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if known + largest_lever_beyond(tables, scan.nodes[middle].y, roll, sine) < 0.0:
+            high = middle
+        else:
+            low = middle
+    beside = 1
+    if low >= 0:
+        reach = REACH_SHARE * sine * sine * tables.radius * scan.steepest
+        furthest = at.shift + tables.arm + scan.nodes[high].y + reach
+        if furthest > tables.rail_y + tables.rail.start:
+            beside = 0
+    return beside
+
+
+def is_certainly_first(tables: Tables, sides: Sides, state: State, roll: float):
+    """1 if D falls all the way from zero roll to its root at ``roll``, as far as the steepest places tell, else 0.
+
+    The contact of the wheel that stands higher is known there.  Of the other wheel count the places that are not beside the
+    rail at zero roll; or those beyond its contact at zero roll, for which that one is searched.
+    """
+    sine = sides[1].place.sin_yaw
+    higher = sides[0]
+    lower = sides[1]
+    if roll < 0.0:
+        higher = sides[1]
+        lower = sides[0]
+    known = largest_lever_beyond(tables, higher.best_y, roll, sine)
+    if is_beside_rail(tables, lower.place, known, roll, sine) == 1:
+        return 1
+    gap = lower.best
+    y = lower.best_y
+    abscissa = lower.best_rail
+    certain = 0
+    turn_both(sides, 0.0)
+    followed = follow_side(tables, lower, state)
+    if search_side(tables, lower, state, followed) == 1:
+        if known + largest_lever_beyond(tables, lower.best_y, roll, sine) < 0.0:
+            certain = 1
+    turn_both(sides, roll)
+    lower.best = gap
+    lower.best_y = y
+    lower.best_rail = abscissa
+    return certain
+
+
+# --- the second certificate: the places of the wheels between their contacts ------------------------------
+
+
+def lever_at(tables: Tables, at: Place, y: float):
+    """How the gap at ``y`` [m] would change with the roll if the rail there were parallel to the wheel [m]."""
+    z, slope = height_slope(tables.wheel, y)
+    y_track, z_track, outline_slope = outline_point(at, y, z, slope)
+    sin_phi, cos_phi = around_wheel(at, slope)
+    arm = at.arm + y
+    height = (at.radius + z) * cos_phi
+    sin_roll = at.sin_roll
+    cos_roll = at.cos_roll
+    return (-outline_slope * at.cos_yaw * (arm * sin_roll + height * cos_roll)
+            - arm * cos_roll + height * sin_roll)
+
+
+def lever_range(tables: Tables, state: State, at: Place, one: float, other: float):
+    """Smallest and largest ``lever_at`` between two places of the wheel [m]."""
+    scan = tables.scan
+    y = one
+    last = other
+    if other < one:
+        y = other
+        last = one
+    node = node_below(scan, y)
+    before = lever_at(tables, at, y)
+    state.gap_count += 1.0
+    least = before
+    most = before
+    while y < last:
+        bend = scan.nodes[node].steepest_bends[0]
+        node += 1
+        following = scan.nodes[node].y
+        if following > last or following <= y:
+            following = last
+        lever = lever_at(tables, at, following)
+        state.gap_count += 1.0
+        beyond = 0.5 * FASTER * bend * (following - y) * (at.radius + at.arm)
+        least = min(least, min(lever, before) - beyond)
+        most = max(most, max(lever, before) + beyond)
+        before = lever
+        y = following
+    return least, most
+
+
+def note_trial(trial: RollTrial, sides: Sides, roll: float):
+    """Note what is known of D at ``roll`` [rad]."""
+    trial.roll = roll
+    trial.difference = sides[1].best - sides[0].best
+    trial.left = sides[0].best_y
+    trial.right = sides[1].best_y
+    return 0
+
+
+def note_root(trial: RollTrial, sides: Sides, roll: float):
+    """Note a root of D at ``roll`` [rad]."""
+    note_trial(trial, sides, roll)
+    trial.difference = 0.0
+    return 0
+
+
+def copy_trial(trial: RollTrial, to: RollTrial):
+    """Copy what is known of D at a roll."""
+    to.roll = trial.roll
+    to.difference = trial.difference
+    to.left = trial.left
+    to.right = trial.right
+    return 0
+
+
+def has_no_root(tables: Tables, sides: Sides, state: State, near: RollTrial, far: RollTrial, sign: float):
+    """1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign`` or, at ``far``, is
+    zero; else 0."""
+    width = fabs(far.roll - near.roll)
+    turn_both(sides, 0.5 * (far.roll + near.roll))
+    left_least, left_most = lever_range(tables, state, sides[0].place, near.left, far.left)
+    right_least, right_most = lever_range(tables, state, sides[1].place, near.right, far.right)
+    arm = tables.arm
+    radius = tables.radius
+    steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most))) + arm) / radius
+    margin = width * lever_per_roll(steep, radius, arm)
+    least = left_least + right_least - margin
+    most = left_most + right_most + margin
+    if least >= 0.0 or most <= 0.0:
+        return 1
+    at_near = sign * near.difference
+    at_far = sign * far.difference
+    # the lines that bound D from below, from either end
+    meet = (at_far - most * width - at_near) / (least - most)
+    clear = 0
+    if meet >= width or at_near + least * meet > 0.0:
+        clear = 1
+    return clear
+
+
+def first_root(tables: Tables, sides: Sides, trials: RollTrials, state: State, roll: float):
+    """The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``."""
+    near = trials.near
+    note_root(trials.far[0], sides, roll)
+    turn_both(sides, 0.0)
+    if search_both(tables, sides, state, 0) == 0:
+        return 0.0, OFF_PROFILE
+    note_trial(near, sides, 0.0)
+    if near.difference == 0.0:
+        return 0.0, VALID
+    sign = 1.0
+    first = 0.0
+    last = ROLL_LIMIT
+    if near.difference < 0.0:
+        sign = -1.0
+        first = -ROLL_LIMIT
+        last = 0.0
+    status = VALID
+    if sign * roll < 0.0:
+        roll, status = roll_between(tables, sides, state, 0.5 * (first + last), first, last, 0)
+        note_root(trials.far[0], sides, roll)
+    end = 0
+    trial = 0
+    while end >= 0 and status == VALID:
+        far = trials.far[end]
+        width = fabs(far.roll - near.roll)
+        if width < APART or has_no_root(tables, sides, state, near, far, sign) == 1:
+            copy_trial(far, near)
+            end -= 1
+        else:
+            middle = 0.5 * (far.roll + near.roll)
+            turn_both(sides, middle)
+            if search_both(tables, sides, state, 0) == 0:
+                status = OFF_PROFILE
+            elif sign * (sides[1].best - sides[0].best) > 0.0:
+                end += 1
+                note_trial(trials.far[end], sides, middle)
+            else:
+                # a root before: it is the known one now
+                end = 0
+                roll, status = root_before(tables, sides, state, near.roll, middle, sign)
+                note_root(trials.far[0], sides, roll)
+        trial += 1
+        if trial == TRIALS or end >= TRIAL_LIMIT - 2:
+            status = NOT_CONVERGED
+    if status == VALID:
+        turn_both(sides, roll)
+        search_both(tables, sides, state, 0)
+    return roll, status
+
+
+def root_before(tables: Tables, sides: Sides, state: State, near: float, middle: float, sign: float):
+    """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where it has not; and the
+    outcome."""
+    first = near
+    last = middle + APART
+    if sign < 0.0:
+        first = middle - APART
+        last = near
+    return roll_between(tables, sides, state, middle, first, last, 0)

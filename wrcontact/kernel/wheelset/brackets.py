@@ -1,0 +1,238 @@
+"""Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
+
+A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the height of the other
+wheel its load has one value at every roll.  So the flatter wheel gives the height of each roll, and the steeper one the
+residual that changes its sign at the roll in equilibrium.  Where that jumps, since a region comes or goes, the roll of the jump is
+taken.
+"""
+
+from math import fabs
+from typing import Final
+
+from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Bracket, Outputs, Regions, State, Tables, Work
+from .side import load_side, press_side
+from .trial import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
+
+#: Brackets end here, or when they or what they enclose are this small [m, rad].
+BRACKETINGS: Final[int] = 90
+BRACKET_SHARP: Final[float] = 1e-13
+#: First distance from the rigid roll at which the other end of a bracket is looked for [rad].
+FIRST_REACH: Final[float] = 2e-5
+#: The share by which the approach grows while the lower end of a bracket is looked for [-].
+DEEPER: Final[float] = 1.5
+
+
+def next_in_bracket(bracket: Bracket, i: int):
+    """Where to look next for a root in a bracket: on the chord between both values, and every other time half way."""
+    low = bracket.low
+    high = bracket.high
+    place = 0.5 * (low + high)
+    if i % 2 == 0:
+        chord = low - bracket.at_low * (high - low) / (bracket.at_high - bracket.at_low)
+        if chord > low and chord < high:
+            place = chord
+    return place
+
+
+def narrow_bracket(bracket: Bracket, place: float, value: float):
+    """Let ``place`` be an end of the bracket: the low one if its ``value`` is positive, else the high one."""
+    if value > 0.0:
+        bracket.low = place
+        bracket.at_low = value
+    else:
+        bracket.high = place
+        bracket.at_high = value
+    return 0
+
+
+# --- the height of one side -------------------------------------------------------------------------------
+
+
+def carried_load(regions: Regions, count: int):
+    """What ``count`` regions carry [N], vertically where the prescribed load is vertical."""
+    total = 0.0
+    for index in range(count):
+        region = regions[index]
+        total += region.share * region.carried
+    return total
+
+
+def height_residual(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
+    """How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are there [m]; 1 if they can
+    carry it, else 0; and the outcome.
+
+    The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry at ``height``
+    shows whether that is too low or too high, and the residual counts as the whole approach.
+    """
+    support = work.supports[index]
+    status = balance_side(tables, work, state, index, force, height)
+    residual = support.height - height
+    satisfied = 1
+    if status == NOT_CONVERGED:
+        satisfied = 0
+        approach = permitted_approach(support, work.sides[index], height)
+        status = press_side(tables, work, state, index, approach)
+        if status == VALID:
+            count, status = load_side(tables, work, state, index, 0.0, work.frame.depth)
+            residual = approach
+            if carried_load(work.regions, count) > force:
+                residual = -approach
+            support.height = height + residual
+    return residual, satisfied, status
+
+
+def bracket_height(tables: Tables, work: Work, state: State, index: int, force: float):
+    """Find the height at which a side carries ``force`` [N] with regions and nodes as they are just there; the outcome.
+
+    The residual is positive where the side is too high, negative where it is too low.  Where its load jumps past the force as it
+    comes down, since a region comes or goes, the height of the jump is taken, with the regions just below it, or just above
+    where those cannot carry the force.  Where DEEPEST is too high the height is what it would be with regions as they are there.
+    """
+    support = work.supports[index]
+    bracket = work.height_bracket
+    best = work.sides[index].best
+    if not force > 0.0:
+        return balance_side(tables, work, state, index, force, best)
+    height = best + SHALLOWEST * support.approach
+    residual, satisfied, status = height_residual(tables, work, state, index, force, height)
+    if status > UNLOADED:
+        return status
+    if residual <= 0.0:
+        if satisfied == 0:
+            status = NOT_CONVERGED
+        return status
+    bracket.high = height
+    bracket.at_high = residual
+    while bracket.at_high > 0.0:
+        if bracket.high >= best + DEEPEST:
+            return status
+        bracket.low = bracket.high
+        bracket.at_low = bracket.at_high
+        height = best + DEEPER * (bracket.high - best)
+        if height > best + DEEPEST:
+            height = best + DEEPEST
+        residual, satisfied, status = height_residual(tables, work, state, index, force, height)
+        bracket.high = height
+        bracket.at_high = residual
+        if status > UNLOADED:
+            return status
+    for i in range(BRACKETINGS):
+        height = next_in_bracket(bracket, i)
+        residual, satisfied, status = height_residual(tables, work, state, index, force, height)
+        if status > UNLOADED or fabs(residual) < BRACKET_SHARP:
+            return status
+        narrow_bracket(bracket, height, residual)
+        if bracket.high - bracket.low < BRACKET_SHARP:
+            break
+    status = balance_side(tables, work, state, index, force, bracket.high)
+    if status == NOT_CONVERGED:
+        status = balance_side(tables, work, state, index, force, bracket.low)
+    support.height = bracket.high
+    return status
+
+
+# --- the roll ---------------------------------------------------------------------------------------------
+
+
+def flatter_side(outputs: Outputs):
+    """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal."""
+    flat = 0
+    if fabs(outputs.left[1].contact_angle) < fabs(outputs.left[0].contact_angle):
+        flat = 1
+    return flat
+
+
+def roll_residual(tables: Tables, work: Work, state: State, roll: float, left: float, right: float, flat: int):
+    """Let side ``flat`` carry its load at ``roll``, and move the other one to this height; how much lower the right one
+    carries its load than the left one [m], 1 if both can carry their loads, else 0, and the outcome."""
+    if turn_to(tables, work, state, roll) == 0:
+        return 0.0, 0, OFF_PROFILE
+    state.roll_count += 1.0
+    flat_force = left
+    steep_force = right
+    if flat == 1:
+        flat_force = right
+        steep_force = left
+    status = bracket_height(tables, work, state, flat, flat_force)
+    if status > UNLOADED:
+        return 0.0, 0, status
+    height = work.supports[flat].height
+    residual, satisfied, outcome = height_residual(tables, work, state, 1 - flat, steep_force, height)
+    work.supports[1 - flat].height = height
+    if outcome > status:
+        status = outcome
+    if flat == 1:
+        residual = -residual
+    return residual, satisfied, status
+
+
+def enclose_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float, flat: int):
+    """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome, NOT_CONVERGED if there is
+    none within ROLL_LIMIT."""
+    bracket = work.roll_bracket
+    residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+    if status > UNLOADED:
+        return status
+    bracket.low = roll
+    bracket.high = roll
+    bracket.at_low = residual
+    bracket.at_high = residual
+    reach = FIRST_REACH
+    while bracket.at_low * bracket.at_high > 0.0:
+        if reach > ROLL_LIMIT:
+            return NOT_CONVERGED
+        if residual > 0.0:
+            bracket.low = bracket.high
+            bracket.at_low = bracket.at_high
+            bracket.high = roll + reach
+            value, satisfied, status = roll_residual(tables, work, state, bracket.high, left, right, flat)
+            bracket.at_high = value
+        else:
+            bracket.high = bracket.low
+            bracket.at_high = bracket.at_low
+            bracket.low = roll - reach
+            value, satisfied, status = roll_residual(tables, work, state, bracket.low, left, right, flat)
+            bracket.at_low = value
+        if status > UNLOADED:
+            return status
+        reach *= 2.0
+    return status
+
+
+def bracket_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float):
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from the rigid ``roll``."""
+    bracket = work.roll_bracket
+    flat = flatter_side(work.outputs)
+    status = enclose_roll(tables, work, state, roll, left, right, flat)
+    if status > UNLOADED:
+        return roll, status
+    residual = 0.0
+    satisfied = 0
+    for i in range(BRACKETINGS):
+        roll = next_in_bracket(bracket, i)
+        residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+        if status > UNLOADED:
+            return roll, status
+        narrow_bracket(bracket, roll, residual)
+        if fabs(residual) < BRACKET_SHARP or bracket.high - bracket.low < BRACKET_SHARP:
+            break
+    if fabs(residual) >= BRACKET_SHARP:
+        # of both ends of a jump always the same, at which the steeper wheel carries no less than its load
+        end = bracket.high
+        if flat == 1:
+            end = bracket.low
+        if roll != end:
+            roll = end
+            residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+    if satisfied == 0:
+        # or the one whose nodes can carry the force
+        other = bracket.low
+        if roll == bracket.low:
+            other = bracket.high
+        roll = other
+        residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
+    if status <= UNLOADED:
+        if satisfied == 0:
+            status = NOT_CONVERGED
+        status = depth_outcome(work, status)
+    return roll, status

@@ -1,0 +1,41 @@
+"""Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep it is in its rail."""
+
+from typing import Final
+
+from ..layout import OFF_PROFILE, VALID, State, Tables, Work
+from ..search.roll import place_both, search_both
+from .side import load_side, press_side, touch_side
+from .trial import DEEPEST
+
+#: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known, does not touch; 5e-9 N.
+GRAZING: Final[float] = 1e-13
+
+
+def solve_compliant(tables: Tables, work: Work, state: State):
+    """Both sides of the wheelset at the height and roll of the inputs; the outcome."""
+    roll = work.inputs.roll
+    height = work.inputs.vertical_shift
+    place_both(tables, work.inputs, work.sides, roll)
+    work.outputs.roll = roll
+    work.outputs.vertical_shift = height
+    status = VALID
+    if search_both(tables, work.sides, state, 0) == 0:
+        return OFF_PROFILE
+    for index in range(2):
+        outcome = load_at_height(tables, work, state, index, height)
+        if outcome > status:
+            status = outcome
+    return status
+
+
+def load_at_height(tables: Tables, work: Work, state: State, index: int, height: float):
+    """The load of a side whose wheelset has the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted."""
+    approach = height - work.sides[index].best
+    if not approach > GRAZING:
+        return touch_side(tables, work, state, index)
+    if approach > DEEPEST:
+        return OFF_PROFILE
+    status = press_side(tables, work, state, index, approach)
+    if status == VALID:
+        count, status = load_side(tables, work, state, index, 0.0, work.frame.depth)
+    return status

@@ -1,0 +1,87 @@
+"""One trial of an elastic wheelset: both wheels pressed into their rails at one height and roll.
+
+Regions and nodes are placed where the wheel is at the height of the trial.  With them the height follows at which the side
+carries its force; the residual, how much lower than the trial that is, vanishes in equilibrium.
+"""
+
+from typing import Final
+
+from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, State, Support, Tables, Work
+from ..normal.estimate import first_penetration
+from ..search.roll import follow_side, search_both, turn_both
+from .side import load_side, press_side, side_lever, touch_side
+
+#: A loaded wheel is pressed down by this share of its first estimate at least [-].
+SHALLOWEST: Final[float] = 0.1
+#: A wheel that is pressed deeper into its rail than this [m] is off the profile.
+DEEPEST: Final[float] = 2e-3
+
+
+def estimate_approach(tables: Tables, work: Work, state: State, index: int, force: float):
+    """Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome."""
+    support = work.supports[index]
+    status = touch_side(tables, work, state, index)
+    support.approach = 0.0
+    if status == UNLOADED:
+        status = VALID
+        if force > 0.0:
+            support.approach = first_penetration(tables, work, state, force) / work.frame.cos
+    return status
+
+
+def permitted_approach(support: Support, side: SideSearch, height: float):
+    """How far a wheel at ``height`` is below its smallest gap [m], within the range in which it is pressed."""
+    approach = height - side.best
+    if approach < SHALLOWEST * support.approach:
+        approach = SHALLOWEST * support.approach
+    if approach > DEEPEST:
+        approach = DEEPEST
+    return approach
+
+
+def balance_side(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
+    """Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height`` [m]; its
+    outcome.  Outputs are those of the side under this force."""
+    support = work.supports[index]
+    side = work.sides[index]
+    if not force > 0.0:
+        support.height = side.best
+        support.lever = side_lever(tables, work, index, 0)
+        return touch_side(tables, work, state, index)
+    approach = permitted_approach(support, side, height)
+    status = press_side(tables, work, state, index, approach)
+    if status == VALID:
+        count, status = load_side(tables, work, state, index, force, tables.absent)
+        carried = approach + (work.outputs.left[index].penetration - work.frame.depth) / work.frame.cos
+        support.height = side.best + carried
+        support.lever = side_lever(tables, work, index, count)
+    return status
+
+
+def balance_both(tables: Tables, work: Work, state: State, left: float, right: float, height: float):
+    """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
+    state.roll_count += 1.0
+    status = balance_side(tables, work, state, 0, left, height)
+    if status <= UNLOADED:
+        outcome = balance_side(tables, work, state, 1, right, height)
+        if outcome > status:
+            status = outcome
+    return status
+
+
+def turn_to(tables: Tables, work: Work, state: State, roll: float):
+    """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are above their rails, else 0."""
+    turn_both(work.sides, roll)
+    known = follow_side(tables, work.sides[0], state)
+    if known == 1:
+        known = follow_side(tables, work.sides[1], state)
+    return search_both(tables, work.sides, state, known)
+
+
+def depth_outcome(work: Work, status: int):
+    """``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the compliant form refuses too."""
+    for index in range(2):
+        best = work.sides[index].best
+        if work.supports[index].height - best > DEEPEST:
+            status = OFF_PROFILE
+    return status
