@@ -95,7 +95,7 @@ static inline double contact_plane__longitudinal_curvature(array_double_1d table
     double curvature;
     r = (*cspan_at(&place, at + layout__PLACE_RADIUS)) + z;
     curvature = 1.0 / r;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL)))) == layout__LONGITUDINAL_BASIC)
     {
         return curvature;
     }

@@ -17,10 +17,10 @@
 #include "locus.h"
 #include "profile_table.h"
 
-static const int64_t contact_plane__AT_PLANE = INT64_C(2316);
-static const int64_t contact_plane__AT_WHEEL_PLANE = INT64_C(2321);
-static const int64_t contact_plane__TRACER_RAIL = INT64_C(2324);
-static const int64_t contact_plane__TRACER_WHEEL = INT64_C(2327);
+static const int64_t contact_plane__AT_PLANE = INT64_C(2280);
+static const int64_t contact_plane__AT_WHEEL_PLANE = INT64_C(2285);
+static const int64_t contact_plane__TRACER_RAIL = INT64_C(2288);
+static const int64_t contact_plane__TRACER_WHEEL = INT64_C(2291);
 static const double contact_plane__NO_GAP = 1.0;
 static const double contact_plane__NEAR = 0.001;
 static const int64_t contact_plane__TRACE_ITERATIONS = INT64_C(30);

@@ -24,7 +24,7 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     double r;
     double lateral;
     int64_t touches;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
@@ -47,7 +47,7 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     regions__open_contact_region(tables, work, state);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
     {
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
     }

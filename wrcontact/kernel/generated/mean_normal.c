@@ -73,7 +73,7 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
     {
         (*cspan_at(&work, region + layout__REGION_COS)) = cosines / total;
         (*cspan_at(&work, region + layout__REGION_SIN)) = sines / total;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
         {
             (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
         }

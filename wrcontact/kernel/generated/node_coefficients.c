@@ -122,7 +122,7 @@ static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array
     double nr;
     base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = INT64_C(0);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
@@ -202,7 +202,7 @@ static inline int64_t node_coefficients__skew_factors(double* result_0, double* 
     }
     hertz__hertz_coefficients(&alpha, &beta, &nr, tables, base, A, B);
     hertz__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, base, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
     {
         hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, skewed_alpha * A, skewed_beta * B, skewed_nr);
         (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = upright_A / A;

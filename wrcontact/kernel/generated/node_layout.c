@@ -17,12 +17,12 @@ static inline double node_layout__zone_share(array_double_1d tables, double A, d
         side = node_coefficients__FLOOR * A;
     }
     spread = node_layout__SPREAD;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
     {
         spread = node_layout__STRIP_SPREAD;
     }
     share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
-    if ((share > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    if ((share > node_layout__COVER) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE))
     {
         share = node_layout__COVER;
     }
@@ -47,7 +47,7 @@ static inline double node_layout__node_spacing(array_double_1d work, array_doubl
     {
         mean = least;
     }
-    spacing = mean / (*cspan_at(&tables, layout__TABLES_NODES));
+    spacing = mean / (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
     if (widest * enlarge > node_layout__WIDEST * spacing)
     {
         spacing = widest * enlarge / node_layout__WIDEST;
@@ -91,7 +91,7 @@ static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_d
     }
     nodes__lay_nodes(tables, work, state, region, nodes, low_reach, high_reach);
     node_coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL))
     {
         mean_normal__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LEVEL)));
     }

@@ -18,7 +18,7 @@ static inline int64_t nodes__node_field(int64_t region, int64_t field)
 static inline int64_t nodes__window_nodes(array_double_1d tables)
 {
     int64_t result;
-    result = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)) * nodes__WINDOW + 0.5);
+    result = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NODES))) * nodes__WINDOW + 0.5);
     return result;
 }
 
@@ -31,9 +31,9 @@ static inline int64_t nodes__node_stride(array_double_1d tables)
 {
     int64_t kind;
     int64_t stride;
-    stride = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIDE)));
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE) || (kind == layout__SEPARATION_EQUIDISTANT_CHORD) || (kind == layout__SEPARATION_VERTICAL))
+    stride = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIDE))));
+    kind = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))));
+    if (((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE) || (kind == layout__SEPARATION_EQUIDISTANT_CHORD) || (kind == layout__SEPARATION_VERTICAL))
     {
         stride = INT64_C(1);
     }
@@ -70,7 +70,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
     {
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
     }
@@ -93,7 +93,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
         {
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
         }
@@ -159,7 +159,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
         if (ended == INT64_C(1))
         {
             nodes__extrapolate_node(work, nodes, at, direction);
-            if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+            if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
             {
                 (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
             }

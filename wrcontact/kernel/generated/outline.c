@@ -13,7 +13,7 @@ static inline int64_t outline__row_size(array_double_1d tables)
 {
     int64_t stations;
     int64_t size;
-    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    stations = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
     size = layout__OUTPUT_COUNT;
     if (stations != layout__STATION_COUNT)
     {

@@ -12,7 +12,7 @@
 /* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]. */
 static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double height, int64_t entry)
 {
-    int64_t row;
+    int64_t point;
     double y;
     double y_track;
     double z_track;
@@ -22,9 +22,9 @@ static OUT_OF_LINE int64_t overlaps__sample_overlap(double* gap, double* result_
     double bend;
     double square;
     double rise;
-    row = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_NODES + search__SCAN_ROW * node;
-    y = (*cspan_at(&tables, row + search__ROW_Y));
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, (*cspan_at(&tables, row + search__ROW_HEIGHT)), (*cspan_at(&tables, row + search__ROW_SLOPE)));
+    point = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
+    y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
     (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
     profile_table__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
@@ -66,7 +66,7 @@ static OUT_OF_LINE int64_t overlaps__sample_end(array_double_1d tables, array_do
 static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t at, int64_t node, int64_t direction, double height, int64_t first)
 {
     int64_t count;
-    int64_t level;
+    int64_t exponent;
     double neighbour;
     double gap;
     double mismatch;
@@ -74,9 +74,9 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
     int64_t on_rail;
     int64_t step;
     int64_t entry;
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + search__SCAN_COUNT)));
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))) + layout__SCAN_COUNT)));
     entry = first;
-    level = search__LEVELS - INT64_C(1);
+    exponent = layout__EXPONENTS - INT64_C(1);
     neighbour = 1.0;
     while((node >= INT64_C(0)) && (node < count) && (entry > INT64_C(0)) && (entry < INT64_C(2) * layout__OVERLAP_LIMIT - INT64_C(1)))
     {
@@ -104,19 +104,19 @@ static OUT_OF_LINE int64_t overlaps__walk_overlap(array_double_1d tables, array_
         step = INT64_C(1);
         if (gap > height)
         {
-            level = search__clear_level(tables, work, at, node, direction, abscissa, gap - height, (double)(direction) * mismatch, level, INT64_C(0));
-            if (level < INT64_C(0))
+            exponent = bounds__clear_exponent(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), at, node, direction, abscissa, gap - height, (double)(direction) * mismatch, exponent);
+            if (exponent < INT64_C(0))
             {
-                level = INT64_C(0);
+                exponent = INT64_C(0);
             }
-            else if (level > INT64_C(0))
+            else if (exponent > INT64_C(0))
             {
-                step = INT64_C(1) << (int64_t)(level);
+                step = INT64_C(1) << (int64_t)(exponent);
                 neighbour = 0.0;
             }
-            if (level < search__LEVELS - INT64_C(1))
+            if (exponent < layout__EXPONENTS - INT64_C(1))
             {
-                level += INT64_C(1);
+                exponent += INT64_C(1);
             }
         }
         node += direction * step;
@@ -407,7 +407,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     double low;
     double high;
     int64_t result;
-    node = search__node_below(tables, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
+    node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
     (*cspan_at(&work, overlaps__DEEP_COUNT)) = 0.0;
     start = overlaps__walk_overlap(tables, work, state, at, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlaps__walk_overlap(tables, work, state, at, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);

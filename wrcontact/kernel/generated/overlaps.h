@@ -11,6 +11,7 @@
 #define WRCONTACT_KERNEL_OVERLAPS_H
 
 #include "../native/spans.h"
+#include "bounds.h"
 #include "contact_plane.h"
 #include "gap.h"
 #include "layout.h"
@@ -18,11 +19,11 @@
 #include "planes.h"
 #include "pressed.h"
 #include "profile_table.h"
+#include "raster.h"
 #include "regions.h"
-#include "search.h"
 
-static const int64_t overlaps__DEEP_COUNT = INT64_C(47277);
-static const int64_t overlaps__DEEP_FIRST = INT64_C(47278);
+static const int64_t overlaps__DEEP_COUNT = INT64_C(47241);
+static const int64_t overlaps__DEEP_FIRST = INT64_C(47242);
 static const int64_t overlaps__DEEP_SIZE = INT64_C(6);
 static const int64_t overlaps__DEEP_LIMIT = INT64_C(9);
 static const int64_t overlaps__DEEP_RAIL = INT64_C(0);
@@ -30,10 +31,10 @@ static const int64_t overlaps__DEEP_WHEEL = INT64_C(1);
 static const int64_t overlaps__DEEP_DEPTH = INT64_C(2);
 static const int64_t overlaps__DEEP_HUMP = INT64_C(3);
 static const int64_t overlaps__DEEP_BETWEEN = INT64_C(4);
-static const int64_t overlaps__SAMPLE_RAIL = INT64_C(47341);
-static const int64_t overlaps__SAMPLE_WHEEL = INT64_C(47741);
-static const int64_t overlaps__SAMPLE_RISE = INT64_C(48141);
-static const int64_t overlaps__SAMPLE_NEXT = INT64_C(48541);
+static const int64_t overlaps__SAMPLE_RAIL = INT64_C(47305);
+static const int64_t overlaps__SAMPLE_WHEEL = INT64_C(47705);
+static const int64_t overlaps__SAMPLE_RISE = INT64_C(48105);
+static const int64_t overlaps__SAMPLE_NEXT = INT64_C(48505);
 static const double overlaps__DEEP_SHARP = 1e-13;
 static const int64_t overlaps__DEEP_ITERATIONS = INT64_C(60);
 static const double overlaps__LEVEL_RISE = 0.0001;

@@ -2,7 +2,7 @@
  *
  * The search's raster over the wheel, with the bounds that certify it.
  *
- * Layout in search.py.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
+ * The table is the record Scan.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
  * largest absolute slope of its samples.
  */
 
@@ -185,8 +185,9 @@ static inline double prepare_scan__raster_place(double start, double stop, int64
  * is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
  * or TOO_WIDE or FULL.
  */
-static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t base, int64_t wheel, array_double_1d work, int64_t scratch, int64_t firsts)
+static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts)
 {
+    int64_t wheel;
     double start;
     double stop;
     int64_t count;
@@ -197,11 +198,12 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
     double least;
     double most;
     double steepest;
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     start = (*cspan_at(&tables, wheel + layout__PROFILE_START));
     stop = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
     count = prepare_scan__coarse_count(start, stop);
     step = (stop - start) / (double)(count);
-    if (base + search__SCAN_NODES + search__SCAN_ROW * (INT64_C(2) * count + INT64_C(1)) > (int64_t)tables.shape[INT64_C(0)])
+    if (scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (INT64_C(2) * count + INT64_C(1)) > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
@@ -209,7 +211,7 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
     for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
     {
         y = prepare_scan__raster_place(start, stop, count, i);
-        (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y;
+        (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)) = y;
         (*cspan_at(&work, firsts + i)) = (double)(node);
         node += INT64_C(1);
         if (i < count)
@@ -217,7 +219,7 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
             prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, prepare_scan__raster_place(start, stop, count, i + INT64_C(1)));
             if (double_max(2, fabs(least), fabs(most)) > prepare_scan__STRAIGHT)
             {
-                (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * node + search__ROW_Y)) = y + 0.5 * step;
+                (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)) = y + 0.5 * step;
                 node += INT64_C(1);
             }
         }
@@ -233,40 +235,42 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
  *
  * Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
  */
-static inline int64_t prepare_scan__write_wheel_rows(array_double_1d tables, int64_t base, int64_t wheel, int64_t count, array_double_1d work, int64_t scratch)
+static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t scan, int64_t count, array_double_1d work, int64_t scratch)
 {
+    int64_t wheel;
+    int64_t i;
     int64_t node;
-    int64_t row;
     double y;
     double z;
     double slope;
     int64_t cells;
-    int64_t level;
+    int64_t exponent;
     int64_t end;
     double least;
     double most;
     double steepest;
-    for (node = INT64_C(0); node < count; node += INT64_C(1))
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = base + search__SCAN_NODES + search__SCAN_ROW * node;
-        y = (*cspan_at(&tables, row + search__ROW_Y));
+        node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
+        y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
         profile_table__height_slope(&z, &slope, tables, wheel, y);
-        (*cspan_at(&tables, row + search__ROW_HEIGHT)) = z;
-        (*cspan_at(&tables, row + search__ROW_SLOPE)) = slope;
+        (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)) = z;
+        (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)) = slope;
         cells = INT64_C(1);
-        for (level = INT64_C(0); level < search__LEVELS; level += INT64_C(1))
+        for (exponent = INT64_C(0); exponent < layout__EXPONENTS; exponent += INT64_C(1))
         {
-            end = int64_t_min(2, node + cells, count - INT64_C(1));
-            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, (*cspan_at(&tables, base + search__SCAN_NODES + search__SCAN_ROW * end + search__ROW_Y)));
-            (*cspan_at(&tables, row + search__ROW_STEEPEST_BENDS + level)) = double_max(2, fabs(least), fabs(most));
-            if (!(steepest < search__STEEP))
+            end = int64_t_min(2, i + cells, count - INT64_C(1));
+            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * end + layout__SCAN_NODE_Y)));
+            (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + exponent)) = double_max(2, fabs(least), fabs(most));
+            if (!(steepest < bounds__STEEP))
             {
                 most = prepare_scan__TOO_STEEP;
             }
-            (*cspan_at(&tables, row + search__ROW_MOST_BENDS + level)) = most;
-            if (level == INT64_C(0))
+            (*cspan_at(&tables, node + layout__SCAN_NODE_MOST_BENDS + exponent)) = most;
+            if (exponent == INT64_C(0))
             {
-                (*cspan_at(&tables, row + search__ROW_LEAST_BEND)) = least;
+                (*cspan_at(&tables, node + layout__SCAN_NODE_LEAST_BEND)) = least;
             }
             cells += cells;
         }
@@ -274,15 +278,14 @@ static inline int64_t prepare_scan__write_wheel_rows(array_double_1d tables, int
     return INT64_C(0);
 }
 
-/* The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a level
- * wheelset, if wheel and rail were parallel there.
+/* The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a wheelset at
+ * zero roll, if wheel and rail were parallel there.
  */
-static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t base, int64_t wheel, int64_t count)
+static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t scan, int64_t count)
 {
     double largest;
     int64_t i;
     int64_t node;
-    int64_t row;
     double width;
     int64_t k;
     double y;
@@ -291,105 +294,112 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
     largest = -prepare_scan__FAR;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        node = count - INT64_C(1) - i;
-        row = base + search__SCAN_NODES + search__SCAN_ROW * node;
+        node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (count - INT64_C(1) - i);
         width = 0.0;
         if (i > INT64_C(0))
         {
-            width = (*cspan_at(&tables, row + search__SCAN_ROW + search__ROW_Y)) - (*cspan_at(&tables, row + search__ROW_Y));
+            width = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (count - i) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
         }
         for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE; k += INT64_C(1))
         {
-            y = (*cspan_at(&tables, row + search__ROW_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
-            profile_table__height_slope(&z, &slope, tables, wheel, y);
+            y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
+            profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
             largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, layout__TABLES_RADIUS)) + z) - ((*cspan_at(&tables, layout__TABLES_ARM)) + y));
         }
-        (*cspan_at(&tables, row + search__ROW_LEVER)) = largest;
+        (*cspan_at(&tables, node + layout__SCAN_NODE_LEVER)) = largest;
     }
     return INT64_C(0);
 }
 
-/* Bounds of the rail's raster at offset ``at``.
+/* Bounds of the rail's raster.
  *
  * A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
  */
-static inline int64_t prepare_scan__write_rail_rows(array_double_1d tables, int64_t at, int64_t rail, int64_t count, array_double_1d work, int64_t scratch)
+static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch)
 {
+    int64_t rail;
+    int64_t i_end;
+    int64_t i;
     int64_t cell;
-    int64_t row;
     double edge;
     double least;
     double most;
     double steepest;
     double cells;
-    int64_t level;
+    int64_t exponent;
     double length;
-    for (cell = INT64_C(0); cell < count; cell += INT64_C(1))
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
+    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        row = at + search__RAIL_ROW * cell;
-        edge = (*cspan_at(&tables, rail + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(cell);
+        cell = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * i;
+        edge = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(i);
         prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - prepare_scan__FINE_STEP, edge + prepare_scan__FINE_STEP + 1.5 * prepare_scan__COARSE_STEP);
-        (*cspan_at(&tables, row + search__RAIL_LEAST_BEND)) = least;
-        (*cspan_at(&tables, row + search__RAIL_MOST_BEND)) = most;
+        (*cspan_at(&tables, cell + layout__RAIL_CELL_LEAST_BEND)) = least;
+        (*cspan_at(&tables, cell + layout__RAIL_CELL_MOST_BEND)) = most;
         cells = 1.0;
-        for (level = INT64_C(0); level < search__LEVELS + INT64_C(1); level += INT64_C(1))
+        for (exponent = INT64_C(0); exponent < layout__EXPONENTS + INT64_C(1); exponent += INT64_C(1))
         {
-            length = prepare_scan__FINE_STEP * (1.01 + (1.0 + search__WIDEST) * 1.01 * cells);
+            length = prepare_scan__FINE_STEP * (1.01 + (1.0 + bounds__WIDEST) * 1.01 * cells);
             prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - 0.01 * prepare_scan__FINE_STEP, edge + length);
-            (*cspan_at(&tables, row + search__RAIL_LEAST_BENDS + level)) = least;
+            (*cspan_at(&tables, cell + layout__RAIL_CELL_LEAST_BENDS + exponent)) = least;
             cells += cells;
         }
     }
     return INT64_C(0);
 }
 
-/* The scan table at ``base`` from the profile tables ``wheel`` and ``rail``; the offset after it, or TOO_WIDE or FULL. */
-static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t base, int64_t wheel, int64_t rail, array_double_1d work, int64_t scratch)
+/* The raster over wheel and rail, where the settings say that it begins; the offset after it, or TOO_WIDE or FULL. */
+static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_double_1d work, int64_t scratch)
 {
+    int64_t scan;
+    int64_t wheel;
+    int64_t rail;
     int64_t pieces;
     int64_t firsts;
     int64_t count;
     int64_t bins;
     int64_t cells;
-    int64_t rail_offset;
-    int64_t bin_offset;
+    int64_t end;
     double least;
     double most;
     double steepest;
     int64_t i;
+    scan = (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN)));
+    wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
+    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     pieces = int64_t_max(2, prepare_scan__piece_count(tables, wheel), prepare_scan__piece_count(tables, rail));
     firsts = scratch + INT64_C(3) * pieces;
     prepare_scan__sample_pieces(tables, wheel, work, scratch);
-    count = prepare_scan__write_raster(tables, base, wheel, work, scratch, firsts);
+    count = prepare_scan__write_raster(tables, scan, work, scratch, firsts);
     if (count < INT64_C(0))
     {
         return count;
     }
     bins = prepare_scan__coarse_count((*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
     cells = (int64_t)((int64_t)ceil(((*cspan_at(&tables, rail + layout__PROFILE_STOP)) - (*cspan_at(&tables, rail + layout__PROFILE_START))) / prepare_scan__FINE_STEP));
-    rail_offset = search__SCAN_NODES + search__SCAN_ROW * count;
-    bin_offset = rail_offset + search__RAIL_ROW * cells;
-    if (base + bin_offset + bins > (int64_t)tables.shape[INT64_C(0)])
+    (*cspan_at(&tables, scan + layout__SCAN_COUNT)) = (double)(count);
+    (*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)) = (double)(cells);
+    (*cspan_at(&tables, scan + layout__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    (*cspan_at(&tables, scan + layout__SCAN_RAIL_PER_METRE)) = 1.0 / prepare_scan__FINE_STEP;
+    (*cspan_at(&tables, scan + layout__SCAN_RAIL)) = (double)(scan + layout__SCAN_NODES - scan + layout__SCAN_NODE_SIZE * count);
+    (*cspan_at(&tables, scan + layout__SCAN_BINS)) = (double)(scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) - scan + layout__RAIL_CELL_SIZE * cells);
+    (*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT)) = (double)(bins);
+    (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE)) = (double)(bins) / ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
+    end = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + bins;
+    if (end > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
-    prepare_scan__write_wheel_rows(tables, base, wheel, count, work, scratch);
-    prepare_scan__write_levers(tables, base, wheel, count);
+    prepare_scan__write_wheel_bounds(tables, scan, count, work, scratch);
+    prepare_scan__write_levers(tables, scan, count);
     prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, (*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
-    (*cspan_at(&tables, base + search__SCAN_STEEPEST)) = steepest;
+    (*cspan_at(&tables, scan + layout__SCAN_STEEPEST)) = steepest;
     prepare_scan__sample_pieces(tables, rail, work, scratch);
-    prepare_scan__write_rail_rows(tables, base + rail_offset, rail, cells, work, scratch);
-    (*cspan_at(&tables, base + search__SCAN_COUNT)) = (double)(count);
-    (*cspan_at(&tables, base + search__SCAN_RAIL_COUNT)) = (double)(cells);
-    (*cspan_at(&tables, base + search__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + layout__PROFILE_START));
-    (*cspan_at(&tables, base + search__SCAN_RAIL_PER_METRE)) = 1.0 / prepare_scan__FINE_STEP;
-    (*cspan_at(&tables, base + search__SCAN_RAIL_OFFSET)) = (double)(rail_offset);
-    (*cspan_at(&tables, base + search__SCAN_BIN_OFFSET)) = (double)(bin_offset);
-    (*cspan_at(&tables, base + search__SCAN_BIN_COUNT)) = (double)(bins);
-    (*cspan_at(&tables, base + search__SCAN_BINS_PER_METRE)) = (double)(bins) / ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
+    prepare_scan__write_rail_bounds(tables, scan, work, scratch);
     for (i = INT64_C(0); i < bins; i += INT64_C(1))
     {
-        (*cspan_at(&tables, base + bin_offset + i)) = (*cspan_at(&work, firsts + i));
+        (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + i)) = (*cspan_at(&work, firsts + i));
     }
-    return base + bin_offset + bins;
+    return end;
 }

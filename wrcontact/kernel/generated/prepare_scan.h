@@ -2,7 +2,7 @@
  *
  * The search's raster over the wheel, with the bounds that certify it.
  *
- * Layout in search.py.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
+ * The table is the record Scan.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
  * largest absolute slope of its samples.
  */
 
@@ -10,10 +10,10 @@
 #define WRCONTACT_KERNEL_PREPARE_SCAN_H
 
 #include "../native/spans.h"
+#include "bounds.h"
 #include "layout.h"
 #include "prepare_pieces.h"
 #include "profile_table.h"
-#include "search.h"
 
 static const double prepare_scan__COARSE_STEP = 0.001;
 static const double prepare_scan__FINE_STEP = 0.0005;
@@ -32,10 +32,10 @@ static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_
 static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high);
 static inline int64_t prepare_scan__coarse_count(double start, double stop);
 static inline double prepare_scan__raster_place(double start, double stop, int64_t count, int64_t i);
-static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t base, int64_t wheel, array_double_1d work, int64_t scratch, int64_t firsts);
-static inline int64_t prepare_scan__write_wheel_rows(array_double_1d tables, int64_t base, int64_t wheel, int64_t count, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t base, int64_t wheel, int64_t count);
-static inline int64_t prepare_scan__write_rail_rows(array_double_1d tables, int64_t at, int64_t rail, int64_t count, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_scan__write_scan(array_double_1d tables, int64_t base, int64_t wheel, int64_t rail, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts);
+static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t scan, int64_t count, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t scan, int64_t count);
+static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_double_1d work, int64_t scratch);
 
 #endif

@@ -62,16 +62,16 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
     (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = layout__LATERAL_LIMIT;
     (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = layout__YAW_LIMIT;
-    (*cspan_at(&tables, layout__TABLES_NODES)) = (*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES));
-    (*cspan_at(&tables, layout__TABLES_STRIDE)) = (*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIDE));
+    (*cspan_at(&tables, layout__TABLES_NODES)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES)));
+    (*cspan_at(&tables, layout__TABLES_STRIDE)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIDE)));
     (*cspan_at(&tables, layout__TABLES_STRIPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS)));
     (*cspan_at(&tables, layout__TABLES_SWEEPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_SWEEPS)));
     (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(0))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
     (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(1))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
-    (*cspan_at(&tables, layout__TABLES_SIDES)) = (double)(layout__SIDES_BOTH);
-    (*cspan_at(&tables, layout__TABLES_DEPTH)) = (double)(layout__DEPTH_ALL);
+    (*cspan_at(&tables, layout__TABLES_SIDES)) = (double)((double)(layout__SIDES_BOTH));
+    (*cspan_at(&tables, layout__TABLES_DEPTH)) = (double)((double)(layout__DEPTH_ALL));
     (*cspan_at(&tables, layout__TABLES_ABSENT)) = (*cspan_at(&setup, layout__SETUP_ABSENT));
-    (*cspan_at(&tables, layout__TABLES_STATIONS)) = (double)(layout__STATION_COUNT);
+    (*cspan_at(&tables, layout__TABLES_STATIONS)) = (double)((double)(layout__STATION_COUNT));
     for (i = INT64_C(0); i < layout__PARAMETERS_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&tables, layout__TABLES_PARAMETERS + i)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + i));
@@ -82,12 +82,12 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
 /* The chosen methods. */
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables)
 {
-    (*cspan_at(&tables, layout__TABLES_MODE)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CONTACT_MODE));
-    (*cspan_at(&tables, layout__TABLES_LOAD)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD));
-    (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL));
-    (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION));
-    (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE));
-    (*cspan_at(&tables, layout__TABLES_LATERAL)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE));
+    (*cspan_at(&tables, layout__TABLES_MODE)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CONTACT_MODE)));
+    (*cspan_at(&tables, layout__TABLES_LOAD)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD)));
+    (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL)));
+    (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION)));
+    (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE)));
+    (*cspan_at(&tables, layout__TABLES_LATERAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE)));
     return INT64_C(0);
 }
 
@@ -109,25 +109,24 @@ static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at,
     return at + size;
 }
 
-/* A table of starts with nothing known at ``at``; the offset after it, or FULL. */
+/* A table of starts at ``at``, which counts as empty until ``open_starts``; the offset after it, or FULL. */
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at)
 {
-    int64_t size;
     int64_t i;
-    size = starts__START_ROWS + starts__START_ROW * prepare_tables__START_ROW_COUNT;
-    if (at + size > (int64_t)tables.shape[INT64_C(0)])
+    int64_t starts;
+    if (at + layout__STARTS_SIZE > (int64_t)tables.shape[INT64_C(0)])
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, layout__TABLES_STARTS)) = (double)(at);
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__STARTS_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&tables, at + i)) = 0.0;
     }
-    (*cspan_at(&tables, at + starts__START_COUNT)) = (double)(prepare_tables__START_ROW_COUNT);
-    (*cspan_at(&tables, at + starts__START_FIRST)) = -layout__LATERAL_LIMIT;
-    (*cspan_at(&tables, at + starts__START_PER_METRE)) = prepare_tables__STARTS_EACH_METRE;
-    return at + size;
+    (*cspan_at(&tables, layout__TABLES_STARTS)) = (double)(at);
+    starts = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS)));
+    (*cspan_at(&tables, starts + layout__STARTS_FIRST_SHIFT)) = -layout__LATERAL_LIMIT;
+    (*cspan_at(&tables, starts + layout__STARTS_PER_METRE)) = prepare_tables__STARTS_EACH_METRE;
+    return at + layout__STARTS_SIZE;
 }
 
 /* Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
@@ -170,7 +169,7 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
         return prepare_tables__TABLES_FULL;
     }
     (*cspan_at(&tables, layout__TABLES_SCAN)) = (double)(at);
-    at = prepare_scan__write_scan(tables, at, wheel, rail, work, scratch);
+    at = prepare_scan__write_scan(tables, work, scratch);
     if (at == prepare_scan__TOO_WIDE)
     {
         (*cspan_at(&report, prepare_tables__REPORT_WIDTH)) = (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START));
@@ -209,37 +208,29 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
 /* Lateral shift [m] of a row of the table of starts. */
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row)
 {
-    int64_t base;
     double result;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS)));
-    result = (*cspan_at(&tables, base + starts__START_FIRST)) + (double)(row) / (*cspan_at(&tables, base + starts__START_PER_METRE));
+    result = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_FIRST_SHIFT)) + (double)(row) / (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_PER_METRE));
     return result;
 }
 
-/* Note in ``rows`` where the wheelset of a row stands, if it does. */
-static inline int64_t prepare_tables__note_start(array_double_1d rows, int64_t row, int64_t status, array_double_1d outputs)
+/* Note in a row of the table of starts where the wheelset touches, from the step at its shift. */
+static inline int64_t prepare_tables__note_start(array_double_1d tables, array_double_1d work, int64_t row, int64_t status)
 {
-    int64_t at;
-    at = starts__START_ROW * row;
+    int64_t start;
+    start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
     if (status <= layout__UNLOADED)
     {
-        (*cspan_at(&rows, at + starts__START_KNOWN)) = 1.0;
-        (*cspan_at(&rows, at + starts__START_ROLL)) = (*cspan_at(&outputs, layout__OUT_ROLL));
-        (*cspan_at(&rows, at + starts__START_LEFT)) = (*cspan_at(&outputs, layout__OUT_LEFT + layout__SIDE_Y_WHEEL));
-        (*cspan_at(&rows, at + starts__START_RIGHT)) = (*cspan_at(&outputs, layout__OUT_RIGHT + layout__SIDE_Y_WHEEL));
+        (*cspan_at(&tables, start + layout__START_KNOWN)) = (double)(1);
+        (*cspan_at(&tables, start + layout__START_ROLL)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
+        (*cspan_at(&tables, start + layout__START_LEFT)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_Y_WHEEL));
+        (*cspan_at(&tables, start + layout__START_RIGHT)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_Y_WHEEL));
     }
     return INT64_C(0);
 }
 
-/* Put all rows in their place; not before the last one is known, as the kernel reads them. */
-static inline int64_t prepare_tables__keep_starts(array_double_1d tables, array_double_1d rows)
+/* Let the search use the table of starts, once its last row is known. */
+static inline int64_t prepare_tables__open_starts(array_double_1d tables)
 {
-    int64_t base;
-    int64_t i;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + starts__START_ROWS;
-    for (i = INT64_C(0); i < starts__START_ROW * prepare_tables__START_ROW_COUNT; i += INT64_C(1))
-    {
-        (*cspan_at(&tables, base + i)) = (*cspan_at(&rows, i));
-    }
+    (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_COUNT)) = (double)(layout__START_COUNT);
     return INT64_C(0);
 }

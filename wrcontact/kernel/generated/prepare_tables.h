@@ -17,7 +17,6 @@
 #include "prepare_placement.h"
 #include "prepare_scan.h"
 #include "prepare_zones.h"
-#include "starts.h"
 
 static const int64_t prepare_tables__PREPARED = INT64_C(0);
 static const int64_t prepare_tables__TABLES_FULL = INT64_C(1);
@@ -30,7 +29,6 @@ static const int64_t prepare_tables__REPORT_WIDTH = INT64_C(2);
 static const int64_t prepare_tables__REPORT_DEPTH = INT64_C(3);
 static const int64_t prepare_tables__REPORT_COUNT = INT64_C(4);
 static const double prepare_tables__START_STEP = 0.0005;
-static const int64_t prepare_tables__START_ROW_COUNT = INT64_C(61);
 static const double prepare_tables__STARTS_EACH_METRE = 2000.0;
 
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at);
@@ -41,7 +39,7 @@ static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at,
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at);
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report);
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
-static inline int64_t prepare_tables__note_start(array_double_1d rows, int64_t row, int64_t status, array_double_1d outputs);
-static inline int64_t prepare_tables__keep_starts(array_double_1d tables, array_double_1d rows);
+static inline int64_t prepare_tables__note_start(array_double_1d tables, array_double_1d work, int64_t row, int64_t status);
+static inline int64_t prepare_tables__open_starts(array_double_1d tables);
 
 #endif

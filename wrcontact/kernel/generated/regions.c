@@ -96,7 +96,7 @@ static inline int64_t regions__lean_region(array_double_1d tables, array_double_
     (*cspan_at(&work, block + layout__REGION_COS)) = cosine;
     (*cspan_at(&work, block + layout__REGION_SIN)) = slope * cosine;
     (*cspan_at(&work, block + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
     {
         (*cspan_at(&work, block + layout__REGION_SHARE)) = cosine;
     }
@@ -140,14 +140,14 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     int64_t count;
     count = INT64_C(1);
     reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + 2.0 * level / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
-    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
         if (count < layout__REGION_LIMIT)
         {
-            y = (*cspan_at(&work, side + layout__SIDE_SEARCH_PLACE + i));
-            abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_ABSCISSA + i));
+            y = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_Y));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
             station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
             contact_plane__start_tracer(work, station, abscissa, y);

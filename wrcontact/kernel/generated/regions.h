@@ -13,8 +13,8 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "profile_table.h"
-#include "search.h"
 #include "separation.h"
+#include "smallest_gap.h"
 
 static const double regions__MERGE = 0.3;
 static const double regions__APART = 0.0002;

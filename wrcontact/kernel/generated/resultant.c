@@ -4,7 +4,7 @@
  *
  * The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
  * acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
- * that about the wheelset's centre, which stands the nominal radius above the running circles.
+ * that about the wheelset's centre, which is the nominal radius above the running circles.
  */
 
 #include "resultant.h"
@@ -13,7 +13,7 @@
 static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t resultant)
 {
     int64_t i;
-    for (i = INT64_C(0); i < resultant__RESULTANT_SIZE; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__RESULTANT_COUNT; i += INT64_C(1))
     {
         (*cspan_at(&work, resultant + i)) = 0.0;
     }
@@ -75,7 +75,7 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
 }
 
 /* The resultant of both sides, from ``left`` and ``right``, its moment about the wheelset's centre. */
-static inline int64_t resultant__write_resultant(array_double_1d tables, array_double_1d work, int64_t left, int64_t right)
+static inline int64_t resultant__write_resultant(array_double_1d work, array_double_1d tables, int64_t left, int64_t right)
 {
     int64_t i;
     double y;

@@ -4,7 +4,7 @@
  *
  * The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
  * acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
- * that about the wheelset's centre, which stands the nominal radius above the running circles.
+ * that about the wheelset's centre, which is the nominal radius above the running circles.
  */
 
 #ifndef WRCONTACT_KERNEL_RESULTANT_H
@@ -14,10 +14,8 @@
 #include "layout.h"
 #include "profile_table.h"
 
-static const int64_t resultant__RESULTANT_SIZE = INT64_C(6);
-
 static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t resultant);
 static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t resultant);
-static inline int64_t resultant__write_resultant(array_double_1d tables, array_double_1d work, int64_t left, int64_t right);
+static inline int64_t resultant__write_resultant(array_double_1d work, array_double_1d tables, int64_t left, int64_t right);
 
 #endif

@@ -3,8 +3,8 @@
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
  *
  * D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg for
- * 750 mm and 460 mm), so a bracket and Newton with the envelope derivative cannot fail.  Where it has several zeros, level.py
- * tells which is the roll.
+ * 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail.  Where it has several roots,
+ * first_root.py decides which is the roll.
  *
  * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
  * roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
@@ -14,35 +14,34 @@
 #include "roll.h"
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
-static inline int64_t roll__place_both(array_double_1d tables, array_double_1d work, double roll)
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll)
 {
-    locus__place_wheelset(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_RADIUS)), (*cspan_at(&tables, layout__TABLES_ARM)));
-    locus__mirror_place(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), layout__WORK_PLACES);
+    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_RADIUS)), (*cspan_at(&tables, layout__TABLES_ARM)));
+    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     return INT64_C(0);
 }
 
 /* Both placed wheels at another ``roll``. */
 static inline int64_t roll__turn_both(array_double_1d work, double roll)
 {
-    locus__turn_wheelset(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), roll);
-    locus__mirror_roll(work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), layout__WORK_PLACES);
+    locus__turn_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, roll);
+    locus__mirror_roll(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     return INT64_C(0);
 }
 
 /* Search both sides; 1 if both wheels are above their rails, else 0. */
-static inline int64_t roll__search_both(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t known)
+static inline int64_t roll__search_both(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t known)
 {
     int64_t left;
     int64_t right;
-    left = search__search_side(tables, work, layout__WORK_SIDES, work, layout__WORK_PLACES, state, known);
-    right = search__search_side(tables, work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), state, known);
+    left = smallest_gap__search_side(work, tables, layout__WORK_SIDES, state, known);
+    right = smallest_gap__search_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), state, known);
     return left * right;
 }
 
 /* Move a side's known smallest gap to this roll's by Newton's method; 1 if it is found near, else 0. */
-static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+static inline int64_t roll__follow_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state)
 {
-    int64_t side;
     int64_t at;
     int64_t wheel;
     double y;
@@ -51,13 +50,8 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
     double mismatch;
     double rate;
     double move;
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    double abscissa;
+    at = side + layout__SIDE_SEARCH_PLACE;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
@@ -69,17 +63,14 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
             return INT64_C(0);
         }
         move = (-mismatch) / rate;
-        if (fabs(move) < search__SHARP)
+        if (fabs(move) < cells__SHARP)
         {
-            profile_table__height_slope(&z, &slope, tables, wheel, y);
-            locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-            if (gap__above_rail(tables, y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y))) == INT64_C(0))
+            abscissa = raster__rail_below(work, tables, at, y);
+            if (gap__above_rail(tables, abscissa) == INT64_C(0))
             {
                 return INT64_C(0);
             }
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
+            roll__keep_known(work, side, y, gap, abscissa);
             return INT64_C(1);
         }
         y += move;
@@ -92,11 +83,11 @@ static inline int64_t roll__follow_side(array_double_1d tables, array_double_1d 
 }
 
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d tables, array_double_1d work)
+static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables)
 {
     double rate;
     (*difference) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-    rate = gap__gap_per_roll(work, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(work, tables, layout__WORK_PLACES, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
+    rate = gap__gap_per_roll(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
     (*move) = 1.0;
     if (rate < 0.0)
     {
@@ -111,7 +102,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  * It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
  * a minimum can run away or vanish.
  */
-static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double low, double high)
+static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double low, double high)
 {
     double left;
     double right;
@@ -140,8 +131,8 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
         (*cspan_at(&state, layout__STATE_ROLL_COUNT)) += 1.0;
         (*cspan_at(&state, layout__STATE_GAP_COUNT)) += 2.0;
         roll__turn_both(work, roll);
-        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, tables, layout__WORK_PLACES, left);
-        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right);
+        gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
         if (!((rate_left > 0.0) && (rate_right > 0.0)))
         {
             (*result_0_0001) = roll;
@@ -162,7 +153,7 @@ static inline int64_t roll__balance(double* result_0_0001, int64_t* result_1_000
         move = (-difference) / lever;
         move_left += turn_left * move / rate_left;
         move_right -= turn_right * move / rate_right;
-        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < search__SHARP) && (fabs(move_right) < search__SHARP))
+        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < cells__SHARP) && (fabs(move_right) < cells__SHARP))
         {
             if ((roll__on_profiles(tables, left, rail_left) == INT64_C(0)) || (roll__on_profiles(tables, right, rail_right) == INT64_C(0)))
             {
@@ -220,12 +211,12 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
     return INT64_C(0);
 }
 
-/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; these gaps stay in the
- * workspace.  D has to be positive at ``first`` and negative at ``last``.
+/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; both gaps are known
+ * at it.  D has to be positive at ``first`` and negative at ``last``.
  *
- * With ``known`` = 1 the workspace holds local minima that are equal at ``roll``.
+ * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
  */
-static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double first, double last, int64_t known)
+static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double first, double last, int64_t known)
 {
     double low;
     double high;
@@ -251,7 +242,7 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
         }
         before_left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
         before_right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-        found = roll__search_both(tables, work, state, known);
+        found = roll__search_both(work, tables, state, known);
         if ((known == INT64_C(1)) && (before_left == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y))) && (before_right == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))))
         {
             (*result_0_0001) = roll;
@@ -270,7 +261,7 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
         move = 1.0;
         if (found == INT64_C(1))
         {
-            roll__newton_move(&difference, &move, tables, work);
+            roll__newton_move(&difference, &move, work, tables);
             if (fabs(move) < roll__ROLL_SHARP)
             {
                 (*result_0_0001) = roll;
@@ -303,7 +294,7 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
         }
         else
         {
-            roll__balance(&balanced, &known, tables, work, state, roll + move, low, high);
+            roll__equalize_minima(&balanced, &known, work, tables, state, roll + move, low, high);
             roll += move;
             if (known == INT64_C(1))
             {
@@ -326,11 +317,11 @@ static inline int64_t roll__close_in(double* result_0_0001, int64_t* result_1_00
     return 0;
 }
 
-/* A roll [rad] at which both smallest gaps are equal, and the outcome; these gaps stay in the workspace.
+/* A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
  *
- * With ``warm`` = 1 SIDE_BEST_Y holds minima to start from.
+ * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */
-static inline int64_t roll__some_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double guess, int64_t warm)
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, array_double_1d state, double guess, int64_t warm)
 {
     double start;
     int64_t known;
@@ -341,20 +332,20 @@ static inline int64_t roll__some_roll(double* roll, int64_t* status, array_doubl
         start = 0.0;
     }
     known = INT64_C(0);
-    roll__place_both(tables, work, start);
+    roll__place_both(work, tables, start);
     if (warm == INT64_C(1))
     {
-        roll__balance(&balanced, &known, tables, work, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
+        roll__equalize_minima(&balanced, &known, work, tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
         if (known == INT64_C(1))
         {
             start = balanced;
         }
     }
-    roll__close_in(roll, status, tables, work, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
+    roll__roll_between(roll, status, work, tables, state, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
     if (((*status) != layout__VALID) && (start != 0.0))
     {
-        /* far from level a wheel may be beside its rail, and D without a sign */
-        roll__close_in(roll, status, tables, work, state, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, INT64_C(0));
+        /* far from zero roll a wheel may be beside its rail, and D without a sign */
+        roll__roll_between(roll, status, work, tables, state, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, INT64_C(0));
     }
     return 0;
 }

@@ -169,12 +169,12 @@ static OUT_OF_LINE double separation__within(array_double_1d tables, int64_t tra
  */
 static OUT_OF_LINE int64_t separation__open_origin(array_double_1d tables, array_double_1d work, double station, double gap, double abscissa, double y, double spacing)
 {
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)))) != layout__SEPARATION_NORMAL)
     {
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
+        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
             (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
@@ -504,7 +504,7 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
 static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station, double tolerance)
 {
     int64_t kind;
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
+    kind = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
         contact_plane__normal_gap(gap, rate, bend, curvature, tables, work, state, station, tolerance);

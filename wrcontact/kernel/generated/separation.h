@@ -22,8 +22,8 @@
 #include "pressed.h"
 #include "profile_table.h"
 
-static const int64_t separation__AT_RAIL_ORIGIN = INT64_C(47111);
-static const int64_t separation__AT_WHEEL_ORIGIN = INT64_C(47113);
+static const int64_t separation__AT_RAIL_ORIGIN = INT64_C(47075);
+static const int64_t separation__AT_WHEEL_ORIGIN = INT64_C(47077);
 static const double separation__SHARP = 1e-13;
 static const int64_t separation__ITERATIONS = INT64_C(40);
 static const double separation__GAUSS_1 = 0.2386191860831969;

@@ -1,83 +1,21 @@
 /* Generated from wheelset/side.py by tools/transpile_kernel.py; change that one.
  *
- * One side of a wheelset, from where its wheel stands to its outputs: contact, patches, and its share of the resultant.
+ * One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its share of the resultant.
  */
 
 #include "side.h"
 
 /* Zeros in a side's outputs. */
-static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t out)
+static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
+    int64_t out;
     int64_t i;
+    out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work, out + i)) = 0.0;
     }
-    side__fill_apart(tables, work, out, 0.0);
-    return INT64_C(0);
-}
-
-/* Write what stands for outputs that are not wanted, from a side's output ``first`` on. */
-static inline int64_t side__clear_from(array_double_1d tables, array_double_1d work, int64_t out, int64_t first)
-{
-    int64_t i;
-    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-    }
-    side__fill_apart(tables, work, out, (*cspan_at(&tables, layout__TABLES_ABSENT)));
-    if (first <= layout__SIDE_PENETRATION)
-    {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-    }
-    return INT64_C(0);
-}
-
-/* The first of a side's outputs that is not wanted; SIDE_SIZE if all are. */
-static inline int64_t side__first_unwanted(array_double_1d tables)
-{
-    int64_t depth;
-    int64_t first;
-    depth = (int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH)));
-    first = layout__SIDE_SIZE;
-    if (depth == layout__DEPTH_PATCHES)
-    {
-        first = layout__SIDE_STATION;
-    }
-    if (depth == layout__DEPTH_GEOMETRY)
-    {
-        first = layout__SIDE_PENETRATION;
-    }
-    return first;
-}
-
-/* Offset in the workspace of the outline of the side whose outputs are at ``out``. */
-static inline int64_t side__outline_place(array_double_1d tables, array_double_1d work, int64_t out)
-{
-    int64_t stations;
-    int64_t place;
-    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
-    place = out + layout__SIDE_OUTPUTS_STATION;
-    if (stations != layout__STATION_COUNT)
-    {
-        place = layout__WORK_OUTLINES;
-        if (out > layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT)
-        {
-            place += layout__RUN_COUNT * stations;
-        }
-    }
-    return place;
-}
-
-/* Write ``value`` all over a side's outline, where it is not part of the side's outputs. */
-static inline int64_t side__fill_apart(array_double_1d tables, array_double_1d work, int64_t out, double value)
-{
-    int64_t stations;
-    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
-    if (stations != layout__STATION_COUNT)
-    {
-        outline__fill_outline(work, side__outline_place(tables, work, out), stations, value);
-    }
+    outlines__fill_apart(tables, work, index, 0.0);
     return INT64_C(0);
 }
 
@@ -86,13 +24,13 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
 {
     int64_t out;
     double penetration;
-    int64_t met;
+    int64_t satisfied;
     int64_t outline;
     int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    normal_contact__solve_normal(&penetration, count, &met, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
+    normal_contact__solve_normal(&penetration, count, &satisfied, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
-    if (met == INT64_C(0))
+    if (satisfied == INT64_C(0))
     {
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
@@ -100,7 +38,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     totals__write_patches(work, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        outline = side__outline_place(tables, work, out);
+        outline = outlines__outline_place(tables, work, index);
         outline__write_outline(work, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
     }
     for (region = INT64_C(0); region < (*count); region += INT64_C(1))
@@ -112,12 +50,12 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
 }
 
 /* Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED. */
-static inline int64_t side__rest_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
+static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
 {
     int64_t side;
     int64_t status;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    side__clear_side(tables, work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    side__clear_side(tables, work, index);
     resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     status = layout__UNLOADED;
     if (contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))) == INT64_C(0))
@@ -127,14 +65,14 @@ static inline int64_t side__rest_side(array_double_1d tables, array_double_1d wo
     return status;
 }
 
-/* Contact and patches of one side of a rigid wheelset, as far as they are wanted; its outcome. */
-static inline int64_t side__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
+/* Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome. */
+static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
     double penetration;
     double pressed;
     int64_t count;
     int64_t status;
-    status = side__rest_side(tables, work, state, index);
+    status = side__touch_side(tables, work, state, index);
     if (status == layout__UNLOADED)
     {
         penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
@@ -155,8 +93,8 @@ static inline int64_t side__step_side(array_double_1d tables, array_double_1d wo
     return status;
 }
 
-/* Describe the side whose wheel stands ``sink`` [m] below its smallest gap, where it overlaps its rail most; its outcome. */
-static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double sink)
+/* Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its rail most; its outcome. */
+static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach)
 {
     int64_t side;
     int64_t at;
@@ -166,9 +104,9 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     double aside;
     double shift;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
-    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + sink;
-    side__clear_side(tables, work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    at = side + layout__SIDE_SEARCH_PLACE;
+    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
+    side__clear_side(tables, work, index);
     resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
     {
@@ -193,7 +131,7 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
     int64_t block;
     double stiffness;
     double lever;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     total = 0.0;
     weight = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))

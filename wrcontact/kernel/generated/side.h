@@ -1,6 +1,6 @@
 /* Generated from wheelset/side.py by tools/transpile_kernel.py; change that one.
  *
- * One side of a wheelset, from where its wheel stands to its outputs: contact, patches, and its share of the resultant.
+ * One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its share of the resultant.
  */
 
 #ifndef WRCONTACT_KERNEL_SIDE_H
@@ -12,19 +12,16 @@
 #include "layout.h"
 #include "normal_contact.h"
 #include "outline.h"
+#include "outlines.h"
 #include "overlaps.h"
 #include "resultant.h"
 #include "totals.h"
 
-static inline int64_t side__outline_place(array_double_1d tables, array_double_1d work, int64_t out);
-static inline int64_t side__fill_apart(array_double_1d tables, array_double_1d work, int64_t out, double value);
-static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t out);
-static inline int64_t side__clear_from(array_double_1d tables, array_double_1d work, int64_t out, int64_t first);
-static inline int64_t side__first_unwanted(array_double_1d tables);
+static inline int64_t side__clear_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed);
-static inline int64_t side__rest_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
-static inline int64_t side__step_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
-static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double sink);
+static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index);
+static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force);
+static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach);
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count);
 
 #endif

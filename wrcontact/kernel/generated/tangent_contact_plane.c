@@ -148,7 +148,7 @@ static inline int64_t tangent_contact_plane__longitudinal_curvature_t(double* cu
     v1 = 1.0 / r;
     (*curvature_t) = (-v1) * r_t / r;
     (*curvature) = v1;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL)))) == layout__LONGITUDINAL_BASIC)
     {
         return 0;
     }

@@ -10,19 +10,19 @@ static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, a
 {
     double yaw_t;
     double yaw;
-    tangent_roll__place_both_t(tables, work, work_t, roll, roll_t);
+    tangent_roll__place_both_t(work, work_t, tables, roll, roll_t);
     yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
     yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
     if ((yaw == 0.0) && (yaw_t != 0.0))
     {
-        (*cspan_at(&work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
-        (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
-        (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_COS_YAW)) = cos(yaw);
-        (*cspan_at(&work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_YAWED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1) + layout__PLACE_YAWED)) = (double)(1);
-        tangent_locus__turn_wheelset_t(work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), roll, roll_t);
-        tangent_locus__mirror_place_t(work, work_t, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), layout__WORK_PLACES);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
+        tangent_locus__turn_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, roll, roll_t);
+        tangent_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
     return INT64_C(0);
 }
@@ -42,7 +42,7 @@ static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables,
     double rate_t;
     double v1;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     y_t = 0.0;
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     tangent_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, work, work_t, tables, at, y, y_t);
@@ -83,10 +83,10 @@ static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* resu
     tangent_implicit__place_moving_t(tables, work, work_t, (*roll), 0.0);
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, tables, layout__WORK_PLACES, left, 0.0);
-    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, work, work_t, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
-    tangent_gap__gap_per_roll_t(&v1, &v1_t, work, work_t, tables, layout__WORK_PLACES + layout__PLACE_SIZE * INT64_C(1), right, 0.0);
-    tangent_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, tables, layout__WORK_PLACES, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
+    tangent_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v1, &v1_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
+    tangent_gap__gap_per_roll_t(&v2, &v2_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
     lever_t = v1_t + v2_t;
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
@@ -104,8 +104,8 @@ static inline int64_t tangent_implicit__follow_stand_t(array_double_1d tables, a
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         tangent_implicit__follow_minimum_t(tables, work, work_t, index);
-        tangent_step__side_force_t(&v1, &v1_t, work, work_t, index);
-        tangent_elastic__carry_side_t(tables, work, work_t, state, index, v1, v1_t, height, height_t);
+        tangent_requested__side_force_t(&v1, &v1_t, work, work_t, index);
+        tangent_trial__balance_side_t(tables, work, work_t, state, index, v1, v1_t, height, height_t);
     }
     return INT64_C(0);
 }
@@ -180,7 +180,7 @@ static inline int64_t tangent_implicit__follow_compliant_t(array_double_1d table
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         tangent_implicit__follow_minimum_t(tables, work, work_t, index);
-        tangent_elastic__bear_side_t(tables, work, work_t, state, index, height, height_t);
+        tangent_compliant__load_at_height_t(tables, work, work_t, state, index, height, height_t);
     }
     return INT64_C(0);
 }
@@ -208,7 +208,7 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
         {
             tangent_implicit__follow_minimum_t(tables, work, work_t, index);
         }
-        tangent_step__stand_rigid_t(tables, work, work_t, state, roll, roll_t);
+        tangent_rigid__solve_rigid_t(tables, work, work_t, state, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
     {
@@ -219,7 +219,7 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     {
         tangent_implicit__follow_compliant_t(tables, work, work_t, state);
     }
-    tangent_resultant__write_resultant_t(tables, work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
-    tangent_step__withhold_t(tables, work, work_t);
+    tangent_resultant__write_resultant_t(work, work_t, tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
+    tangent_requested__omit_outputs_t(tables, work, work_t);
     return outcome;
 }

@@ -9,12 +9,14 @@
 #include "../native/spans.h"
 #include "elastic.h"
 #include "layout.h"
-#include "tangent_elastic.h"
+#include "tangent_compliant.h"
 #include "tangent_gap.h"
 #include "tangent_locus.h"
+#include "tangent_requested.h"
 #include "tangent_resultant.h"
+#include "tangent_rigid.h"
 #include "tangent_roll.h"
-#include "tangent_step.h"
+#include "tangent_trial.h"
 
 static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t);
 static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);

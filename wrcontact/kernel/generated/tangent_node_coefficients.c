@@ -214,7 +214,7 @@ static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d w
     double v9;
     base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = INT64_C(0);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
@@ -342,7 +342,7 @@ static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, doub
     }
     tangent_hertz__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
     tangent_hertz__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, base, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
     {
         tangent_hertz__upright_rule_t(&upright_A, &upright_A_t, &upright_B, &upright_B_t, &share, &share_t, tables, base, skewed_alpha * A, skewed_alpha_t * A + skewed_alpha * A_t, skewed_beta * B, skewed_beta_t * B + skewed_beta * B_t, skewed_nr, skewed_nr_t);
         v2 = upright_A / A;

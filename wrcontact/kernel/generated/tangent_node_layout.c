@@ -19,7 +19,7 @@ static inline int64_t tangent_node_layout__zone_share_t(double* share, double* s
         side = node_coefficients__FLOOR * A;
     }
     spread = node_layout__SPREAD;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
     {
         spread = node_layout__STRIP_SPREAD;
     }
@@ -28,7 +28,7 @@ static inline int64_t tangent_node_layout__zone_share_t(double* share, double* s
     v3 = spread / v1;
     (*share_t) = (-v3) * v1_t / v1;
     (*share) = v3;
-    if (((*share) > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    if (((*share) > node_layout__COVER) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE))
     {
         (*share_t) = 0.0;
         (*share) = node_layout__COVER;
@@ -48,7 +48,8 @@ static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, doubl
     double v3;
     double least_t;
     double least;
-    double v4;
+    int64_t v4;
+    double v5;
     v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
     mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
     mean = 0.5 * v1;
@@ -68,13 +69,14 @@ static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, doubl
         mean_t = least_t;
         mean = least;
     }
-    (*spacing_t) = mean_t / (*cspan_at(&tables, layout__TABLES_NODES));
-    (*spacing) = mean / (*cspan_at(&tables, layout__TABLES_NODES));
+    v4 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
+    (*spacing_t) = mean_t / v4;
+    (*spacing) = mean / v4;
     if (widest * enlarge > node_layout__WIDEST * (*spacing))
     {
-        v4 = widest * enlarge;
+        v5 = widest * enlarge;
         (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / node_layout__WIDEST;
-        (*spacing) = v4 / node_layout__WIDEST;
+        (*spacing) = v5 / node_layout__WIDEST;
     }
     return 0;
 }
@@ -139,7 +141,7 @@ static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d table
     }
     tangent_nodes__lay_nodes_t(tables, work, work_t, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     tangent_node_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL))
     {
         tangent_mean_normal__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LEVEL)), (*cspan_at(&work_t, region + layout__REGION_LEVEL)));
     }

@@ -144,7 +144,7 @@ static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, arr
     (*cspan_at(&work, block + layout__REGION_SIN)) = slope * cosine;
     (*cspan_at(&work_t, block + layout__REGION_SHARE)) = 0.0;
     (*cspan_at(&work, block + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
     {
         (*cspan_at(&work_t, block + layout__REGION_SHARE)) = cosine_t;
         (*cspan_at(&work, block + layout__REGION_SHARE)) = cosine;
@@ -215,16 +215,16 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     v2 = v1 / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
     reach_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
     reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + v2;
-    search__scan_side(tables, work, side, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
         if (count < layout__REGION_LIMIT)
         {
-            y_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PLACE + i));
-            y = (*cspan_at(&work, side + layout__SIDE_SEARCH_PLACE + i));
-            abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_ABSCISSA + i));
-            abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_ABSCISSA + i));
+            y_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_Y));
+            y = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_Y));
+            abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
+            abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
             v3 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
             v4 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));

@@ -10,7 +10,7 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "regions.h"
-#include "search.h"
+#include "smallest_gap.h"
 #include "tangent_contact_plane.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"

@@ -9,7 +9,7 @@
 static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work, array_double_1d work_t, int64_t resultant)
 {
     int64_t i;
-    for (i = INT64_C(0); i < resultant__RESULTANT_SIZE; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__RESULTANT_COUNT; i += INT64_C(1))
     {
         (*cspan_at(&work_t, resultant + i)) = 0.0;
         (*cspan_at(&work, resultant + i)) = 0.0;
@@ -120,7 +120,7 @@ static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, ar
 }
 
 /* Tangent of ``write_resultant``. */
-static inline int64_t tangent_resultant__write_resultant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t left, int64_t right)
+static inline int64_t tangent_resultant__write_resultant_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t left, int64_t right)
 {
     int64_t i;
     double y_t;

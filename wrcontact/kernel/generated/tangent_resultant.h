@@ -8,12 +8,11 @@
 
 #include "../native/spans.h"
 #include "layout.h"
-#include "resultant.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
 
 static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work, array_double_1d work_t, int64_t resultant);
 static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region, double mirror, double mirror_t, int64_t resultant);
-static inline int64_t tangent_resultant__write_resultant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t left, int64_t right);
+static inline int64_t tangent_resultant__write_resultant_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t left, int64_t right);
 
 #endif

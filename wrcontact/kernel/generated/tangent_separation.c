@@ -204,7 +204,7 @@ static inline int64_t tangent_separation__within_t(double* result_0, double* res
 /* Tangent of ``open_origin``. */
 static inline int64_t tangent_separation__open_origin_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double station, double station_t, double gap, double gap_t, double abscissa, double abscissa_t, double y, double y_t, double spacing, double spacing_t)
 {
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
+    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)))) != layout__SEPARATION_NORMAL)
     {
         (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station_t;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = station;
@@ -212,7 +212,7 @@ static inline int64_t tangent_separation__open_origin_t(array_double_1d tables, 
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = gap;
         (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
         (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
+        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
             (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
             (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
@@ -585,7 +585,7 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
 static inline int64_t tangent_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t kind;
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
+    kind = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))));
     if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
         tangent_contact_plane__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, state, station, station_t, tolerance, tolerance_t);

@@ -6,45 +6,17 @@
 #include "tangent_side.h"
 
 /* Tangent of ``clear_side``. */
-static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out)
+static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
 {
+    int64_t out;
     int64_t i;
+    out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     for (i = INT64_C(0); i < layout__SIDE_SIZE; i += INT64_C(1))
     {
         (*cspan_at(&work_t, out + i)) = 0.0;
         (*cspan_at(&work, out + i)) = 0.0;
     }
-    tangent_side__fill_apart_t(tables, work, work_t, out, 0.0, 0.0);
-    return INT64_C(0);
-}
-
-/* Tangent of ``clear_from``. */
-static inline int64_t tangent_side__clear_from_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out, int64_t first)
-{
-    int64_t i;
-    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
-    {
-        (*cspan_at(&work_t, out + i)) = 0.0;
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-    }
-    tangent_side__fill_apart_t(tables, work, work_t, out, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
-    if (first <= layout__SIDE_PENETRATION)
-    {
-        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-    }
-    return INT64_C(0);
-}
-
-/* Tangent of ``fill_apart``. */
-static inline int64_t tangent_side__fill_apart_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out, double value, double value_t)
-{
-    int64_t stations;
-    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
-    if (stations != layout__STATION_COUNT)
-    {
-        tangent_outline__fill_outline_t(work, work_t, side__outline_place(tables, work, out), stations, value, value_t);
-    }
+    tangent_outlines__fill_apart_t(tables, work, work_t, index, 0.0, 0.0);
     return INT64_C(0);
 }
 
@@ -54,14 +26,14 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     int64_t out;
     double penetration;
     double penetration_t;
-    int64_t met;
+    int64_t satisfied;
     int64_t outline;
     int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &met, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
+    tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
-    if (met == INT64_C(0))
+    if (satisfied == INT64_C(0))
     {
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
@@ -69,7 +41,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     tangent_totals__write_patches_t(work, work_t, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
-        outline = side__outline_place(tables, work, out);
+        outline = outlines__outline_place(tables, work, index);
         tangent_outline__write_outline_t(work, work_t, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
     }
     for (region = INT64_C(0); region < (*count); region += INT64_C(1))
@@ -80,14 +52,14 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     return 0;
 }
 
-/* Tangent of ``rest_side``. */
-static inline int64_t tangent_side__rest_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
+/* Tangent of ``touch_side``. */
+static inline int64_t tangent_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index)
 {
     int64_t side;
     int64_t n1;
     int64_t status;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    tangent_side__clear_side_t(tables, work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    tangent_side__clear_side_t(tables, work, work_t, index);
     tangent_resultant__clear_resultant_t(work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     status = layout__UNLOADED;
     n1 = tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
@@ -98,8 +70,8 @@ static inline int64_t tangent_side__rest_side_t(array_double_1d tables, array_do
     return status;
 }
 
-/* Tangent of ``step_side``. */
-static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t)
+/* Tangent of ``solve_side``. */
+static inline int64_t tangent_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t)
 {
     int64_t n1;
     double penetration;
@@ -107,7 +79,7 @@ static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_do
     double pressed;
     int64_t count;
     int64_t status;
-    n1 = tangent_side__rest_side_t(tables, work, work_t, state, index);
+    n1 = tangent_side__touch_side_t(tables, work, work_t, state, index);
     status = n1;
     if (status == layout__UNLOADED)
     {
@@ -132,7 +104,7 @@ static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_do
 }
 
 /* Tangent of ``press_side``. */
-static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double sink, double sink_t)
+static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t)
 {
     int64_t side;
     int64_t at;
@@ -146,10 +118,10 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     double shift;
     double shift_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
-    height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + sink_t;
-    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + sink;
-    tangent_side__clear_side_t(tables, work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index);
+    at = side + layout__SIDE_SEARCH_PLACE;
+    height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + approach_t;
+    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
+    tangent_side__clear_side_t(tables, work, work_t, index);
     tangent_resultant__clear_resultant_t(work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     n1 = tangent_overlaps__overlaps_rule_t(tables, work, work_t, state, side, at, height, height_t);
     if (n1 == INT64_C(0))
@@ -182,7 +154,7 @@ static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t,
     double v3;
     double v3_t;
     double v4;
-    at = layout__WORK_PLACES + layout__PLACE_SIZE * index;
+    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     total_t = 0.0;
     total = 0.0;
     weight_t = 0.0;

@@ -8,23 +8,22 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "outlines.h"
 #include "overlaps.h"
-#include "side.h"
 #include "tangent_contact_point.h"
 #include "tangent_gap.h"
 #include "tangent_normal_contact.h"
 #include "tangent_outline.h"
+#include "tangent_outlines.h"
 #include "tangent_overlaps.h"
 #include "tangent_resultant.h"
 #include "tangent_totals.h"
 
-static inline int64_t tangent_side__fill_apart_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out, double value, double value_t);
-static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out);
-static inline int64_t tangent_side__clear_from_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t out, int64_t first);
+static inline int64_t tangent_side__clear_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index);
 static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t, double prescribed, double prescribed_t);
-static inline int64_t tangent_side__rest_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
-static inline int64_t tangent_side__step_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t);
-static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double sink, double sink_t);
+static inline int64_t tangent_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index);
+static inline int64_t tangent_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double force, double force_t);
+static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t);
 static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count);
 
 #endif
