@@ -1,0 +1,78 @@
+"""One table: records, variables, results and calls of evaluate follow from its rows; what does not fit is an error."""
+
+import inspect
+
+import numpy as np
+import pytest
+
+import wrcontact
+from wrcontact import state
+from wrcontact.interface.inputs import INPUTS
+from wrcontact.interface.outputs import PATCH, SIDE, WHEELSET
+from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
+from wrcontact.interface.rows import Blocks, Input, Run, Vector
+from wrcontact.interface.variables import FIRST_OUTPUT, REFERENCE, STATUS, VARIABLES
+from wrcontact.kernel import layout
+
+
+def names(record):
+    return [name for name, _ in record._fields_]
+
+
+def test_records_have_a_field_for_every_row_in_order():
+    assert names(layout.Inputs) == [row.field for row in INPUTS]
+    assert names(layout.Patch) == [row.field for row in PATCH]
+    assert names(layout.SideOutputs) == [row.name if isinstance(row, Blocks) else row.field for row in SIDE]
+    assert names(layout.Outputs)[:-1] == [row.field for row in WHEELSET]
+    assert names(layout.Parameters) == list(KERNEL_PARAMETERS)
+    assert layout.INPUT_NOMINALS == tuple(row.nominal for row in INPUTS)
+
+
+def test_every_output_is_a_property_of_a_result_that_reads_its_place():
+    values = np.arange(float(layout.OUTPUT_COUNT))
+    values[[layout.OUT_LEFT, layout.OUT_RIGHT]] = layout.PATCH_LIMIT
+    result = wrcontact.WheelsetState(values, 0, np.zeros(layout.INPUT_COUNT))
+    for variable in VARIABLES[FIRST_OUTPUT:STATUS]:
+        if variable.name.endswith("patch_count"):
+            continue
+        found = result
+        for part in variable.name.replace("]", "").split("."):
+            name, _, number = part.partition("[")
+            if name in ("station", "half_length", "pressure"):
+                found = found.outline
+            name = "patches" if name == "patch" else name
+            found = getattr(found, name)[int(number) - 1] if number else getattr(found, name)
+        assert found == variable.index, variable.name
+
+
+def test_properties_have_the_words_and_units_of_their_rows():
+    for rows, kind in ((SIDE, state.Side), (PATCH, state.Patch), (WHEELSET, wrcontact.WheelsetState)):
+        for row in rows:
+            if not isinstance(row, (Blocks, Run, Vector)) and "." not in row.name and row.name != "patch_count":
+                words = inspect.getdoc(getattr(kind, row.name))
+                assert words.lower().startswith(row.meaning.lower()) and f"[{row.unit}]" in words
+
+
+def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
+    shown = inspect.signature(wrcontact.ContactSystem.evaluate).parameters
+    assert {row.name: row.start for row in INPUTS} == {name: shown[name].default for name in shown if name in REFERENCE}
+    assert list(shown)[1:5] == ["lateral_shift", "yaw", "normal_force", "load_transfer"]
+    system = wrcontact.ContactSystem(normal_model="hertz")
+    given = system.evaluate(1e-3, 2e-3, 3e4, 0.1, roll_guess=1e-5).inputs
+    assert given.tolist() == [1e-3, 2e-3, 1e-5, 3e4, 0.1, 0.0, 0.0]
+    for arguments, keywords in (((1, 2, 3, 4, 5), {}), ((1e-3,), {"lateral_shift": 2e-3}), ((), {"shift": 0.0})):
+        with pytest.raises(TypeError, match="input"):
+            system.evaluate(*arguments, **keywords)
+
+
+def test_every_parameter_reaches_the_kernel():
+    system = wrcontact.ContactSystem(gauge=1.437, poisson_ratio=0.3, stations=7, load="vertical")
+    found = dict(zip(KERNEL_PARAMETERS, system._tables[layout.SET_PARAMETERS:]))
+    expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL, "tolerance": 0.01}
+    assert {name: found[name] for name in expected} == expected
+    assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {"wheel", "rail", "nodes", "strips", "sweeps", "smoothing"}
+
+
+def test_a_row_without_a_known_unit_is_an_error():
+    with pytest.raises(TypeError, match="the unit of speed is 'km/h'; there are m, "):
+        Input("speed", "km/h", 1.0, "Speed")
