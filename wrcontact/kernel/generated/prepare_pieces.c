@@ -1,8 +1,11 @@
 /* Generated from prepare/pieces.py by tools/transpile_kernel.py; change that one.
  *
- * From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
+ * From a definition to the table of quintic pieces, the record Profile.
  *
- * The table is the record Profile.
+ * Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
+ * pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
+ * (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over REPAIR_WIDTH.
+ * Otherwise the contact would stay at an edge that no real wheel has.
  */
 
 #include "prepare_pieces.h"

@@ -1,8 +1,8 @@
 /* Generated from prepare/placement.py by tools/transpile_kernel.py; change that one.
  *
- * The rail on the track, and the readable part of a wheel: wrcontact/profiles/placement.py for definitions.
+ * The rail on the track, and the part of a wheel that can be read.
  *
- * A definition (prepare_zones.py) is turned and shifted into another one, in millimetres.
+ * A definition (zones.py) is turned and shifted into another one, in millimetres.
  */
 
 #include "prepare_placement.h"
