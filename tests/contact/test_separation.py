@@ -12,9 +12,8 @@ import wrcontact
 from tests.helpers.numpy_curvatures import fitted_curvature, smooth_curvature_table, turned_curvature
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import contact_plane, separation
-from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles.catalogue import RAILS
-from wrcontact.profiles.compiled import evaluate_table
+from wrcontact.profiles.compiled import evaluate_table, table_pieces
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc, Polynomial
@@ -31,8 +30,7 @@ class Curve:
 
     def __init__(self, table):
         self.table = table
-        pieces = table[int(table[profile_table.PIECE_OFFSET]):].reshape(-1, profile_table.PIECE_SIZE)
-        self.ends = pieces[1:-1, 0]
+        self.ends = table_pieces(table)[1:-1, 0]
         self.error = 1e-14      # of arc lengths [m]
 
     def point(self, u):
@@ -103,7 +101,8 @@ class Outline(Curve):
         return np.hypot(*(1.5 * one - 0.6 * two + 0.1 * three))
 
     def piece(self, u):
-        edges = np.concatenate([[self.table[profile_table.START]], self.ends, [self.table[profile_table.STOP]]])
+        profile = layout.Profile.at(self.table)
+        edges = np.concatenate([[profile.start], self.ends, [profile.stop]])
         at = np.searchsorted(edges, u)
         return edges[at - 1], edges[at]
 
@@ -121,15 +120,15 @@ class Contact:
         self.rail = Curve(self.tables[int(self.tables[layout.SET_RAIL]):int(self.tables[layout.SET_SCAN])])
         self.wheel = Outline(self.tables[int(self.tables[layout.SET_WHEEL]):int(self.tables[layout.SET_RAIL])], self.system,
                              self.state)
-        self.u_rail = self.work[contact_plane.FRAME_ABSCISSA]
-        self.u_wheel = self.work[contact_plane.FRAME_Y]
-        self.angle = np.arctan2(self.work[contact_plane.FRAME_SIN], self.work[contact_plane.FRAME_COS])
+        frame = layout.Work.at(self.work).frame
+        self.u_rail, self.u_wheel = frame.abscissa, frame.y
+        self.angle = np.arctan2(frame.sin, frame.cos)
 
     def kernel(self, kind, stations, spacing=0.0):
         """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at ``stations`` from the contact."""
-        tables, work, state = self.tables.copy(), self.work.copy(), self.memory
-        tables[layout.SET_SEPARATION] = NUMBERS["separation"][kind]
-        tables, work = memoryview(tables), memoryview(work)
+        tables, work = layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy())
+        state = layout.State.at(self.memory)
+        tables.separation = NUMBERS["separation"][kind]
         contact_plane.start_tracer(work, 0.0, self.u_rail, self.u_wheel)
         separation.open_origin(tables, work, 0.0, 0.0, self.u_rail, self.u_wheel, spacing)
         return np.array([separation.separation(tables, work, state, float(s), 1e-13) for s in stations]).T
@@ -206,12 +205,12 @@ def test_wheel_s_longitudinal_curvature_is_read_where_the_node_is(shift, yaw, ki
 def test_arc_length_is_that_of_the_exact_profile(place):
     """The kernel's arc against the zones as the standard prints them, away from the joints that are evened out."""
     contact = Contact(PLACES[place])
-    tables, work = memoryview(contact.tables), memoryview(contact.work)
+    tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work)
     wheel = contact.system.wheel
     for length in (0.4e-3, -0.8e-3):
         contact_plane.start_tracer(work, 0.0, contact.u_rail, contact.u_wheel)
         assert separation.move_arc(tables, work, contact_plane.TRACER_WHEEL, length) == 1
-        found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel, work[contact_plane.TRACER_WHEEL],
+        found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel, work.frame.tracer_wheel,
                      epsabs=1e-15)[0]
         assert found == pytest.approx(length, abs=1e-12)
 
@@ -223,12 +222,11 @@ def test_a_chord_is_shorter_than_its_arc_by_the_cube():
     errors = []
     for count in (4, 8, 16):
         spacing = 4e-3 / count
-        work = contact.work.copy()
-        work[contact_plane.TRACER_RAIL] = u
-        work, tables = memoryview(work), memoryview(contact.tables)
+        tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work.copy())
+        work.frame.tracer_rail = u
         for _ in range(count):
             assert separation.move_chord(tables, work, contact_plane.TRACER_RAIL, spacing) == 1
-        arc = contact.rail.arc(u, work[contact_plane.TRACER_RAIL])
+        arc = contact.rail.arc(u, work.frame.tracer_rail)
         assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-12)
         errors.append(arc - 4e-3)
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=1e-3) and errors[1] / errors[2] == pytest.approx(4.0, rel=1e-3)
