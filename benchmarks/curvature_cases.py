@@ -83,11 +83,11 @@ def gap_curve(system, shift, yaw, force, name):
 def normal_gaps(tables, work, state, s):
     """Gap [m] and A = 1/(2 R_x) [1/m] at stations ``s`` (n,), rising; traced from the contact point
     outwards."""
-    tables, work, state = (memoryview(array) for array in (tables, work, state))
+    tables, work, state = layout.Tables.at(tables), layout.Work.at(work), layout.State.at(state)
     g, A = np.full(len(s), contact_plane.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
-        contact_plane.start_tracer(work, 0.0, work[contact_plane.FRAME_ABSCISSA], work[contact_plane.FRAME_Y])
+        contact_plane.start_tracer(work, 0.0, work.frame.abscissa, work.frame.y)
         for j in stations:
             gap, _, _, curvature = contact_plane.normal_gap(tables, work, state, float(s[j]), 1e-10)
             if gap >= contact_plane.NO_GAP:
