@@ -53,7 +53,7 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     side = work.outputs.left[0]
     write_patches(work.solved, side)
     outline = layout.Outline.at(work, layout.offset(side.station, work))
-    write_outline(outline, layout.STATION_COUNT, work.solved, work.regions)
+    write_outline(outline, layout.STATION_COUNT, work.solved, work.regions, 1)
     return found, work.solved, side
 
 

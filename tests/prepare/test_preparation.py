@@ -147,6 +147,6 @@ def test_constants_are_those_of_the_witness():
     for ours, theirs, names in pairs:
         for name in names:
             assert getattr(ours, name) == getattr(theirs, name), name
-    assert prepare_tables.START_ROW_COUNT == 2 * round(LATERAL_LIMIT / prepare_tables.START_STEP) + 1
+    assert prepare_tables.START_COUNT == 2 * round(LATERAL_LIMIT / prepare_tables.START_STEP) + 1
     assert prepare_tables.STARTS_EACH_METRE == 1.0 / prepare_tables.START_STEP
     assert prepare_pieces.BINS_EACH_METRE == 1.0 / (numpy_profiles.BIN_WIDTH * numpy_profiles.MM)
