@@ -7,15 +7,14 @@ import sys
 
 import pytest
 
-from tests.helpers.plant_errors import ERRORS, copies, planted, random_errors, source_of, translate_all
 from tests.helpers.paths import ROOT, TESTS
+from tests.helpers.plant_errors import ERRORS, copies, planted, random_errors, source_of, translate_all
 from tools.transpile_kernel import translate
-
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: error.name)
 def test_an_error_can_be_planted_in_today_s_kernel(error):
-    text = source_of(error.module).read_text(encoding="utf-8")
+    text = source_of(error).read_text(encoding="utf-8")
     assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text))
     assert list((TESTS / error.first).glob("test_*.py"))
 
@@ -26,7 +25,7 @@ def test_names_are_unique():
 
 def test_random_errors_can_be_planted():
     for error in random_errors(20, seed=3):
-        text = source_of(error.module).read_text(encoding="utf-8")
+        text = source_of(error).read_text(encoding="utf-8")
         assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text)), error
 
 
@@ -44,5 +43,6 @@ def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
 @pytest.mark.skipif(not (shutil.which("gcc") or shutil.which("cc")), reason="no C compiler here")
 def test_every_planted_error_is_seen():
     pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
-    run = subprocess.run([sys.executable, "-m", "tests.helpers.plant_errors"], cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    run = subprocess.run([sys.executable, "-m", "tests.helpers.plant_errors"], cwd=ROOT, text=True,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     assert run.returncode == 0, run.stdout
