@@ -329,7 +329,7 @@ class Lowered(ast.NodeTransformer):
         wanted = {name for name in self.layout.values if any(re.search(rf"\b{name}\b", text) for _, _, text in self.edits)}
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
-                names = {alias.name for alias in node.names} - set(self.layout.classes) | wanted
+                names = {alias.name for alias in node.names} - set(self.layout.classes) - {"offset"} | wanted
                 self.edit(node, node, f"from .layout import {', '.join(sorted(names))}" if names else "")
             elif isinstance(node, ast.ImportFrom) and node.module == "record":
                 self.edit(node, node, "")
