@@ -52,10 +52,18 @@ FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
 #: Modules that a usual step does not enter, and the function of each that decides it.  All others of theirs are kept out of
 #: line: a compiler inlines only so much of one unit, and what it spent on them it took from the usual step (4 % when yawed).
-SELDOM = {"separation": "separation"} | dict.fromkeys(
-    ("brackets", "compliant", "elastic", "overlaps", "planes", "pressed", "touching", "trial"))
+SELDOM = {"separation": "separation"} | dict.fromkeys((
+    "arc_length", "brackets", "compliant", "curves", "deep_points", "elastic", "moves", "overlap_samples", "overlaps", "planes",
+    "pressed", "pressed_regions", "touching", "trial"))
 #: Tuples of numbers of the room layout that the C beside the kernel reads.
 ARRAYS = {"INPUT_NOMINALS"}
+#: Runs Pyccel's command without writing wrappers for CPython: nobody reads them, and they take most of its time.
+WITHOUT_WRAPPERS = """
+from pyccel.codegen.wrappergen import Wrappergen
+from pyccel.commands.console import pyccel_command
+Wrappergen.wrap = lambda self, folder: None
+pyccel_command()
+"""
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan log log10 log1p "
                  "pow sin sinh sqrt tan tanh".split())
@@ -252,7 +260,7 @@ def run_pyccel(modules):
     with tempfile.TemporaryDirectory() as folder:
         for module in modules:
             Path(folder, f"{module.name}.py").write_bytes(module.source())
-        command = [sys.executable, "-c", "from pyccel.commands.console import pyccel_command; pyccel_command()", "make",
+        command = [sys.executable, "-c", WITHOUT_WRAPPERS, "make",
                    "--language", "C", "--convert-only", "--output", "out", "--files", *(f"{module.name}.py" for module in modules)]
         run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              env={**os.environ, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})

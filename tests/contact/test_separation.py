@@ -11,7 +11,8 @@ from tests.helpers.numpy_profiles import compile_profile
 import wrcontact
 from tests.helpers.numpy_curvatures import fitted_curvature, smooth_curvature_table, turned_curvature
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import contact_plane, separation
+from wrcontact.kernel.contact import contact_plane, curves, moves, separation, traces
+from wrcontact.kernel.layout import RAIL, WHEEL
 from wrcontact.profiles.catalogue import RAILS
 from wrcontact.profiles.compiled import evaluate_table, table_pieces
 from wrcontact.profiles.placement import place_rail, readable_wheel
@@ -121,17 +122,19 @@ class Contact:
         self.wheel = Outline(self.tables[int(self.tables[layout.SET_WHEEL]):int(self.tables[layout.SET_RAIL])], self.system,
                              self.state)
         frame = layout.Work.at(self.work).frame
-        self.u_rail, self.u_wheel = frame.abscissa, frame.y
-        self.angle = np.arctan2(frame.sin, frame.cos)
+        self.u_rail, self.u_wheel = frame.rail.y, frame.wheel.y
+        self.angle = np.arctan2(frame.plane.sin, frame.plane.cos)
 
     def kernel(self, kind, stations, spacing=0.0):
         """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at ``stations`` from the contact."""
         tables, work = layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy())
         state = layout.State.at(self.memory)
         tables.separation = NUMBERS["separation"][kind]
-        contact_plane.start_tracer(work, 0.0, self.u_rail, self.u_wheel)
-        separation.open_origin(tables, work, 0.0, 0.0, self.u_rail, self.u_wheel, spacing)
-        return np.array([separation.separation(tables, work, state, float(s), 1e-13) for s in stations]).T
+        region = layout.Region(rail=self.u_rail, wheel=self.u_wheel)
+        traces.start_traces(work.frame, 0.0, self.u_rail, self.u_wheel)
+        curves.open_origin(tables, work.frame, work.origin, region, spacing)
+        return np.array([separation.separation(tables, work.frame, work.origin, state, float(s), 1e-13)
+                         for s in stations]).T
 
     def between(self, u_rail, u_wheel):
         """Wheel's point less the rail's, both from the contact [m]."""
@@ -208,10 +211,10 @@ def test_arc_length_is_that_of_the_exact_profile(place):
     tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work)
     wheel = contact.system.wheel
     for length in (0.4e-3, -0.8e-3):
-        contact_plane.start_tracer(work, 0.0, contact.u_rail, contact.u_wheel)
-        assert separation.move_arc(tables, work, contact_plane.TRACER_WHEEL, length) == 1
-        found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel, work.frame.tracer_wheel,
-                     epsabs=1e-15)[0]
+        traces.start_traces(work.frame, 0.0, contact.u_rail, contact.u_wheel)
+        assert moves.move_arc(tables, work.frame, work.origin, WHEEL, length) == 1
+        found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel,
+                     work.frame.traces[WHEEL].abscissa, epsabs=1e-15)[0]
         assert found == pytest.approx(length, abs=1e-12)
 
 
@@ -223,10 +226,10 @@ def test_a_chord_is_shorter_than_its_arc_by_the_cube():
     for count in (4, 8, 16):
         spacing = 4e-3 / count
         tables, work = layout.Tables.at(contact.tables), layout.Work.at(contact.work.copy())
-        work.frame.tracer_rail = u
+        work.frame.traces[RAIL].abscissa = u
         for _ in range(count):
-            assert separation.move_chord(tables, work, contact_plane.TRACER_RAIL, spacing) == 1
-        arc = contact.rail.arc(u, work.frame.tracer_rail)
+            assert moves.move_chord(tables, work.frame, work.origin, RAIL, spacing) == 1
+        arc = contact.rail.arc(u, work.frame.traces[RAIL].abscissa)
         assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-12)
         errors.append(arc - 4e-3)
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=1e-3) and errors[1] / errors[2] == pytest.approx(4.0, rel=1e-3)

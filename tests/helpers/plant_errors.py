@@ -49,7 +49,7 @@ ERRORS = [
           "after a step that failed, its inputs count as those of the outputs", "wheelset"),
     Error("swapped_loads", "sign = float(2 * index - 1)", "sign = float(1 - 2 * index)",
           "load is transferred to the other side", "normal"),
-    Error("mirror_yaw", "to.sin_yaw = -at.sin_yaw", "to.sin_yaw = at.sin_yaw",
+    Error("mirror_yaw", "mirrored.sin_yaw = -place.sin_yaw", "mirrored.sin_yaw = place.sin_yaw",
           "the left wheel is mirrored without its yaw", "search"),
     Error("yaw_term", "(around * around / r - bend * e2 * e2) / steep", "around * around / (r * steep)",
           "the longitudinal curvature lacks its term of yaw", "normal"),

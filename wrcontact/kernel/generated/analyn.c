@@ -151,7 +151,7 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work, region + layout__REGION_LEVEL)) = (*cspan_at(&work, region + layout__REGION_TURN)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+        (*cspan_at(&work, region + layout__REGION_LEVEL)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
@@ -272,7 +272,7 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
                 pushed += interaction__region_influence(work, tables, region, layout__WORK_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             }
         }
-        turn = (*cspan_at(&work, region + layout__REGION_TURN));
+        turn = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
         residual = turn * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - pushed - (*cspan_at(&work, region + layout__REGION_LEVEL));
         (*cspan_at(&work, region + layout__REGION_RESIDUAL)) = residual;
         (*cspan_at(&work, region + layout__REGION_SLOPE)) = turn;
@@ -292,7 +292,7 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-            (*slope) = (*cspan_at(&work, region + layout__REGION_TURN));
+            (*slope) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
             move = (*cspan_at(&work, region + layout__REGION_RESIDUAL));
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {

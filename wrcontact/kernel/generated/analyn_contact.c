@@ -18,7 +18,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
     analyn_contact__solve_analyn(penetration, count, satisfied, tables, work, state, side, force, prescribed);
     if ((*satisfied) == INT64_C(1))
     {
-        planes__line_up(tables, work, (*count));
+        planes__locate_along_track(work, tables, (*count));
         node_patches__fill_from_nodes(work, (*count));
     }
     return 0;
@@ -74,12 +74,12 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
         (*count) = INT64_C(1);
         if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
-            overlaps__keep_deepest(work);
-            overlaps__gather_overlaps(tables, work, state);
+            deep_points__keep_deepest(work);
+            pressed_regions__gather_overlaps(work, tables, state);
         }
         else
         {
-            regions__open_contact_region(tables, work, state);
+            regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
         }
         estimate__start_penetrations(work, (*count), estimate);
         analyn_contact__solve_fine(penetration, satisfied, tables, work, state, (*count), force, estimate, by_penetration);
@@ -100,14 +100,14 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     count = INT64_C(1);
     if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        count = overlaps__gather_overlaps(tables, work, state);
+        count = pressed_regions__gather_overlaps(work, tables, state);
     }
     else
     {
-        regions__open_contact_region(tables, work, state);
-        count = regions__find_regions(tables, work, state, side, penetration);
-        count = regions__bound_regions(tables, work, state, count, penetration);
-        planes__give_planes(tables, work, state, count);
+        regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
+        count = regions__find_regions(work, tables, side, state, penetration);
+        count = regions__bound_regions(work, tables, state, count, penetration);
+        planes__give_planes(work, tables, state, count);
     }
     estimate__start_penetrations(work, count, penetration);
     return count;

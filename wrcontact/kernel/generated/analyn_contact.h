@@ -15,12 +15,13 @@
 
 #include "../native/spans.h"
 #include "analyn.h"
+#include "deep_points.h"
 #include "estimate.h"
 #include "layout.h"
 #include "node_layout.h"
 #include "node_patches.h"
-#include "overlaps.h"
 #include "planes.h"
+#include "pressed_regions.h"
 #include "regions.h"
 
 static const double analyn_contact__ESTIMATE_FACTOR = 1.5;

@@ -1,4 +1,4 @@
-/* Generated from contact/contact_point.py by tools/transpile_kernel.py; change that one.
+/* Generated from wheelset/contact_point.py by tools/transpile_kernel.py; change that one.
  *
  * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and curvatures.
  */
@@ -12,7 +12,7 @@
  */
 static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
 {
-    int64_t at;
+    int64_t place;
     int64_t out;
     double z;
     double slope;
@@ -24,32 +24,32 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
     double r;
     double lateral;
     int64_t touches;
-    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+    place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, at, y, aside, shift);
-    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
+    contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, place, y, aside, shift);
+    locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
     r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, at + layout__PLACE_ARM)) + y) * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+    lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r * sin_phi;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
     if (index == INT64_C(0))
     {
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
-    regions__open_contact_region(tables, work, state);
+    regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * lateral_curvature__relative_curvature(tables, y, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     }
     touches = INT64_C(1);
     if (fabs(mismatch) >= contact_point__PARALLEL)
@@ -58,7 +58,7 @@ static inline int64_t contact_point__describe_contact(array_double_1d tables, ar
         {
             touches = INT64_C(0);
         }
-        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) == INT64_C(1))
+        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) == INT64_C(1))
         {
             touches = INT64_C(0);
         }

@@ -1,4 +1,4 @@
-/* Generated from contact/contact_point.py by tools/transpile_kernel.py; change that one.
+/* Generated from wheelset/contact_point.py by tools/transpile_kernel.py; change that one.
  *
  * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and curvatures.
  */

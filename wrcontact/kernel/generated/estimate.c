@@ -45,7 +45,7 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
 static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
 {
     double result;
-    regions__open_contact_region(tables, work, state);
+    regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
     (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
     result = estimate__estimate_penetration(tables, work, state, force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
     return result;
@@ -62,7 +62,7 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        local = (*cspan_at(&work, region + layout__REGION_TURN)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+        local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
         if (local < estimate__LEAST_SHARE * penetration)
         {
             local = estimate__LEAST_SHARE * penetration;

@@ -59,7 +59,7 @@ static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, 
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_ALONG));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_LEVEL));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE)) = (double)(rule);

@@ -27,7 +27,7 @@ static inline int64_t gap__above_rail(array_double_1d tables, double abscissa)
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
  * difference reads FOLDED.
  */
-static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t at, double y)
+static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
 {
     double z;
     double slope;
@@ -41,7 +41,7 @@ static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, doub
     double rail_slope;
     double rail_bend;
     profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, z, slope, bend);
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
     profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
@@ -59,7 +59,7 @@ static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, doub
  * z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
  * dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
  */
-static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t at, double y)
+static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y)
 {
     double z;
     double slope;
@@ -77,14 +77,14 @@ static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tab
     double lateral;
     double vertical;
     profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, z, slope);
     profile_table__height_slope(&z_rail, &rail_slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)));
-    locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    height = ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + z) * cos_phi;
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    lateral = (-(*cspan_at(&work, at + layout__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
+    locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    height = ((*cspan_at(&work, place + layout__PLACE_RADIUS)) + z) * cos_phi;
+    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    lateral = (-(*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
     vertical = arm * cos_roll - height * sin_roll;
     return rail_slope * lateral - vertical;
 }
@@ -94,7 +94,7 @@ static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tab
  *
  * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
  */
-static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, double y)
+static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y)
 {
     double z;
     double slope;
@@ -112,7 +112,7 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     double sin_phi;
     double cos_phi;
     profile_table__height_slope_bend(&z, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
-    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, at, y, z, slope, bend);
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
     (*abscissa) = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
     profile_table__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*mismatch) = rail_slope - outline_slope;
@@ -120,12 +120,12 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
     {
         (*mismatch) = gap__FOLDED;
     }
-    lateral = (-(*cspan_at(&work, at + layout__PLACE_COS_YAW))) * (z_track + (*cspan_at(&work, at + layout__PLACE_RADIUS)));
-    vertical = y_track - (*cspan_at(&work, at + layout__PLACE_SHIFT));
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    lateral = (-(*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (z_track + (*cspan_at(&work, place + layout__PLACE_RADIUS)));
+    vertical = y_track - (*cspan_at(&work, place + layout__PLACE_SHIFT));
+    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
     {
-        locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-        vertical = ((*cspan_at(&work, at + layout__PLACE_ARM)) + y) * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) - ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + z) * cos_phi * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+        locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+        vertical = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - ((*cspan_at(&work, place + layout__PLACE_RADIUS)) + z) * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     }
     (*result_0) = z_rail - z_track;
     (*result_2) = rail_bend * stretch - outline_rate;

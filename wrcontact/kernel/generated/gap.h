@@ -17,8 +17,8 @@
 static const double gap__FOLDED = 1000000.0;
 
 static inline int64_t gap__above_rail(array_double_1d tables, double abscissa);
-static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t at, double y);
-static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t at, double y);
+static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y);
+static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y);
+static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y);
 
 #endif

@@ -41,7 +41,7 @@ static inline double interaction__region_lead(array_double_1d work, int64_t one,
     lead = 0.0;
     if (interaction__planes_cosine(work, one, other) < interaction__INCLINED)
     {
-        lead = (*cspan_at(&work, one + layout__REGION_ALONG)) - (*cspan_at(&work, other + layout__REGION_ALONG));
+        lead = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
     }
     return lead;
 }

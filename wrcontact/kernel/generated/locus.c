@@ -13,27 +13,27 @@
 
 #include "locus.h"
 
-/* Write the pose of a right wheel to ``at``; ``arm`` is half the distance of the running circles [m]. */
-static inline int64_t locus__place_wheelset(array_double_1d work, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm)
+/* Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles [m]. */
+static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double arm)
 {
-    (*cspan_at(&work, at + layout__PLACE_SHIFT)) = lateral_shift;
-    (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) = 0.0;
-    (*cspan_at(&work, at + layout__PLACE_COS_YAW)) = 1.0;
-    (*cspan_at(&work, at + layout__PLACE_YAWED)) = (double)(0);
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
+    (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = 1.0;
+    (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(0);
     if (yaw != 0.0)
     {
-        (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work, at + layout__PLACE_COS_YAW)) = cos(yaw);
-        (*cspan_at(&work, at + layout__PLACE_YAWED)) = (double)(1);
+        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
     }
-    (*cspan_at(&work, at + layout__PLACE_RADIUS)) = radius;
-    (*cspan_at(&work, at + layout__PLACE_ARM)) = arm;
-    locus__turn_wheelset(work, at, roll);
+    (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
+    (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
+    locus__turn_wheelset(work, place, roll);
     return INT64_C(0);
 }
 
-/* Give the wheelset at ``at`` another roll [rad]. */
-static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t at, double roll)
+/* Give a placed wheelset another roll [rad]. */
+static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll)
 {
     double sin_roll;
     double cos_roll;
@@ -46,42 +46,42 @@ static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t at, dou
     t = 0.0;
     cos_t = 1.0;
     w_per_slope = 0.0;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
     {
-        tan_yaw = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, at + layout__PLACE_COS_YAW));
+        tan_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
         t = tan_yaw * sin_roll;
         cos_t = 1.0 / sqrt(1.0 + t * t);
         w_per_slope = tan_yaw * cos_roll * cos_t;
     }
-    (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) = sin_roll;
-    (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) = cos_roll;
-    (*cspan_at(&work, at + layout__PLACE_T)) = t;
-    (*cspan_at(&work, at + layout__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
+    (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) = sin_roll;
+    (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) = cos_roll;
+    (*cspan_at(&work, place + layout__PLACE_T)) = t;
+    (*cspan_at(&work, place + layout__PLACE_COS_T)) = cos_t;
+    (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
     return INT64_C(0);
 }
 
-/* The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign. */
-static inline int64_t locus__mirror_place(array_double_1d work, int64_t at, int64_t to)
+/* The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll change sign. */
+static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored)
 {
-    (*cspan_at(&work, to + layout__PLACE_SHIFT)) = -(*cspan_at(&work, at + layout__PLACE_SHIFT));
-    (*cspan_at(&work, to + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work, to + layout__PLACE_COS_YAW)) = (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-    (*cspan_at(&work, to + layout__PLACE_RADIUS)) = (*cspan_at(&work, at + layout__PLACE_RADIUS));
-    (*cspan_at(&work, to + layout__PLACE_ARM)) = (*cspan_at(&work, at + layout__PLACE_ARM));
-    (*cspan_at(&work, to + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0);
-    locus__mirror_roll(work, at, to);
+    (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
+    (*cspan_at(&work, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+    (*cspan_at(&work, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = (*cspan_at(&work, place + layout__PLACE_RADIUS));
+    (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
+    (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
+    locus__mirror_roll(work, place, mirrored);
     return INT64_C(0);
 }
 
 /* What ``turn_wheelset`` has changed, mirrored. */
-static inline int64_t locus__mirror_roll(array_double_1d work, int64_t at, int64_t to)
+static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored)
 {
-    (*cspan_at(&work, to + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    (*cspan_at(&work, to + layout__PLACE_COS_ROLL)) = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    (*cspan_at(&work, to + layout__PLACE_T)) = (*cspan_at(&work, at + layout__PLACE_T));
-    (*cspan_at(&work, to + layout__PLACE_COS_T)) = (*cspan_at(&work, at + layout__PLACE_COS_T));
-    (*cspan_at(&work, to + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE));
+    (*cspan_at(&work, mirrored + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    (*cspan_at(&work, mirrored + layout__PLACE_COS_ROLL)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    (*cspan_at(&work, mirrored + layout__PLACE_T)) = (*cspan_at(&work, place + layout__PLACE_T));
+    (*cspan_at(&work, mirrored + layout__PLACE_COS_T)) = (*cspan_at(&work, place + layout__PLACE_COS_T));
+    (*cspan_at(&work, mirrored + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE));
     return INT64_C(0);
 }
 
@@ -89,13 +89,13 @@ static inline int64_t locus__mirror_roll(array_double_1d work, int64_t at, int64
  *
  * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
  */
-static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t at, double slope)
+static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope)
 {
     double w;
     double root;
     double t;
     double cos_t;
-    w = (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) * slope;
+    w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
     if (w > 1.0)
     {
         w = 1.0;
@@ -105,8 +105,8 @@ static inline int64_t locus__around_wheel(double* result_0, double* result_1, ar
         w = -1.0;
     }
     root = sqrt(1.0 - w * w);
-    t = (*cspan_at(&work, at + layout__PLACE_T));
-    cos_t = (*cspan_at(&work, at + layout__PLACE_COS_T));
+    t = (*cspan_at(&work, place + layout__PLACE_T));
+    cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
     (*result_0) = (-(t * root + w)) * cos_t;
     (*result_1) = (root - t * w) * cos_t;
     return 0;
@@ -116,7 +116,7 @@ static inline int64_t locus__around_wheel(double* result_0, double* result_1, ar
  *
  * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
  */
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t at, double y, double z, double slope)
+static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
 {
     double sin_roll;
     double cos_roll;
@@ -128,23 +128,23 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
     double cos_phi;
     double normal_y;
     double normal_z;
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    r = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
-    if (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0))
+    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         (*outline_slope) = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll);
     }
     else
     {
-        sin_yaw = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        cos_yaw = (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-        locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
-        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+        cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
+        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         (*outline_slope) = (-normal_y) / normal_z;
@@ -153,7 +153,7 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
 }
 
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]. */
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t at, double y, double z, double slope, double bend)
+static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
 {
     double sin_roll;
     double cos_roll;
@@ -169,31 +169,31 @@ static inline int64_t locus__outline_jet(double* y_track, double* z_track, doubl
     double normal_z;
     double normal_y_rate;
     double normal_z_rate;
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    r = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
-    if (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0))
+    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         (*stretch) = cos_roll - slope * sin_roll;
         (*outline_slope) = (slope * cos_roll + sin_roll) / (*stretch);
         (*slope_rate) = bend / ((*stretch) * (*stretch));
     }
     else
     {
-        sin_yaw = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        cos_yaw = (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-        locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-        w = (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) * slope;
+        sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+        cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+        w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
         phi_rate = 0.0;
         if (w * w < 1.0)
         {
-            phi_rate = (-(*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE))) * bend / sqrt(1.0 - w * w);
+            phi_rate = (-(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE))) * bend / sqrt(1.0 - w * w);
         }
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
-        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
+        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         (*stretch) = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate));
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;
@@ -203,4 +203,22 @@ static inline int64_t locus__outline_jet(double* y_track, double* z_track, doubl
         (*slope_rate) = (-(normal_y_rate * normal_z - normal_y * normal_z_rate)) / (normal_z * normal_z);
     }
     return 0;
+}
+
+/* Track coordinate x [m] of the outline at wheel abscissa ``y`` [m], from the middle of the wheelset. */
+static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y)
+{
+    double z;
+    double slope;
+    double sin_phi;
+    double cos_phi;
+    double r;
+    double lateral;
+    double result;
+    profile_table__height_slope(&z, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
+    locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    result = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
+    return result;
 }

@@ -16,13 +16,15 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "profile_table.h"
 
-static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t at, double roll);
-static inline int64_t locus__place_wheelset(array_double_1d work, int64_t at, double lateral_shift, double yaw, double roll, double radius, double arm);
-static inline int64_t locus__mirror_roll(array_double_1d work, int64_t at, int64_t to);
-static inline int64_t locus__mirror_place(array_double_1d work, int64_t at, int64_t to);
-static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t at, double slope);
-static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t at, double y, double z, double slope);
-static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t at, double y, double z, double slope, double bend);
+static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll);
+static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double arm);
+static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);
+static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored);
+static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope);
+static inline int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
+static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
+static inline double locus__outline_x(array_double_1d work, array_double_1d tables, int64_t place, double y);
 
 #endif

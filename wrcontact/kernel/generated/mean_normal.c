@@ -15,7 +15,7 @@ static inline double mean_normal__rail_per_station(array_double_1d work, array_d
     along = sqrt(1.0 + slope * slope);
     if (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0))
     {
-        along = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
+        along = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     }
     return 1.0 / along;
 }

@@ -63,11 +63,11 @@ static inline int64_t node_layout__prepare_regions(array_double_1d tables, array
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        planes__enter_plane(work, i);
+        planes__enter_plane(work, layout__WORK_REGIONS + layout__REGION_SIZE * i, i);
         widths__measure_widths(tables, work, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LEVEL)));
         (*cspan_at(&work, region + layout__REGION_SPACING)) = node_layout__node_spacing(work, tables, region, enlarge);
         node_layout__prepare_nodes(tables, work, state, region, layout__WORK_NODES + layout__NODES_SIZE * i, enlarge);
-        planes__leave_plane(work, i);
+        planes__leave_plane(work, layout__WORK_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
@@ -87,7 +87,7 @@ static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_d
     high_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
     if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (yawed == INT64_C(1)))
     {
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS));
+        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
     nodes__lay_nodes(tables, work, state, region, nodes, low_reach, high_reach);
     node_coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);

@@ -29,7 +29,7 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             node_patches__fill_strips(work, region, layout__WORK_NODES + layout__NODES_SIZE * index);
             strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
-            angle = -atan((*cspan_at(&work, region + layout__REGION_LEAN)));
+            angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
@@ -65,7 +65,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    along = (*cspan_at(&work, region + layout__REGION_ALONG));
+    along = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     slant = (*cspan_at(&work, region + layout__REGION_SLANT));
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))

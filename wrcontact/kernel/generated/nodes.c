@@ -65,14 +65,14 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     double curvature;
     int64_t before;
     int64_t after;
-    contact_plane__start_tracer(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    separation__open_origin(tables, work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work, region + layout__REGION_SPACING)));
-    separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    curves__open_origin(work, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)));
+    separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
     before = nodes__lay_side_nodes(tables, work, state, region, nodes, -INT64_C(1), low_reach, rate);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
@@ -88,14 +88,14 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
     double bend;
     double curvature;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
-    separation__separation(gap, rate, &bend, &curvature, tables, work, state, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
+    separation__separation(gap, rate, &bend, &curvature, work, tables, state, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     if ((*gap) < contact_plane__NO_GAP)
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
         {
-            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
+            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         }
     }
     return 0;
@@ -120,7 +120,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
     int64_t at;
     double station;
     int64_t passed;
-    contact_plane__start_tracer(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = INT64_C(0);
@@ -138,7 +138,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = INT64_C(1);
-                contact_plane__start_tracer(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+                traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
                 nodes__trace_node(&gap, &next_rate, tables, work, state, region, nodes, direction * (traced + step));
             }
             if (gap >= contact_plane__NO_GAP)

@@ -11,9 +11,11 @@
 
 #include "../native/spans.h"
 #include "contact_plane.h"
+#include "curves.h"
 #include "lateral_curvature.h"
 #include "layout.h"
 #include "separation.h"
+#include "traces.h"
 
 static const int64_t nodes__NODE_GAP = INT64_C(0);
 static const int64_t nodes__NODE_A = INT64_C(1);

@@ -13,18 +13,17 @@
  *     do/ds = (m_w - m) / (1 + m m_w)
  *
  * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
- * deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
+ * deepest point of a region is a pair of points with one normal, and o does not depend on where stations begin.
  */
 
 #include "pressed.h"
 
-/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``at`` and moved down by
- * ``height``, looked for from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
+/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
+ * ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
  * and 1 if there is such a point, else 0.
  */
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height)
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height)
 {
-    int64_t rail;
     int64_t wheel;
     double z_rail;
     double m;
@@ -42,29 +41,28 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     double rate;
     double across;
     double down;
-    double rest;
+    double residual;
     double along;
     double move;
     double sharp;
     double overlap;
-    double tangent;
+    double rise;
     double wheel_cos;
     double wheel_kappa;
     double steep;
-    double turn;
+    double relative_kappa;
     double curvature;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    profile_table__height_slope_bend(&z_rail, &m, &rail_bend, tables, rail, abscissa);
+    profile_table__height_slope_bend(&z_rail, &m, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
     kappa = rail_bend * cosine * cosine * cosine;
     for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
     {
         profile_table__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
-        locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, at, y, z, slope, bend);
+        locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, z, slope, bend);
         across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
         down = z_track + height - z_rail;
-        rest = across + down * m;
+        residual = across + down * m;
         along = stretch * (1.0 + m * outline_slope);
         if (!((along > 0.0) && (stretch > 0.0)))
         {
@@ -76,11 +74,10 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
             (*result_5_0001) = INT64_C(0);
             return 0;
         }
-        move = (-rest) / along;
+        move = (-residual) / along;
         sharp = pressed__LINE_SHARP;
         if (i == pressed__LINE_ITERATIONS - INT64_C(1))
         {
-            /* at a joint of the profile Newton's method can go to and fro between both sides */
             sharp = pressed__LINE_JOINT;
         }
         if (fabs(move) < sharp)
@@ -96,17 +93,17 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
                 (*result_5_0001) = INT64_C(0);
                 return 0;
             }
-            tangent = (outline_slope - m) / (1.0 + m * outline_slope);
-            /* the angle between both curves turns by the wheel's curvature over its own arc less the rail's */
+            rise = (outline_slope - m) / (1.0 + m * outline_slope);
+            /* the angle between both curves changes by the wheel's curvature over its own arc less the rail's */
             wheel_cos = 1.0 / sqrt(1.0 + outline_slope * outline_slope);
             wheel_kappa = rate / stretch * wheel_cos * wheel_cos * wheel_cos;
-            steep = 1.0 + tangent * tangent;
-            turn = wheel_kappa * sqrt(steep) - kappa;
-            curvature = contact_plane__longitudinal_curvature(tables, work, at, z, slope, pressed__mean_bend(tables, work, y, bend));
+            steep = 1.0 + rise * rise;
+            relative_kappa = wheel_kappa * sqrt(steep) - kappa;
+            curvature = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, pressed__mean_bend(work, tables, y, bend));
             (*result_0_0001) = y;
             (*result_1) = overlap;
-            (*result_2) = tangent;
-            (*result_3_0001) = steep * turn;
+            (*result_2) = rise;
+            (*result_3_0001) = steep * relative_kappa;
             (*result_4) = curvature;
             (*result_5_0001) = INT64_C(1);
             return 0;
@@ -140,11 +137,11 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     return 0;
 }
 
-/* Second derivative of the wheel profile [1/m] at ``y``, averaged over FRAME_BLUR to either side where that is set.
+/* Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side where that is set.
  *
  * With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint passes a node.
  */
-static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, double y, double bend)
+static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend)
 {
     double blur;
     int64_t wheel;
@@ -174,123 +171,46 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
     return bend;
 }
 
-/* Arc length per abscissa of the rail [-]. */
-static OUT_OF_LINE double pressed__rail_speed(array_double_1d tables, double abscissa)
-{
-    double height;
-    double slope;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-    return sqrt(1.0 + slope * slope);
-}
-
-/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller. */
-static OUT_OF_LINE double pressed__rail_length(array_double_1d tables, double start, double stop)
-{
-    int64_t cells;
-    double step;
-    double total;
-    double low;
-    int64_t i;
-    double begin;
-    double middle;
-    double high;
-    cells = (int64_t)(fabs(stop - start) / pressed__ARC_STEP) + INT64_C(1);
-    step = (stop - start) / (double)(cells);
-    total = 0.0;
-    low = pressed__rail_speed(tables, start);
-    for (i = INT64_C(0); i < cells; i += INT64_C(1))
-    {
-        begin = start + step * (double)(i);
-        middle = pressed__rail_speed(tables, begin + 0.5 * step);
-        high = pressed__rail_speed(tables, begin + step);
-        total += low + 4.0 * middle + high;
-        low = high;
-    }
-    return total * step / 6.0;
-}
-
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``: in steps of no more than ARC_STEP, each a parabola's
- * guess put right by Newton's method on Simpson's rule.
+/* How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap [m], with its
+ * derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel.
  */
-static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double start, double length)
-{
-    int64_t steps;
-    double way;
-    int64_t step;
-    double height;
-    double slope;
-    double bend;
-    double before;
-    double cosine;
-    double following;
-    int64_t i;
-    double middle;
-    double after;
-    double move;
-    double x;
-    steps = (int64_t)(fabs(length) / pressed__ARC_STEP) + INT64_C(1);
-    way = length / (double)(steps);
-    x = start;
-    for (step = INT64_C(0); step < steps; step += INT64_C(1))
-    {
-        profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), x);
-        before = sqrt(1.0 + slope * slope);
-        cosine = 1.0 / before;
-        following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine);
-        for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
-        {
-            middle = pressed__rail_speed(tables, 0.5 * (x + following));
-            after = pressed__rail_speed(tables, following);
-            move = (way - (following - x) * (before + 4.0 * middle + after) / 6.0) / after;
-            following += move;
-            if (fabs(move) < pressed__ARC_SHARP)
-            {
-                break;
-            }
-        }
-        x = following;
-    }
-    return x;
-}
-
-/* What the overlap lacks of the region's depth at ``station`` [m], raised by the region's own gap, with its derivatives
- * [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel.
- */
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station)
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station)
 {
     int64_t rail;
     double way;
     double abscissa;
+    int64_t trace;
     double y;
     double overlap;
     double rise;
-    double turn;
+    double rise_rate;
     double found_curvature;
     int64_t found;
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-    abscissa = pressed__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), way);
+    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
+    abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
     (*gap) = contact_plane__NO_GAP;
     (*rate) = 0.0;
     (*bend) = 0.0;
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
-        pressed__normal_line(&y, &overlap, &rise, &turn, &found_curvature, &found, tables, work, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + way * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)));
+        trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
+        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
         if (found == INT64_C(1))
         {
             (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;
             (*rate) = -rise;
-            (*bend) = -turn;
+            (*bend) = -rise_rate;
             (*curvature) = found_curvature;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (y - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL))) / way;
+                (*cspan_at(&work, trace + layout__TRACE_RATE)) = (y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA))) / way;
             }
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
         }
     }
     return 0;

@@ -13,32 +13,29 @@
  *     do/ds = (m_w - m) / (1 + m m_w)
  *
  * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
- * deepest point of a region is a pair of points with one normal, and o does not ask where stations begin.
+ * deepest point of a region is a pair of points with one normal, and o does not depend on where stations begin.
  */
 
 #ifndef WRCONTACT_KERNEL_PRESSED_H
 #define WRCONTACT_KERNEL_PRESSED_H
 
 #include "../native/spans.h"
+#include "arc_length.h"
 #include "contact_plane.h"
 #include "layout.h"
 #include "locus.h"
+#include "longitudinal_curvature.h"
 #include "profile_table.h"
 
 static const double pressed__LINE_SHARP = 1e-12;
-static const double pressed__ARC_SHARP = 1e-09;
-static const double pressed__LEAST_WAY = 1e-05;
-static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
 static const double pressed__LINE_JOINT = 1e-07;
-static const double pressed__ARC_STEP = 0.001;
-static const double pressed__FARTHEST = 0.005;
+static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
 static const double pressed__LINE_STEP = 0.004;
+static const double pressed__FARTHEST = 0.005;
+static const double pressed__LEAST_WAY = 1e-05;
 
-static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, double y, double bend);
-static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d tables, array_double_1d work, int64_t at, double abscissa, double y, double height);
-static OUT_OF_LINE double pressed__rail_speed(array_double_1d tables, double abscissa);
-static OUT_OF_LINE double pressed__rail_length(array_double_1d tables, double start, double stop);
-static OUT_OF_LINE double pressed__rail_abscissa(array_double_1d tables, double start, double length);
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, array_double_1d state, double station);
+static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend);
+static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height);
+static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station);
 
 #endif

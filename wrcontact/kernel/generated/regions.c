@@ -2,16 +2,15 @@
  *
  * Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
  *
- * A region is the neighbourhood of a local minimum of the normal gap.  Two minima belong to one region while the hump
- * between them stays below MERGE of the penetration; otherwise the hump bounds both.
+ * A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where the gap is
+ * largest.  Both belong to one region while the saddle stays below MERGE of the penetration; otherwise it bounds both.
  */
 
 #include "regions.h"
 
-/* Start region ``index`` at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
-static inline double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station)
+/* Start a region at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
+static inline double regions__open_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double station)
 {
-    int64_t block;
     double start;
     double gap;
     double bend;
@@ -24,7 +23,6 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     double height;
     double slope;
     double found;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * index;
     start = station;
     gap = regions__FAR;
     found = regions__FAR;
@@ -34,8 +32,8 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
     high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
-        /* half a scan cell downhill, until the gap bends upwards */
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__TRACE);
+        /* downhill, until the gap bends upwards */
         move = -regions__DOWNHILL;
         if (rate < 0.0)
         {
@@ -73,53 +71,53 @@ static inline double regions__open_region(array_double_1d tables, array_double_1
         }
         station += move;
     }
-    (*cspan_at(&work, block + layout__REGION_STATION)) = station;
-    (*cspan_at(&work, block + layout__REGION_GAP)) = gap;
-    (*cspan_at(&work, block + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-    (*cspan_at(&work, block + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-    (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
-    (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
-    regions__lean_region(tables, work, block, slope);
+    (*cspan_at(&work, region + layout__REGION_STATION)) = station;
+    (*cspan_at(&work, region + layout__REGION_GAP)) = gap;
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    regions__incline_region(work, tables, region, slope);
     return found;
 }
 
-/* Angle of a region in the contact point's plane from the rail's ``slope`` there, and what follows from it. */
-static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block, double slope)
+/* Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what follows from it. */
+static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope)
 {
     double cosine;
     cosine = 1.0 / sqrt(1.0 + slope * slope);
-    (*cspan_at(&work, block + layout__REGION_LEAN)) = slope;
-    (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(0);
-    (*cspan_at(&work, block + layout__REGION_TURN)) = 1.0;
-    (*cspan_at(&work, block + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, block + layout__REGION_COS)) = cosine;
-    (*cspan_at(&work, block + layout__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work, block + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
+    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
+    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
+    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
+    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
+    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work, block + layout__REGION_SHARE)) = cosine;
+        (*cspan_at(&work, region + layout__REGION_SHARE)) = cosine;
     }
     return INT64_C(0);
 }
 
-/* Region 0: the rigid contact point itself, station and gap zero. */
-static inline int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state)
+/* The region of the rigid contact point itself, station and gap zero. */
+static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
-    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, 0.0, regions__TRACE);
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y));
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND)) = bend;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE)) = curvature;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_HIGH)) = regions__FAR;
-    regions__lean_region(tables, work, layout__WORK_REGIONS, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)));
+    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__TRACE);
+    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__FAR;
+    regions__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     return INT64_C(0);
 }
 
@@ -127,7 +125,7 @@ static inline int64_t regions__open_contact_region(array_double_1d tables, array
  *
  * They are sought at the local minima of the vertical gap.
  */
-static inline int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level)
+static inline int64_t regions__find_regions(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double level)
 {
     double reach;
     int64_t i_end;
@@ -139,8 +137,8 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
     double station;
     int64_t count;
     count = INT64_C(1);
-    reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + 2.0 * level / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
-    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+    reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + 2.0 * level / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
@@ -149,9 +147,9 @@ static inline int64_t regions__find_regions(array_double_1d tables, array_double
             y = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_Y));
             abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-            station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
-            contact_plane__start_tracer(work, station, abscissa, y);
-            if (regions__open_region(tables, work, state, count, station) < level)
+            station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+            traces__start_traces(work, station, abscissa, y);
+            if (regions__open_region(work, tables, layout__WORK_REGIONS + layout__REGION_SIZE * count, state, station) < level)
             {
                 if (regions__is_new(work, count) == INT64_C(1))
                 {
@@ -181,8 +179,8 @@ static inline int64_t regions__is_new(array_double_1d work, int64_t count)
     return new;
 }
 
-/* Order the regions by station, set the humps between them as bounds, and join those with a low hump; the count. */
-static inline int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level)
+/* Order the regions by station, set the saddles between them as bounds, and join those with a low saddle; the count. */
+static inline int64_t regions__bound_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double level)
 {
     int64_t i;
     int64_t j;
@@ -208,13 +206,13 @@ static inline int64_t regions__bound_regions(array_double_1d tables, array_doubl
     {
         low = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         high = layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
-        regions__find_hump(&station, &gap, tables, work, state, low, high);
+        regions__find_saddle(&station, &gap, work, tables, low, high, state);
         if (gap < regions__MERGE * level)
         {
             if ((*cspan_at(&work, high + layout__REGION_GAP)) < (*cspan_at(&work, low + layout__REGION_GAP)))
             {
                 bound = (*cspan_at(&work, low + layout__REGION_LOW));
-                regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * i, layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1)));
+                regions__swap_regions(work, low, high);
                 (*cspan_at(&work, low + layout__REGION_LOW)) = bound;
             }
             for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
@@ -239,7 +237,7 @@ static inline int64_t regions__swap_regions(array_double_1d work, int64_t first,
 {
     int64_t i;
     double kept;
-    for (i = INT64_C(0); i < layout__REGION_BLOCK; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__REGION_SIZE; i += INT64_C(1))
     {
         kept = (*cspan_at(&work, first + i));
         (*cspan_at(&work, first + i)) = (*cspan_at(&work, second + i));
@@ -248,8 +246,8 @@ static inline int64_t regions__swap_regions(array_double_1d work, int64_t first,
     return INT64_C(0);
 }
 
-/* Station and gap [m] of the hump between two regions: best of HUMP_SAMPLES, then Newton on the rate. */
-static inline int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high)
+/* Station and gap [m] of the saddle between two regions: best of SADDLE_SAMPLES, then Newton on the rate. */
+static inline int64_t regions__find_saddle(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d tables, int64_t low, int64_t high, array_double_1d state)
 {
     double left;
     double right;
@@ -265,14 +263,14 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
     double move;
     left = (*cspan_at(&work, low + layout__REGION_STATION));
     right = (*cspan_at(&work, high + layout__REGION_STATION));
-    contact_plane__start_tracer(work, left, (*cspan_at(&work, low + layout__REGION_RAIL)), (*cspan_at(&work, low + layout__REGION_WHEEL)));
-    step = (right - left) / (double)(regions__HUMP_SAMPLES + INT64_C(1));
+    traces__start_traces(work, left, (*cspan_at(&work, low + layout__REGION_RAIL)), (*cspan_at(&work, low + layout__REGION_WHEEL)));
+    step = (right - left) / (double)(regions__SADDLE_SAMPLES + INT64_C(1));
     top = left;
     largest = -regions__FAR;
-    for (i = INT64_C(1); i < regions__HUMP_SAMPLES + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < regions__SADDLE_SAMPLES + INT64_C(1); i += INT64_C(1))
     {
         station = left + step * (double)(i);
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__TRACE);
         if (gap > largest)
         {
             largest = gap;
@@ -282,7 +280,7 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
     station = top;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, tables, work, state, station, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__TRACE);
         if ((!(bend < 0.0)) || (fabs(station - top) > step))
         {
             (*result_0_0001) = top;
@@ -301,118 +299,4 @@ static inline int64_t regions__find_hump(double* result_0_0001, double* result_1
     (*result_0_0001) = top;
     (*result_1_0001) = largest;
     return 0;
-}
-
-/* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
- * end of a profile; REGION_REACHED holds how far it has risen there, and there the tracer stands.
- *
- * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
- * separation, with arcs in place of the chords whose length follows from this width.
- */
-static inline double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess)
-{
-    double limit;
-    double tolerance;
-    double root;
-    double low;
-    double high;
-    double width;
-    double station;
-    double abscissa;
-    double y;
-    int64_t i;
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    double rise;
-    double following;
-    double sharp;
-    double near;
-    double square;
-    double newton;
-    limit = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
-    if (direction < 0.0)
-    {
-        limit = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
-    }
-    contact_plane__start_tracer(work, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)));
-    separation__open_origin(tables, work, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), 0.0);
-    tolerance = 0.001 * guess;
-    if (tolerance > regions__WIDTH_TRACE)
-    {
-        tolerance = regions__WIDTH_TRACE;
-    }
-    root = sqrt(level);
-    low = 0.0;
-    high = -1.0;
-    width = guess;
-    (*cspan_at(&work, block + layout__REGION_REACHED)) = 0.0;
-    station = (*cspan_at(&work, block + layout__REGION_STATION));
-    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL));
-    y = (*cspan_at(&work, block + layout__REGION_WHEEL));
-    for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
-    {
-        if (width > limit)
-        {
-            width = limit;
-        }
-        separation__separation(&gap, &rate, &bend, &curvature, tables, work, state, (*cspan_at(&work, block + layout__REGION_STATION)) + direction * width, tolerance);
-        if (gap >= contact_plane__NO_GAP)
-        {
-            contact_plane__start_tracer(work, station, abscissa, y);
-        }
-        else
-        {
-            /* beyond an end the tracer has lost its way */
-            station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-            abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-            y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-        }
-        rise = gap - (*cspan_at(&work, block + layout__REGION_GAP));
-        if (rise < level)
-        {
-            low = width;
-            (*cspan_at(&work, block + layout__REGION_REACHED)) = rise;
-            if (width >= limit)
-            {
-                return limit;
-            }
-        }
-        else
-        {
-            high = width;
-        }
-        following = 2.0 * width;
-        sharp = regions__HALVED_SHARP;
-        near = regions__WIDTH_SHARP;
-        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            near = regions__PRESSED_SHARP;
-        }
-        if (high > 0.0)
-        {
-            following = 0.5 * (low + high);
-        }
-        if ((rise > 0.0) && (rate * direction > 0.0))
-        {
-            square = sqrt(rise);
-            newton = width + (root - square) * 2.0 * square / (rate * direction);
-            if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
-            {
-                following = newton;
-                sharp = near;
-            }
-        }
-        if (fabs(following - width) < sharp * width)
-        {
-            if (sharp == near)
-            {
-                (*cspan_at(&work, block + layout__REGION_REACHED)) = level;
-            }
-            return following;
-        }
-        width = following;
-    }
-    return width;
 }

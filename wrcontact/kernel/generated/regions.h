@@ -2,8 +2,8 @@
  *
  * Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
  *
- * A region is the neighbourhood of a local minimum of the normal gap.  Two minima belong to one region while the hump
- * between them stays below MERGE of the penetration; otherwise the hump bounds both.
+ * A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where the gap is
+ * largest.  Both belong to one region while the saddle stays below MERGE of the penetration; otherwise it bounds both.
  */
 
 #ifndef WRCONTACT_KERNEL_REGIONS_H
@@ -13,8 +13,8 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "profile_table.h"
-#include "separation.h"
 #include "smallest_gap.h"
+#include "traces.h"
 
 static const double regions__MERGE = 0.3;
 static const double regions__APART = 0.0002;
@@ -23,22 +23,16 @@ static const double regions__DOWNHILL = 0.00025;
 static const double regions__FAR = 1.0;
 static const double regions__TRACE = 1e-12;
 static const double regions__PLACE_SHARP = 1e-11;
-static const double regions__WIDTH_TRACE = 5e-08;
-static const double regions__HALVED_SHARP = 1e-09;
-static const int64_t regions__WIDTH_ITERATIONS = INT64_C(60);
-static const double regions__WIDTH_SHARP = 0.005;
-static const double regions__PRESSED_SHARP = 1e-05;
-static const int64_t regions__HUMP_SAMPLES = INT64_C(8);
+static const int64_t regions__SADDLE_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(30);
 
-static inline int64_t regions__lean_region(array_double_1d tables, array_double_1d work, int64_t block, double slope);
-static inline double regions__open_region(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double station);
-static inline int64_t regions__open_contact_region(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
+static inline double regions__open_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double station);
+static inline int64_t regions__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state);
 static inline int64_t regions__is_new(array_double_1d work, int64_t count);
-static inline int64_t regions__find_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double level);
+static inline int64_t regions__find_regions(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double level);
 static inline int64_t regions__swap_regions(array_double_1d work, int64_t first, int64_t second);
-static inline int64_t regions__find_hump(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t low, int64_t high);
-static inline int64_t regions__bound_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double level);
-static inline double regions__zone_width(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t block, double direction, double level, double guess);
+static inline int64_t regions__find_saddle(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d tables, int64_t low, int64_t high, array_double_1d state);
+static inline int64_t regions__bound_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double level);
 
 #endif

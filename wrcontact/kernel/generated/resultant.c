@@ -44,10 +44,10 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
     if (load > 0.0)
     {
         /* of the region's plane */
-        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
         {
-            cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN)));
+            cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)));
         }
         /* from the region's smallest gap to its centre of load, along its plane */
         away = (*cspan_at(&work, block + layout__REGION_MOMENT)) / load - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
@@ -60,7 +60,7 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
             normal_cos = (*cspan_at(&work, block + layout__REGION_COS));
             normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
         }
-        x = (*cspan_at(&work, block + layout__REGION_ALONG)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
+        x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
         y = mirror * ((*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa);
         z = height;
         force_y = mirror * normal_sin * load;

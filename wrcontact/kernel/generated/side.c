@@ -97,27 +97,23 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach)
 {
     int64_t side;
-    int64_t at;
     double height;
     int64_t deepest;
-    int64_t deep;
     double aside;
     double shift;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = side + layout__SIDE_SEARCH_PLACE;
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     side__clear_side(tables, work, index);
     resultant__clear_resultant(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-    if (overlaps__find_overlaps(tables, work, state, side, at, height) == INT64_C(0))
+    if (overlaps__find_overlaps(work, tables, side, state, height) == INT64_C(0))
     {
         /* it overlaps most at the end of a profile */
         return layout__OFF_PROFILE;
     }
-    deepest = overlaps__deepest_entry(work);
-    deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;
-    overlaps__touching_shift(&aside, &shift, tables, work, at, deepest, height);
-    contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), aside, shift);
-    overlaps__press_frame(work, height, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), 0.0);
+    deepest = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    pressed_regions__touching_shift(&aside, &shift, work, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
+    contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
+    pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
     return layout__VALID;
 }
 

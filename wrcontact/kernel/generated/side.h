@@ -8,12 +8,14 @@
 
 #include "../native/spans.h"
 #include "contact_point.h"
+#include "deep_points.h"
 #include "gap.h"
 #include "layout.h"
 #include "normal_contact.h"
 #include "outline.h"
 #include "outlines.h"
 #include "overlaps.h"
+#include "pressed_regions.h"
 #include "resultant.h"
 #include "totals.h"
 

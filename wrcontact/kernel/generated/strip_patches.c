@@ -35,7 +35,7 @@ static inline int64_t strip_patches__fill_from_strips(array_double_1d work)
             start = strip_edges__run_edge(work, count, first, last, -INT64_C(1));
             stop = strip_edges__run_edge(work, count, last, first, INT64_C(1));
             region = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-            index = filling__begin_patch(work, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_LEAN))));
+            index = filling__begin_patch(work, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
             patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
@@ -66,7 +66,7 @@ static inline int64_t strip_patches__add_strip(array_double_1d work, int64_t pat
     (*cspan_at(&work, region + layout__REGION_MOMENT)) += load * (*cspan_at(&work, strip + layout__STRIP_STATION));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_ALONG)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
+    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = (*cspan_at(&work, strip + layout__STRIP_CURVATURE));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE));

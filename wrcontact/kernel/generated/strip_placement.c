@@ -58,7 +58,7 @@ static inline int64_t strip_placement__place_strips(array_double_1d work, int64_
 static inline int64_t strip_placement__measure_zone(array_double_1d work, int64_t zone, int64_t region, int64_t nodes, double penetration)
 {
     double own;
-    own = (*cspan_at(&work, region + layout__REGION_TURN)) * penetration;
+    own = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_PENETRATION)) = own;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = strip_placement__zone_end(work, region, nodes, -INT64_C(1), own);
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = strip_placement__zone_end(work, region, nodes, INT64_C(1), own);

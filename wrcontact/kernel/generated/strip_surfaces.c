@@ -43,7 +43,7 @@ static inline int64_t strip_surfaces__read_surfaces(array_double_1d work, int64_
     (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_GAP)) + gap * (*cspan_at(&work, region + layout__REGION_UPRIGHT_B));
     (*cspan_at(&work, strip + layout__STRIP_A)) = A * (*cspan_at(&work, region + layout__REGION_UPRIGHT_A));
     (*cspan_at(&work, strip + layout__STRIP_CURVATURE)) = 2.0 * A;
-    (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_TURN));
+    (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
     return INT64_C(0);
 }
 
@@ -86,7 +86,7 @@ static inline int64_t strip_surfaces__describe_strips(array_double_1d work)
             square = level / length;
         }
         below = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
-        below *= (*cspan_at(&work, region + layout__REGION_TURN));
+        below *= (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
         inside = strip_surfaces__INSIDE * strip_surfaces__INSIDE * below / length;
         if (inside > square)
         {

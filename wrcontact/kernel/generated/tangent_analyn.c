@@ -267,10 +267,10 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
             (*cspan_at(&work_t, row + j)) = 0.0;
             (*cspan_at(&work, row + j)) = share;
         }
-        rest_t = (*cspan_at(&work_t, block + layout__REGION_TURN)) * penetration - (*cspan_at(&work_t, block + layout__REGION_GAP)) - pushed_t;
-        rest = (*cspan_at(&work, block + layout__REGION_TURN)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed;
+        rest_t = (*cspan_at(&work_t, block + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work_t, block + layout__REGION_GAP)) - pushed_t;
+        rest = (*cspan_at(&work, block + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed;
         (*cspan_at(&work_t, row + count)) = 0.0;
-        (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + layout__REGION_TURN));
+        (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + layout__REGION_ALIGNMENT));
         (*cspan_at(&work_t, row + size)) = 0.0;
         (*cspan_at(&work, row + size)) = rest_t;
         (*cspan_at(&work_t, row + (size + INT64_C(1)))) = 0.0;

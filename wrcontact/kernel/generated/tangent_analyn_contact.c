@@ -11,7 +11,7 @@ static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetrati
     tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, tables, work, work_t, state, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) == INT64_C(1))
     {
-        tangent_planes__line_up_t(tables, work, work_t, (*count));
+        tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
         tangent_node_patches__fill_from_nodes_t(work, work_t, (*count));
     }
     return 0;
@@ -71,12 +71,12 @@ static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetrat
         (*count) = INT64_C(1);
         if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
-            tangent_overlaps__keep_deepest_t(work, work_t);
-            tangent_overlaps__gather_overlaps_t(tables, work, work_t, state);
+            tangent_deep_points__keep_deepest_t(work, work_t);
+            tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
         }
         else
         {
-            tangent_regions__open_contact_region_t(tables, work, work_t, state);
+            tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
         }
         tangent_estimate__start_penetrations_t(work, work_t, (*count), estimate, estimate_t);
         tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, tables, work, work_t, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
@@ -102,17 +102,17 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d t
     count = INT64_C(1);
     if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n1 = tangent_overlaps__gather_overlaps_t(tables, work, work_t, state);
+        n1 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
         count = n1;
     }
     else
     {
-        tangent_regions__open_contact_region_t(tables, work, work_t, state);
-        n2 = tangent_regions__find_regions_t(tables, work, work_t, state, side, penetration, penetration_t);
+        tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
+        n2 = tangent_regions__find_regions_t(work, work_t, tables, side, state, penetration, penetration_t);
         count = n2;
-        n3 = tangent_regions__bound_regions_t(tables, work, work_t, state, count, penetration, penetration_t);
+        n3 = tangent_regions__bound_regions_t(work, work_t, tables, state, count, penetration, penetration_t);
         count = n3;
-        tangent_planes__give_planes_t(tables, work, work_t, state, count);
+        tangent_planes__give_planes_t(work, work_t, tables, state, count);
     }
     tangent_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;

@@ -11,11 +11,12 @@
 #include "layout.h"
 #include "node_layout.h"
 #include "tangent_analyn.h"
+#include "tangent_deep_points.h"
 #include "tangent_estimate.h"
 #include "tangent_node_layout.h"
 #include "tangent_node_patches.h"
-#include "tangent_overlaps.h"
 #include "tangent_planes.h"
+#include "tangent_pressed_regions.h"
 #include "tangent_regions.h"
 
 static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double penetration, double penetration_t);

@@ -8,7 +8,7 @@
 /* Tangent of ``describe_contact``. */
 static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
 {
-    int64_t at;
+    int64_t place;
     int64_t out;
     double z;
     double z_t;
@@ -34,29 +34,29 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     double v4;
     double v4_t;
     int64_t touches;
-    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+    place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, at, y, y_t, aside, aside_t, shift, shift_t);
-    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, at, slope, slope_t);
+    tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, work, work_t, tables, place, y, y_t, aside, aside_t, shift, shift_t);
+    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     r_t = z_t;
     r = (*cspan_at(&tables, layout__TABLES_RADIUS)) + z;
-    v1 = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
+    v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     v2 = r * cos_phi;
-    lateral_t = ((*cspan_at(&work_t, at + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL)));
-    lateral = v1 * (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
+    lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
+    lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r_t * sin_phi + r * sin_phi_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = r * sin_phi;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r_t * cos_phi + r * cos_phi_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    v3 = (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r;
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = ((*cspan_at(&work_t, at + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, at + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral_t);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = v3 * sin_phi - (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * lateral;
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = y_track;
     if (index == INT64_C(0))
@@ -64,20 +64,20 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
         (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track_t;
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
-    tangent_regions__open_contact_region_t(tables, work, work_t, state);
+    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_BEND));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+        tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
         (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * v4_t;
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * v4;
     }
@@ -88,7 +88,7 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
         {
             touches = INT64_C(0);
         }
-        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) == INT64_C(1))
+        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) == INT64_C(1))
         {
             touches = INT64_C(0);
         }

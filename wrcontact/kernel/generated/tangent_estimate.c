@@ -90,7 +90,7 @@ static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, doubl
 static inline int64_t tangent_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t)
 {
     double v2;
-    tangent_regions__open_contact_region_t(tables, work, work_t, state);
+    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
     (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
     (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE));
@@ -108,8 +108,8 @@ static inline int64_t tangent_estimate__start_penetrations_t(array_double_1d wor
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        local_t = (*cspan_at(&work_t, region + layout__REGION_TURN)) * penetration + (*cspan_at(&work, region + layout__REGION_TURN)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
-        local = (*cspan_at(&work, region + layout__REGION_TURN)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+        local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
         if (local < estimate__LEAST_SHARE * penetration)
         {
             local_t = estimate__LEAST_SHARE * penetration_t;

@@ -75,8 +75,8 @@ static inline int64_t tangent_filling__place_patch_t(array_double_1d work, array
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work_t, region + layout__REGION_ALONG));
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_ALONG));
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work_t, region + layout__REGION_X_TRACK));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work_t, region + layout__REGION_SLANT));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work_t, region + layout__REGION_LEVEL));

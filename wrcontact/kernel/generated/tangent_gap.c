@@ -6,7 +6,7 @@
 #include "tangent_gap.h"
 
 /* Tangent of ``vertical_gap``. */
-static inline int64_t tangent_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t at, double y, double y_t)
+static inline int64_t tangent_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t)
 {
     double z;
     double z_t;
@@ -31,7 +31,7 @@ static inline int64_t tangent_gap__vertical_gap_t(double* result_0, double* resu
     double rail_bend;
     double rail_bend_t;
     tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-    tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+    tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
     tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
     (*mismatch_t) = rail_slope_t - outline_slope_t;
     (*mismatch) = rail_slope - outline_slope;
@@ -48,7 +48,7 @@ static inline int64_t tangent_gap__vertical_gap_t(double* result_0, double* resu
 }
 
 /* Tangent of ``gap_per_roll``. */
-static inline int64_t tangent_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t at, double y, double y_t)
+static inline int64_t tangent_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t)
 {
     double z;
     double z_t;
@@ -84,21 +84,21 @@ static inline int64_t tangent_gap__gap_per_roll_t(double* result_0, double* resu
     double vertical_t;
     double vertical;
     tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-    tangent_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t);
+    tangent_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t);
     tangent_profile_table__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)), y_track_t);
-    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, at, slope, slope_t);
-    arm_t = (*cspan_at(&work_t, at + layout__PLACE_ARM)) + y_t;
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    v1 = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
-    height_t = ((*cspan_at(&work_t, at + layout__PLACE_RADIUS)) + z_t) * cos_phi + v1 * cos_phi_t;
+    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
+    arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
+    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    v1 = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    height_t = ((*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t) * cos_phi + v1 * cos_phi_t;
     height = v1 * cos_phi;
-    sin_roll_t = (*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL));
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    v2 = -(*cspan_at(&work, at + layout__PLACE_COS_YAW));
+    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    v2 = -(*cspan_at(&work, place + layout__PLACE_COS_YAW));
     v3 = arm * sin_roll + height * cos_roll;
-    lateral_t = (-(*cspan_at(&work_t, at + layout__PLACE_COS_YAW))) * v3 + v2 * (arm_t * sin_roll + arm * sin_roll_t + (height_t * cos_roll + height * cos_roll_t));
+    lateral_t = (-(*cspan_at(&work_t, place + layout__PLACE_COS_YAW))) * v3 + v2 * (arm_t * sin_roll + arm * sin_roll_t + (height_t * cos_roll + height * cos_roll_t));
     lateral = v2 * v3;
     vertical_t = arm_t * cos_roll + arm * cos_roll_t - (height_t * sin_roll + height * sin_roll_t);
     vertical = arm * cos_roll - height * sin_roll;

@@ -10,7 +10,7 @@ static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration
 {
     double v1;
     double v1_t;
-    tangent_planes__line_up_t(tables, work, work_t, INT64_C(1));
+    tangent_planes__locate_along_track_t(work, work_t, tables, INT64_C(1));
     tangent_hertz_contact__solve_hertz_t(&v1, &v1_t, work, work_t, tables, point, layout__WORK_REGIONS, force, force_t, prescribed, prescribed_t);
     (*penetration_t) = v1_t;
     (*penetration) = v1;

@@ -54,8 +54,8 @@ static inline int64_t tangent_interaction__region_lead_t(double* lead, double* l
     (*lead) = 0.0;
     if (interaction__planes_cosine(work, one, other) < interaction__INCLINED)
     {
-        (*lead_t) = (*cspan_at(&work_t, one + layout__REGION_ALONG)) - (*cspan_at(&work_t, other + layout__REGION_ALONG));
-        (*lead) = (*cspan_at(&work, one + layout__REGION_ALONG)) - (*cspan_at(&work, other + layout__REGION_ALONG));
+        (*lead_t) = (*cspan_at(&work_t, one + layout__REGION_X_TRACK)) - (*cspan_at(&work_t, other + layout__REGION_X_TRACK));
+        (*lead) = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
     }
     return 0;
 }

@@ -6,35 +6,35 @@
 #include "tangent_locus.h"
 
 /* Tangent of ``place_wheelset``. */
-static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t at, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double arm, double arm_t)
+static inline int64_t tangent_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double arm, double arm_t)
 {
-    (*cspan_at(&work_t, at + layout__PLACE_SHIFT)) = lateral_shift_t;
-    (*cspan_at(&work, at + layout__PLACE_SHIFT)) = lateral_shift;
-    (*cspan_at(&work_t, at + layout__PLACE_SIN_YAW)) = 0.0;
-    (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) = 0.0;
-    (*cspan_at(&work_t, at + layout__PLACE_COS_YAW)) = 0.0;
-    (*cspan_at(&work, at + layout__PLACE_COS_YAW)) = 1.0;
-    (*cspan_at(&work_t, at + layout__PLACE_YAWED)) = 0.0;
-    (*cspan_at(&work, at + layout__PLACE_YAWED)) = (double)(0);
+    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = lateral_shift_t;
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
+    (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = 0.0;
+    (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = 1.0;
+    (*cspan_at(&work_t, place + layout__PLACE_YAWED)) = 0.0;
+    (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(0);
     if (yaw != 0.0)
     {
-        (*cspan_at(&work_t, at + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
-        (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) = sin(yaw);
-        (*cspan_at(&work_t, at + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
-        (*cspan_at(&work, at + layout__PLACE_COS_YAW)) = cos(yaw);
-        (*cspan_at(&work_t, at + layout__PLACE_YAWED)) = 0.0;
-        (*cspan_at(&work, at + layout__PLACE_YAWED)) = (double)(1);
+        (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = cos(yaw) * yaw_t;
+        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sin(yaw);
+        (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = (-sin(yaw)) * yaw_t;
+        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cos(yaw);
+        (*cspan_at(&work_t, place + layout__PLACE_YAWED)) = 0.0;
+        (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
     }
-    (*cspan_at(&work_t, at + layout__PLACE_RADIUS)) = radius_t;
-    (*cspan_at(&work, at + layout__PLACE_RADIUS)) = radius;
-    (*cspan_at(&work_t, at + layout__PLACE_ARM)) = arm_t;
-    (*cspan_at(&work, at + layout__PLACE_ARM)) = arm;
-    tangent_locus__turn_wheelset_t(work, work_t, at, roll, roll_t);
+    (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) = radius_t;
+    (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
+    (*cspan_at(&work_t, place + layout__PLACE_ARM)) = arm_t;
+    (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
+    tangent_locus__turn_wheelset_t(work, work_t, place, roll, roll_t);
     return INT64_C(0);
 }
 
 /* Tangent of ``turn_wheelset``. */
-static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t at, double roll, double roll_t)
+static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double roll, double roll_t)
 {
     double sin_roll_t;
     double sin_roll;
@@ -63,10 +63,10 @@ static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array
     cos_t = 1.0;
     w_per_slope_t = 0.0;
     w_per_slope = 0.0;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
     {
-        v1 = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-        tan_yaw_t = ((*cspan_at(&work_t, at + layout__PLACE_SIN_YAW)) - v1 * (*cspan_at(&work_t, at + layout__PLACE_COS_YAW))) / (*cspan_at(&work, at + layout__PLACE_COS_YAW));
+        v1 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        tan_yaw_t = ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) - v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_YAW))) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
         tan_yaw = v1;
         t_t = tan_yaw_t * sin_roll + tan_yaw * sin_roll_t;
         t = tan_yaw * sin_roll;
@@ -79,56 +79,56 @@ static inline int64_t tangent_locus__turn_wheelset_t(array_double_1d work, array
         w_per_slope_t = (tan_yaw_t * cos_roll + tan_yaw * cos_roll_t) * cos_t + v5 * cos_t_t;
         w_per_slope = v5 * cos_t;
     }
-    (*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL)) = sin_roll_t;
-    (*cspan_at(&work, at + layout__PLACE_SIN_ROLL)) = sin_roll;
-    (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL)) = cos_roll_t;
-    (*cspan_at(&work, at + layout__PLACE_COS_ROLL)) = cos_roll;
-    (*cspan_at(&work_t, at + layout__PLACE_T)) = t_t;
-    (*cspan_at(&work, at + layout__PLACE_T)) = t;
-    (*cspan_at(&work_t, at + layout__PLACE_COS_T)) = cos_t_t;
-    (*cspan_at(&work, at + layout__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&work_t, at + layout__PLACE_W_PER_SLOPE)) = w_per_slope_t;
-    (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
+    (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) = sin_roll_t;
+    (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) = sin_roll;
+    (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) = cos_roll_t;
+    (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) = cos_roll;
+    (*cspan_at(&work_t, place + layout__PLACE_T)) = t_t;
+    (*cspan_at(&work, place + layout__PLACE_T)) = t;
+    (*cspan_at(&work_t, place + layout__PLACE_COS_T)) = cos_t_t;
+    (*cspan_at(&work, place + layout__PLACE_COS_T)) = cos_t;
+    (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope_t;
+    (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
     return INT64_C(0);
 }
 
 /* Tangent of ``mirror_place``. */
-static inline int64_t tangent_locus__mirror_place_t(array_double_1d work, array_double_1d work_t, int64_t at, int64_t to)
+static inline int64_t tangent_locus__mirror_place_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored)
 {
-    (*cspan_at(&work_t, to + layout__PLACE_SHIFT)) = -(*cspan_at(&work_t, at + layout__PLACE_SHIFT));
-    (*cspan_at(&work, to + layout__PLACE_SHIFT)) = -(*cspan_at(&work, at + layout__PLACE_SHIFT));
-    (*cspan_at(&work_t, to + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work_t, at + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work, to + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work_t, to + layout__PLACE_COS_YAW)) = (*cspan_at(&work_t, at + layout__PLACE_COS_YAW));
-    (*cspan_at(&work, to + layout__PLACE_COS_YAW)) = (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-    (*cspan_at(&work_t, to + layout__PLACE_RADIUS)) = (*cspan_at(&work_t, at + layout__PLACE_RADIUS));
-    (*cspan_at(&work, to + layout__PLACE_RADIUS)) = (*cspan_at(&work, at + layout__PLACE_RADIUS));
-    (*cspan_at(&work_t, to + layout__PLACE_ARM)) = (*cspan_at(&work_t, at + layout__PLACE_ARM));
-    (*cspan_at(&work, to + layout__PLACE_ARM)) = (*cspan_at(&work, at + layout__PLACE_ARM));
-    (*cspan_at(&work_t, to + layout__PLACE_YAWED)) = 0.0;
-    (*cspan_at(&work, to + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0);
-    tangent_locus__mirror_roll_t(work, work_t, at, to);
+    (*cspan_at(&work_t, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work_t, place + layout__PLACE_SHIFT));
+    (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+    (*cspan_at(&work, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+    (*cspan_at(&work, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_RADIUS)) = (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
+    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = (*cspan_at(&work, place + layout__PLACE_RADIUS));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work_t, place + layout__PLACE_ARM));
+    (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_YAWED)) = 0.0;
+    (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
+    tangent_locus__mirror_roll_t(work, work_t, place, mirrored);
     return INT64_C(0);
 }
 
 /* Tangent of ``mirror_roll``. */
-static inline int64_t tangent_locus__mirror_roll_t(array_double_1d work, array_double_1d work_t, int64_t at, int64_t to)
+static inline int64_t tangent_locus__mirror_roll_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored)
 {
-    (*cspan_at(&work_t, to + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL));
-    (*cspan_at(&work, to + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    (*cspan_at(&work_t, to + layout__PLACE_COS_ROLL)) = (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL));
-    (*cspan_at(&work, to + layout__PLACE_COS_ROLL)) = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    (*cspan_at(&work_t, to + layout__PLACE_T)) = (*cspan_at(&work_t, at + layout__PLACE_T));
-    (*cspan_at(&work, to + layout__PLACE_T)) = (*cspan_at(&work, at + layout__PLACE_T));
-    (*cspan_at(&work_t, to + layout__PLACE_COS_T)) = (*cspan_at(&work_t, at + layout__PLACE_COS_T));
-    (*cspan_at(&work, to + layout__PLACE_COS_T)) = (*cspan_at(&work, at + layout__PLACE_COS_T));
-    (*cspan_at(&work_t, to + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work_t, at + layout__PLACE_W_PER_SLOPE));
-    (*cspan_at(&work, to + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    (*cspan_at(&work, mirrored + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_COS_ROLL)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    (*cspan_at(&work, mirrored + layout__PLACE_COS_ROLL)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_T)) = (*cspan_at(&work_t, place + layout__PLACE_T));
+    (*cspan_at(&work, mirrored + layout__PLACE_T)) = (*cspan_at(&work, place + layout__PLACE_T));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_COS_T)) = (*cspan_at(&work_t, place + layout__PLACE_COS_T));
+    (*cspan_at(&work, mirrored + layout__PLACE_COS_T)) = (*cspan_at(&work, place + layout__PLACE_COS_T));
+    (*cspan_at(&work_t, mirrored + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE));
+    (*cspan_at(&work, mirrored + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE));
     return INT64_C(0);
 }
 
 /* Tangent of ``around_wheel``. */
-static inline int64_t tangent_locus__around_wheel_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t at, double slope, double slope_t)
+static inline int64_t tangent_locus__around_wheel_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double slope, double slope_t)
 {
     double w_t;
     double w;
@@ -142,8 +142,8 @@ static inline int64_t tangent_locus__around_wheel_t(double* result_0, double* re
     double cos_t;
     double v3;
     double v4;
-    w_t = (*cspan_at(&work_t, at + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) * slope_t;
-    w = (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) * slope;
+    w_t = (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope_t;
+    w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
     if (w > 1.0)
     {
         w_t = 0.0;
@@ -158,10 +158,10 @@ static inline int64_t tangent_locus__around_wheel_t(double* result_0, double* re
     v2 = sqrt(v1);
     root_t = tangent_rates__root_rate(v2, -(w_t * w + w * w_t));
     root = v2;
-    t_t = (*cspan_at(&work_t, at + layout__PLACE_T));
-    t = (*cspan_at(&work, at + layout__PLACE_T));
-    cos_t_t = (*cspan_at(&work_t, at + layout__PLACE_COS_T));
-    cos_t = (*cspan_at(&work, at + layout__PLACE_COS_T));
+    t_t = (*cspan_at(&work_t, place + layout__PLACE_T));
+    t = (*cspan_at(&work, place + layout__PLACE_T));
+    cos_t_t = (*cspan_at(&work_t, place + layout__PLACE_COS_T));
+    cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
     v3 = -(t * root + w);
     v4 = root - t * w;
     (*result_0) = v3 * cos_t;
@@ -172,7 +172,7 @@ static inline int64_t tangent_locus__around_wheel_t(double* result_0, double* re
 }
 
 /* Tangent of ``outline_point``. */
-static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, array_double_1d work, array_double_1d work_t, int64_t at, double y, double y_t, double z, double z_t, double slope, double slope_t)
+static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t)
 {
     double sin_roll_t;
     double sin_roll;
@@ -204,20 +204,20 @@ static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_
     double normal_z;
     double v9;
     double v10;
-    sin_roll_t = (*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL));
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    arm_t = (*cspan_at(&work_t, at + layout__PLACE_ARM)) + y_t;
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    r_t = (*cspan_at(&work_t, at + layout__PLACE_RADIUS)) + z_t;
-    r = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
-    if (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0))
+    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
+    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        (*y_track_t) = (*cspan_at(&work_t, at + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, at + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         v1 = slope * cos_roll + sin_roll;
         v2 = cos_roll - slope * sin_roll;
         v3 = v1 / v2;
@@ -226,19 +226,19 @@ static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_
     }
     else
     {
-        sin_yaw_t = (*cspan_at(&work_t, at + layout__PLACE_SIN_YAW));
-        sin_yaw = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        cos_yaw_t = (*cspan_at(&work_t, at + layout__PLACE_COS_YAW));
-        cos_yaw = (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-        tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, at, slope, slope_t);
+        sin_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+        sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+        cos_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+        cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
         v4 = sin_yaw * r;
         v5 = r * cos_phi;
         v6 = arm * cos_roll - v5 * sin_roll;
-        (*y_track_t) = (*cspan_at(&work_t, at + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v4 * sin_phi_t) + (cos_yaw_t * v6 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v5 * sin_roll_t)));
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + v4 * sin_phi + cos_yaw * v6;
+        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v4 * sin_phi_t) + (cos_yaw_t * v6 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v5 * sin_roll_t)));
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + v4 * sin_phi + cos_yaw * v6;
         v7 = r * cos_phi;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v7 * cos_roll_t) - (*cspan_at(&work_t, at + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + v7 * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v7 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + v7 * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         v8 = slope * cos_roll + cos_phi * sin_roll;
         normal_y_t = sin_yaw_t * sin_phi + sin_yaw * sin_phi_t - (cos_yaw_t * v8 + cos_yaw * (slope_t * cos_roll + slope * cos_roll_t + (cos_phi_t * sin_roll + cos_phi * sin_roll_t)));
         normal_y = sin_yaw * sin_phi - cos_yaw * v8;
@@ -253,7 +253,7 @@ static inline int64_t tangent_locus__outline_point_t(double* y_track, double* y_
 }
 
 /* Tangent of ``outline_jet``. */
-static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, double* stretch, double* stretch_t, double* slope_rate, double* slope_rate_t, array_double_1d work, array_double_1d work_t, int64_t at, double y, double y_t, double z, double z_t, double slope, double slope_t, double bend, double bend_t)
+static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, double* stretch, double* stretch_t, double* slope_rate, double* slope_rate_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t, double bend, double bend_t)
 {
     double sin_roll_t;
     double sin_roll;
@@ -312,20 +312,20 @@ static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_tr
     double v27;
     double v28;
     double v29;
-    sin_roll_t = (*cspan_at(&work_t, at + layout__PLACE_SIN_ROLL));
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, at + layout__PLACE_COS_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    arm_t = (*cspan_at(&work_t, at + layout__PLACE_ARM)) + y_t;
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    r_t = (*cspan_at(&work_t, at + layout__PLACE_RADIUS)) + z_t;
-    r = (*cspan_at(&work, at + layout__PLACE_RADIUS)) + z;
-    if (!((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0))
+    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
+    arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
+    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        (*y_track_t) = (*cspan_at(&work_t, at + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, at + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         (*stretch_t) = cos_roll_t - (slope_t * sin_roll + slope * sin_roll_t);
         (*stretch) = cos_roll - slope * sin_roll;
         v1 = slope * cos_roll + sin_roll;
@@ -339,33 +339,33 @@ static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_tr
     }
     else
     {
-        sin_yaw_t = (*cspan_at(&work_t, at + layout__PLACE_SIN_YAW));
-        sin_yaw = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        cos_yaw_t = (*cspan_at(&work_t, at + layout__PLACE_COS_YAW));
-        cos_yaw = (*cspan_at(&work, at + layout__PLACE_COS_YAW));
-        tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, at, slope, slope_t);
-        w_t = (*cspan_at(&work_t, at + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) * slope_t;
-        w = (*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE)) * slope;
+        sin_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+        sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
+        cos_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+        cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
+        w_t = (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope_t;
+        w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
         phi_rate_t = 0.0;
         phi_rate = 0.0;
         if (w * w < 1.0)
         {
-            v5 = -(*cspan_at(&work, at + layout__PLACE_W_PER_SLOPE));
+            v5 = -(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE));
             v6 = v5 * bend;
             v7 = 1.0 - w * w;
             v8 = sqrt(v7);
             v9 = v6 / v8;
-            phi_rate_t = ((-(*cspan_at(&work_t, at + layout__PLACE_W_PER_SLOPE))) * bend + v5 * bend_t - v9 * tangent_rates__root_rate(v8, -(w_t * w + w * w_t))) / v8;
+            phi_rate_t = ((-(*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE))) * bend + v5 * bend_t - v9 * tangent_rates__root_rate(v8, -(w_t * w + w * w_t))) / v8;
             phi_rate = v9;
         }
         v10 = sin_yaw * r;
         v11 = r * cos_phi;
         v12 = arm * cos_roll - v11 * sin_roll;
-        (*y_track_t) = (*cspan_at(&work_t, at + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v10 * sin_phi_t) + (cos_yaw_t * v12 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v11 * sin_roll_t)));
-        (*y_track) = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + v10 * sin_phi + cos_yaw * v12;
+        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v10 * sin_phi_t) + (cos_yaw_t * v12 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v11 * sin_roll_t)));
+        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + v10 * sin_phi + cos_yaw * v12;
         v13 = r * cos_phi;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v13 * cos_roll_t) - (*cspan_at(&work_t, at + layout__PLACE_RADIUS));
-        (*z_track) = arm * sin_roll + v13 * cos_roll - (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v13 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_RADIUS));
+        (*z_track) = arm * sin_roll + v13 * cos_roll - (*cspan_at(&work, place + layout__PLACE_RADIUS));
         v14 = r * cos_phi;
         v15 = slope * sin_phi + v14 * phi_rate;
         v16 = r * sin_phi;
@@ -397,5 +397,37 @@ static inline int64_t tangent_locus__outline_jet_t(double* y_track, double* y_tr
         (*slope_rate_t) = ((-(normal_y_rate_t * normal_z + normal_y_rate * normal_z_t - (normal_y_t * normal_z_rate + normal_y * normal_z_rate_t))) - v29 * (normal_z_t * normal_z + normal_z * normal_z_t)) / v28;
         (*slope_rate) = v29;
     }
+    return 0;
+}
+
+/* Tangent of ``outline_x``. */
+static inline int64_t tangent_locus__outline_x_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t)
+{
+    double z;
+    double z_t;
+    double slope;
+    double slope_t;
+    double sin_phi;
+    double sin_phi_t;
+    double cos_phi;
+    double cos_phi_t;
+    double r_t;
+    double r;
+    double v1;
+    double v2;
+    double lateral_t;
+    double lateral;
+    double v3;
+    tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+    tangent_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
+    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    v2 = r * cos_phi;
+    lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
+    lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
+    (*result_0) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
+    (*result_1) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
     return 0;
 }

@@ -91,13 +91,13 @@ static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d tab
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        tangent_planes__enter_plane_t(work, work_t, i);
+        tangent_planes__enter_plane_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i, i);
         tangent_widths__measure_widths_t(tables, work, work_t, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LEVEL)), node_layout__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LEVEL)));
         tangent_node_layout__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
         (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
         tangent_node_layout__prepare_nodes_t(tables, work, work_t, state, region, layout__WORK_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
-        tangent_planes__leave_plane_t(work, work_t, i);
+        tangent_planes__leave_plane_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
@@ -136,8 +136,8 @@ static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d table
     {
         v3 = (double)(nodes__node_stride(tables));
         v4 = (*cspan_at(&work, region + layout__REGION_SPACING)) * v3;
-        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL_COS));
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_COS));
+        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
     tangent_nodes__lay_nodes_t(tables, work, work_t, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     tangent_node_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);

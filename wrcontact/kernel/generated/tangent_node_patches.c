@@ -30,8 +30,8 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             tangent_node_patches__fill_strips_t(work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
-            angle_t = -((*cspan_at(&work_t, region + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, region + layout__REGION_LEAN)) * (*cspan_at(&work, region + layout__REGION_LEAN))));
-            angle = -atan((*cspan_at(&work, region + layout__REGION_LEAN)));
+            angle_t = -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION))));
+            angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
@@ -81,8 +81,8 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     origin_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
     origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    along_t = (*cspan_at(&work_t, region + layout__REGION_ALONG));
-    along = (*cspan_at(&work, region + layout__REGION_ALONG));
+    along_t = (*cspan_at(&work_t, region + layout__REGION_X_TRACK));
+    along = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     slant_t = (*cspan_at(&work_t, region + layout__REGION_SLANT));
     slant = (*cspan_at(&work, region + layout__REGION_SLANT));
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);

@@ -37,17 +37,17 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
     int64_t before;
     int64_t n4;
     int64_t after;
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    tangent_separation__open_origin_t(tables, work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)), (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
+    tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    tangent_curves__open_origin_t(work, work_t, tables, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
     tangent_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
+    tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
     (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
     {
-        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
+        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2_t;
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2;
     }
@@ -80,7 +80,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
     station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
     tangent_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, station, station_t, v2, v2_t);
+    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, v2, v2_t);
     if ((*gap) < contact_plane__NO_GAP)
     {
         (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
@@ -89,7 +89,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
         {
-            tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
+            tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
             (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v3_t;
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v3;
         }
@@ -117,7 +117,7 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, ar
     double station_t;
     double station;
     int64_t passed;
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = INT64_C(0);
@@ -134,7 +134,7 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, ar
             if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
-                tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+                tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
                 tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, state, region, nodes, direction * (traced + step));
             }
             if (gap >= contact_plane__NO_GAP)

@@ -10,9 +10,10 @@
 #include "contact_plane.h"
 #include "layout.h"
 #include "nodes.h"
-#include "tangent_contact_plane.h"
+#include "tangent_curves.h"
 #include "tangent_lateral_curvature.h"
 #include "tangent_separation.h"
+#include "tangent_traces.h"
 
 static inline int64_t tangent_nodes__trace_tolerance_t(double* tolerance, double* tolerance_t, double spacing, double spacing_t);
 static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, int64_t nodes, int64_t at);

@@ -8,11 +8,13 @@
 /* Tangent of ``keep_frame``. */
 static inline int64_t tangent_planes__keep_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
 {
+    int64_t kept;
     int64_t i;
-    for (i = INT64_C(0); i < layout__CONTACT_BLOCK; i += INT64_C(1))
+    kept = layout__WORK_FRAMES + INT64_C(24) * slot;
+    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i)) = (*cspan_at(&work_t, layout__WORK_CONTACT + i));
-        (*cspan_at(&work, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i)) = (*cspan_at(&work, layout__WORK_CONTACT + i));
+        (*cspan_at(&work_t, kept + i)) = (*cspan_at(&work_t, layout__WORK_FRAME + i));
+        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_FRAME + i));
     }
     return INT64_C(0);
 }
@@ -20,17 +22,19 @@ static inline int64_t tangent_planes__keep_frame_t(array_double_1d work, array_d
 /* Tangent of ``use_frame``. */
 static inline int64_t tangent_planes__use_frame_t(array_double_1d work, array_double_1d work_t, int64_t slot)
 {
+    int64_t kept;
     int64_t i;
-    for (i = INT64_C(0); i < layout__CONTACT_BLOCK; i += INT64_C(1))
+    kept = layout__WORK_FRAMES + INT64_C(24) * slot;
+    for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + i)) = (*cspan_at(&work_t, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i));
-        (*cspan_at(&work, layout__WORK_CONTACT + i)) = (*cspan_at(&work, layout__WORK_FRAMES + layout__CONTACT_BLOCK * slot + i));
+        (*cspan_at(&work_t, layout__WORK_FRAME + i)) = (*cspan_at(&work_t, kept + i));
+        (*cspan_at(&work, layout__WORK_FRAME + i)) = (*cspan_at(&work, kept + i));
     }
     return INT64_C(0);
 }
 
 /* Tangent of ``bound_abscissa``. */
-static inline int64_t tangent_planes__bound_abscissa_t(double* abscissa, double* abscissa_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double bound, double bound_t)
+static inline int64_t tangent_planes__bound_abscissa_t(double* abscissa, double* abscissa_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double bound, double bound_t)
 {
     double gap;
     double gap_t;
@@ -44,16 +48,16 @@ static inline int64_t tangent_planes__bound_abscissa_t(double* abscissa, double*
     (*abscissa) = bound;
     if (fabs(bound) < regions__FAR)
     {
-        tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, bound, bound_t, regions__TRACE, 0.0);
-        (*abscissa_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-        (*abscissa) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
+        tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, bound, bound_t, regions__TRACE, 0.0);
+        (*abscissa_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        (*abscissa) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
     return 0;
 }
 
 /* Tangent of ``bound_station``. */
-static inline int64_t tangent_planes__bound_station_t(double* station, double* station_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, double abscissa, double abscissa_t)
+static inline int64_t tangent_planes__bound_station_t(double* station, double* station_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double abscissa, double abscissa_t)
 {
     double height;
     double height_t;
@@ -66,19 +70,17 @@ static inline int64_t tangent_planes__bound_station_t(double* station, double* s
     if (fabs(abscissa) < regions__FAR)
     {
         tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        v1 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-        v2 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-        (*station_t) = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)));
-        (*station) = v1 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v2 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
+        v1 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+        v2 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+        (*station_t) = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        (*station) = v1 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v2 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     }
     return 0;
 }
 
 /* Tangent of ``own_plane``. */
-static inline int64_t tangent_planes__own_plane_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region)
+static inline int64_t tangent_planes__own_plane_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t slot, array_double_1d state)
 {
-    int64_t block;
-    int64_t at;
     double y;
     double y_t;
     double abscissa;
@@ -107,8 +109,6 @@ static inline int64_t tangent_planes__own_plane_t(array_double_1d tables, array_
     double slope_t;
     double v3;
     double v3_t;
-    double turn_t;
-    double turn;
     double z;
     double z_t;
     double y_track;
@@ -130,106 +130,104 @@ static inline int64_t tangent_planes__own_plane_t(array_double_1d tables, array_
     double v5;
     double v5_t;
     int64_t found;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
-    at = (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
-    tangent_touching__pair_rule_t(&y, &y_t, &abscissa, &abscissa_t, &depth, &depth_t, &aside, &aside_t, &shift, &shift_t, &found, tables, work, work_t, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)));
+    tangent_touching__pair_rule_t(&y, &y_t, &abscissa, &abscissa_t, &depth, &depth_t, &aside, &aside_t, &shift, &shift_t, &found, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)));
     if (found == INT64_C(1))
     {
-        tangent_planes__bound_abscissa_t(&v1, &v1_t, tables, work, work_t, state, block, (*cspan_at(&work, block + layout__REGION_LOW)), (*cspan_at(&work_t, block + layout__REGION_LOW)));
+        tangent_planes__bound_abscissa_t(&v1, &v1_t, work, work_t, tables, region, state, (*cspan_at(&work, region + layout__REGION_LOW)), (*cspan_at(&work_t, region + layout__REGION_LOW)));
         low_t = v1_t;
         low = v1;
-        tangent_planes__bound_abscissa_t(&v2, &v2_t, tables, work, work_t, state, block, (*cspan_at(&work, block + layout__REGION_HIGH)), (*cspan_at(&work_t, block + layout__REGION_HIGH)));
+        tangent_planes__bound_abscissa_t(&v2, &v2_t, work, work_t, tables, region, state, (*cspan_at(&work, region + layout__REGION_HIGH)), (*cspan_at(&work_t, region + layout__REGION_HIGH)));
         high_t = v2_t;
         high = v2;
         tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
-        cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
-        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
-        sine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN));
-        sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
-        (*cspan_at(&work_t, block + layout__REGION_STATION)) = 0.0;
-        (*cspan_at(&work, block + layout__REGION_STATION)) = 0.0;
-        (*cspan_at(&work_t, block + layout__REGION_RAIL)) = abscissa_t;
-        (*cspan_at(&work, block + layout__REGION_RAIL)) = abscissa;
-        (*cspan_at(&work_t, block + layout__REGION_WHEEL)) = y_t;
-        (*cspan_at(&work, block + layout__REGION_WHEEL)) = y;
+        cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        sine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
+        (*cspan_at(&work_t, region + layout__REGION_RAIL)) = abscissa_t;
+        (*cspan_at(&work, region + layout__REGION_RAIL)) = abscissa;
+        (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = y_t;
+        (*cspan_at(&work, region + layout__REGION_WHEEL)) = y;
         tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        tangent_regions__lean_region_t(tables, work, work_t, block, slope, slope_t);
-        (*cspan_at(&work_t, block + layout__REGION_OWN)) = 0.0;
-        (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(1);
-        tangent_pressed__rail_length_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA)), abscissa, abscissa_t);
-        (*cspan_at(&work_t, block + layout__REGION_OFFSET)) = v3_t;
-        (*cspan_at(&work, block + layout__REGION_OFFSET)) = v3;
-        turn_t = (*cspan_at(&work_t, block + layout__REGION_COS)) * cosine + (*cspan_at(&work, block + layout__REGION_COS)) * cosine_t + ((*cspan_at(&work_t, block + layout__REGION_SIN)) * sine + (*cspan_at(&work, block + layout__REGION_SIN)) * sine_t);
-        turn = (*cspan_at(&work, block + layout__REGION_COS)) * cosine + (*cspan_at(&work, block + layout__REGION_SIN)) * sine;
-        (*cspan_at(&work_t, block + layout__REGION_TURN)) = turn_t;
-        (*cspan_at(&work, block + layout__REGION_TURN)) = turn;
-        (*cspan_at(&work_t, block + layout__REGION_GAP)) = -depth_t;
-        (*cspan_at(&work, block + layout__REGION_GAP)) = -depth;
-        tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, at, y, y_t, aside, aside_t, shift, shift_t);
-        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work_t, block + layout__REGION_GAP));
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, block + layout__REGION_GAP));
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, 0.0, 0.0, regions__TRACE, 0.0);
-        (*cspan_at(&work_t, block + layout__REGION_BEND)) = bend_t;
-        (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
-        (*cspan_at(&work_t, block + layout__REGION_CURVATURE)) = curvature_t;
-        (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
-        tangent_planes__bound_station_t(&v4, &v4_t, tables, work, work_t, low, low_t);
-        (*cspan_at(&work_t, block + layout__REGION_LOW)) = v4_t;
-        (*cspan_at(&work, block + layout__REGION_LOW)) = v4;
-        tangent_planes__bound_station_t(&v5, &v5_t, tables, work, work_t, high, high_t);
-        (*cspan_at(&work_t, block + layout__REGION_HIGH)) = v5_t;
-        (*cspan_at(&work, block + layout__REGION_HIGH)) = v5;
-        tangent_planes__keep_frame_t(work, work_t, region);
+        tangent_regions__incline_region_t(work, work_t, tables, region, slope, slope_t);
+        (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
+        (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
+        tangent_arc_length__rail_length_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), abscissa, abscissa_t);
+        (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = v3_t;
+        (*cspan_at(&work, region + layout__REGION_OFFSET)) = v3;
+        (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work_t, region + layout__REGION_COS)) * cosine + (*cspan_at(&work, region + layout__REGION_COS)) * cosine_t + ((*cspan_at(&work_t, region + layout__REGION_SIN)) * sine + (*cspan_at(&work, region + layout__REGION_SIN)) * sine_t);
+        (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work, region + layout__REGION_COS)) * cosine + (*cspan_at(&work, region + layout__REGION_SIN)) * sine;
+        (*cspan_at(&work_t, region + layout__REGION_GAP)) = -depth_t;
+        (*cspan_at(&work, region + layout__REGION_GAP)) = -depth;
+        tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), y, y_t, aside, aside_t, shift, shift_t);
+        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work_t, region + layout__REGION_GAP));
+        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, region + layout__REGION_GAP));
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__TRACE, 0.0);
+        (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
+        (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
+        (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
+        (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+        tangent_planes__bound_station_t(&v4, &v4_t, work, work_t, tables, low, low_t);
+        (*cspan_at(&work_t, region + layout__REGION_LOW)) = v4_t;
+        (*cspan_at(&work, region + layout__REGION_LOW)) = v4;
+        tangent_planes__bound_station_t(&v5, &v5_t, work, work_t, tables, high, high_t);
+        (*cspan_at(&work_t, region + layout__REGION_HIGH)) = v5_t;
+        (*cspan_at(&work, region + layout__REGION_HIGH)) = v5;
+        tangent_planes__keep_frame_t(work, work_t, slot);
         tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }
     return found;
 }
 
 /* Tangent of ``give_planes``. */
-static inline int64_t tangent_planes__give_planes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count)
+static inline int64_t tangent_planes__give_planes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count)
 {
     int64_t own;
+    int64_t index;
     int64_t region;
     int64_t n1;
     own = INT64_C(0);
-    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        if (planes__leans_away(work, region) == INT64_C(1))
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        if (planes__needs_own_plane(work, region) == INT64_C(1))
         {
-            n1 = tangent_planes__own_plane_t(tables, work, work_t, state, region);
+            n1 = tangent_planes__own_plane_t(work, work_t, tables, region, index, state);
             own = own + n1;
         }
     }
     if (own > INT64_C(0))
     {
-        tangent_planes__line_up_t(tables, work, work_t, count);
+        tangent_planes__locate_along_track_t(work, work_t, tables, count);
     }
     return INT64_C(0);
 }
 
-/* Tangent of ``line_up``. */
-static inline int64_t tangent_planes__line_up_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t count)
+/* Tangent of ``locate_along_track``. */
+static inline int64_t tangent_planes__locate_along_track_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
 {
+    int64_t index;
     int64_t region;
-    int64_t block;
     double v1;
     double v1_t;
-    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
-        tangent_contact_plane__ridge_place_t(&v1, &v1_t, tables, work, work_t, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
-        (*cspan_at(&work_t, block + layout__REGION_ALONG)) = v1_t;
-        (*cspan_at(&work, block + layout__REGION_ALONG)) = v1;
+        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        tangent_locus__outline_x_t(&v1, &v1_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) = v1_t;
+        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = v1;
     }
     return INT64_C(0);
 }
 
 /* Tangent of ``enter_plane``. */
-static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
+static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot)
 {
-    if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_OWN)) == 1.0)
+    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
-        tangent_planes__use_frame_t(work, work_t, region);
+        tangent_planes__use_frame_t(work, work_t, slot);
     }
     return INT64_C(0);
 }
@@ -237,7 +235,7 @@ static inline int64_t tangent_planes__enter_plane_t(array_double_1d work, array_
 /* Tangent of ``leave_plane``. */
 static inline int64_t tangent_planes__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
 {
-    if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * region + layout__REGION_OWN)) == 1.0)
+    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
         tangent_planes__use_frame_t(work, work_t, layout__REGION_LIMIT);
     }

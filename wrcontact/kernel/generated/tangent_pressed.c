@@ -6,9 +6,8 @@
 #include "tangent_pressed.h"
 
 /* Tangent of ``normal_line``. */
-static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, int64_t* result_10_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
+static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3, double* result_4, double* result_5, double* result_6_0001, double* result_7_0001, double* result_8, double* result_9, int64_t* result_10_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
 {
-    int64_t rail;
     int64_t wheel;
     double z_rail;
     double z_rail_t;
@@ -46,8 +45,8 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double across;
     double down_t;
     double down;
-    double rest_t;
-    double rest;
+    double residual_t;
+    double residual;
     double v6;
     double along_t;
     double along;
@@ -62,8 +61,8 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double v10;
     double v11;
     double v12;
-    double tangent_t;
-    double tangent;
+    double rise_t;
+    double rise;
     double v13;
     double v14;
     double v15;
@@ -77,17 +76,16 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     double steep_t;
     double steep;
     double v19;
-    double turn_t;
-    double turn;
+    double relative_kappa_t;
+    double relative_kappa;
     double v21;
     double v21_t;
     double v20;
     double v20_t;
     double curvature_t;
     double curvature;
-    rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, rail, abscissa, abscissa_t);
+    tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
@@ -100,13 +98,13 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
     for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
     {
         tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
-        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         across_t = y_track_t - abscissa_t;
         across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
         down_t = z_track_t + height_t - z_rail_t;
         down = z_track + height - z_rail;
-        rest_t = across_t + (down_t * m + down * m_t);
-        rest = across + down * m;
+        residual_t = across_t + (down_t * m + down * m_t);
+        residual = across + down * m;
         v6 = 1.0 + m * outline_slope;
         along_t = stretch_t * v6 + stretch * (m_t * outline_slope + m * outline_slope_t);
         along = stretch * v6;
@@ -125,9 +123,9 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             (*result_10_0001) = INT64_C(0);
             return 0;
         }
-        v7 = -rest;
+        v7 = -residual;
         v8 = v7 / along;
-        move_t = ((-rest_t) - v8 * along_t) / along;
+        move_t = ((-residual_t) - v8 * along_t) / along;
         move = v8;
         sharp = pressed__LINE_SHARP;
         if (i == pressed__LINE_ITERATIONS - INT64_C(1))
@@ -157,8 +155,8 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             v10 = outline_slope - m;
             v11 = 1.0 + m * outline_slope;
             v12 = v10 / v11;
-            tangent_t = (outline_slope_t - m_t - v12 * (m_t * outline_slope + m * outline_slope_t)) / v11;
-            tangent = v12;
+            rise_t = (outline_slope_t - m_t - v12 * (m_t * outline_slope + m * outline_slope_t)) / v11;
+            rise = v12;
             v13 = 1.0 + outline_slope * outline_slope;
             v14 = sqrt(v13);
             v15 = 1.0 / v14;
@@ -169,23 +167,23 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
             v18 = v17 * wheel_cos;
             wheel_kappa_t = (((rate_t - v16 * stretch_t) / stretch * wheel_cos + v16 * wheel_cos_t) * wheel_cos + v17 * wheel_cos_t) * wheel_cos + v18 * wheel_cos_t;
             wheel_kappa = v18 * wheel_cos;
-            steep_t = tangent_t * tangent + tangent * tangent_t;
-            steep = 1.0 + tangent * tangent;
+            steep_t = rise_t * rise + rise * rise_t;
+            steep = 1.0 + rise * rise;
             v19 = sqrt(steep);
-            turn_t = wheel_kappa_t * v19 + wheel_kappa * tangent_rates__root_rate(v19, steep_t) - kappa_t;
-            turn = wheel_kappa * v19 - kappa;
-            tangent_pressed__mean_bend_t(&v21, &v21_t, tables, work, work_t, y, y_t, bend, bend_t);
-            tangent_contact_plane__longitudinal_curvature_t(&v20, &v20_t, tables, work, work_t, at, z, z_t, slope, slope_t, v21, v21_t);
+            relative_kappa_t = wheel_kappa_t * v19 + wheel_kappa * tangent_rates__root_rate(v19, steep_t) - kappa_t;
+            relative_kappa = wheel_kappa * v19 - kappa;
+            tangent_pressed__mean_bend_t(&v21, &v21_t, work, work_t, tables, y, y_t, bend, bend_t);
+            tangent_longitudinal_curvature__longitudinal_curvature_t(&v20, &v20_t, work, work_t, tables, place, z, z_t, slope, slope_t, v21, v21_t);
             curvature_t = v20_t;
             curvature = v20;
             (*result_0_0001) = y;
             (*result_1_0001) = y_t;
             (*result_2) = overlap;
             (*result_3) = overlap_t;
-            (*result_4) = tangent;
-            (*result_5) = tangent_t;
-            (*result_6_0001) = steep * turn;
-            (*result_7_0001) = steep_t * turn + steep * turn_t;
+            (*result_4) = rise;
+            (*result_5) = rise_t;
+            (*result_6_0001) = steep * relative_kappa;
+            (*result_7_0001) = steep_t * relative_kappa + steep * relative_kappa_t;
             (*result_8) = curvature;
             (*result_9) = curvature_t;
             (*result_10_0001) = INT64_C(1);
@@ -234,7 +232,7 @@ static inline int64_t tangent_pressed__normal_line_t(double* result_0_0001, doub
 }
 
 /* Tangent of ``mean_bend``. */
-static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, double y, double y_t, double bend, double bend_t)
+static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double y, double y_t, double bend, double bend_t)
 {
     double blur_t;
     double blur;
@@ -284,183 +282,8 @@ static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* res
     return 0;
 }
 
-/* Tangent of ``rail_speed``. */
-static inline int64_t tangent_pressed__rail_speed_t(double* v2, double* result_1, array_double_1d tables, double abscissa, double abscissa_t)
-{
-    double height;
-    double height_t;
-    double slope;
-    double slope_t;
-    double v1;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-    v1 = 1.0 + slope * slope;
-    (*v2) = sqrt(v1);
-    (*result_1) = tangent_rates__root_rate((*v2), slope_t * slope + slope * slope_t);
-    return 0;
-}
-
-/* Tangent of ``rail_length``. */
-static inline int64_t tangent_pressed__rail_length_t(double* result_0, double* result_1, array_double_1d tables, double start, double start_t, double stop, double stop_t)
-{
-    int64_t cells;
-    double v1;
-    double v2;
-    double step_t;
-    double step;
-    double total_t;
-    double total;
-    double v3;
-    double v3_t;
-    double low_t;
-    double low;
-    int64_t i;
-    double v4;
-    double begin_t;
-    double begin;
-    double v5;
-    double v5_t;
-    double middle_t;
-    double middle;
-    double v6;
-    double v6_t;
-    double high_t;
-    double high;
-    double v7;
-    cells = (int64_t)(fabs(stop - start) / pressed__ARC_STEP) + INT64_C(1);
-    v1 = stop - start;
-    v2 = (double)(cells);
-    step_t = (stop_t - start_t) / v2;
-    step = v1 / v2;
-    total_t = 0.0;
-    total = 0.0;
-    tangent_pressed__rail_speed_t(&v3, &v3_t, tables, start, start_t);
-    low_t = v3_t;
-    low = v3;
-    for (i = INT64_C(0); i < cells; i += INT64_C(1))
-    {
-        v4 = (double)(i);
-        begin_t = start_t + step_t * v4;
-        begin = start + step * v4;
-        tangent_pressed__rail_speed_t(&v5, &v5_t, tables, begin + 0.5 * step, begin_t + 0.5 * step_t);
-        middle_t = v5_t;
-        middle = v5;
-        tangent_pressed__rail_speed_t(&v6, &v6_t, tables, begin + step, begin_t + step_t);
-        high_t = v6_t;
-        high = v6;
-        total_t = total_t + (low_t + 4.0 * middle_t + high_t);
-        total = total + (low + 4.0 * middle + high);
-        low_t = high_t;
-        low = high;
-    }
-    v7 = total * step;
-    (*result_0) = v7 / 6.0;
-    (*result_1) = (total_t * step + total * step_t) / 6.0;
-    return 0;
-}
-
-/* Tangent of ``rail_abscissa``. */
-static inline int64_t tangent_pressed__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, double start, double start_t, double length, double length_t)
-{
-    int64_t steps;
-    double v1;
-    double way_t;
-    double way;
-    int64_t step;
-    double height;
-    double height_t;
-    double slope;
-    double slope_t;
-    double bend;
-    double bend_t;
-    double v2;
-    double v3;
-    double before_t;
-    double before;
-    double v4;
-    double cosine_t;
-    double cosine;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double following_t;
-    double following;
-    int64_t i;
-    double v13;
-    double v12;
-    double v12_t;
-    double middle_t;
-    double middle;
-    double v14;
-    double v14_t;
-    double after_t;
-    double after;
-    double v15;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double move_t;
-    double move;
-    steps = (int64_t)(fabs(length) / pressed__ARC_STEP) + INT64_C(1);
-    v1 = (double)(steps);
-    way_t = length_t / v1;
-    way = length / v1;
-    (*x_t) = start_t;
-    (*x) = start;
-    for (step = INT64_C(0); step < steps; step += INT64_C(1))
-    {
-        tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*x), (*x_t));
-        v2 = 1.0 + slope * slope;
-        v3 = sqrt(v2);
-        before_t = tangent_rates__root_rate(v3, slope_t * slope + slope * slope_t);
-        before = v3;
-        v4 = 1.0 / before;
-        cosine_t = (-v4) * before_t / before;
-        cosine = v4;
-        v5 = way * cosine;
-        v6 = 0.5 * way;
-        v7 = v6 * slope;
-        v8 = v7 * bend;
-        v9 = v8 * cosine;
-        v10 = v9 * cosine;
-        v11 = 1.0 - v10 * cosine;
-        following_t = (*x_t) + ((way_t * cosine + way * cosine_t) * v11 + v5 * (-(((((0.5 * way_t * slope + v6 * slope_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t)));
-        following = (*x) + v5 * v11;
-        for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
-        {
-            v13 = (*x) + following;
-            tangent_pressed__rail_speed_t(&v12, &v12_t, tables, 0.5 * v13, 0.5 * ((*x_t) + following_t));
-            middle_t = v12_t;
-            middle = v12;
-            tangent_pressed__rail_speed_t(&v14, &v14_t, tables, following, following_t);
-            after_t = v14_t;
-            after = v14;
-            v15 = following - (*x);
-            v16 = before + 4.0 * middle + after;
-            v17 = v15 * v16;
-            v18 = way - v17 / 6.0;
-            v19 = v18 / after;
-            move_t = (way_t - ((following_t - (*x_t)) * v16 + v15 * (before_t + 4.0 * middle_t + after_t)) / 6.0 - v19 * after_t) / after;
-            move = v19;
-            following_t = following_t + move_t;
-            following = following + move;
-            if (fabs(move) < pressed__ARC_SHARP)
-            {
-                break;
-            }
-        }
-        (*x_t) = following_t;
-        (*x) = following;
-    }
-    return 0;
-}
-
 /* Tangent of ``pressed_gap``. */
-static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double station, double station_t)
+static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double station, double station_t)
 {
     int64_t rail;
     double way_t;
@@ -469,14 +292,15 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     double v1_t;
     double abscissa_t;
     double abscissa;
+    int64_t trace;
     double y;
     double y_t;
     double overlap;
     double overlap_t;
     double rise;
     double rise_t;
-    double turn;
-    double turn_t;
+    double rise_rate;
+    double rise_rate_t;
     double found_curvature;
     double found_curvature_t;
     int64_t found;
@@ -484,9 +308,9 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     double v3;
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    way_t = station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-    tangent_pressed__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), way, way_t);
+    way_t = station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION));
+    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
+    tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
     abscissa_t = v1_t;
     abscissa = v1;
     (*gap_t) = 0.0;
@@ -499,37 +323,38 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
-        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &turn, &turn_t, &found_curvature, &found_curvature_t, &found, tables, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + way * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) + (way_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) + way * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_POSE)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_POSE)));
+        trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
+        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE)), (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
         if (found == INT64_C(1))
         {
             (*gap_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap_t;
             (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;
             (*rate_t) = -rise_t;
             (*rate) = -rise;
-            (*bend_t) = -turn_t;
-            (*bend) = -turn;
+            (*bend_t) = -rise_rate_t;
+            (*bend) = -rise_rate;
             (*curvature_t) = found_curvature_t;
             (*curvature) = found_curvature;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                v2 = y - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
+                v2 = y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
                 v3 = v2 / way;
-                (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = (y_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) - v3 * way_t) / way;
-                (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL_RATE)) = v3;
+                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = (y_t - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v3 * way_t) / way;
+                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v3;
             }
-            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y_t;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)) = y;
-            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa_t;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)) = abscissa;
-            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station_t;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) = station;
+            (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t;
+            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
+            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
+            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)) = station_t;
+            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
         }
     }
     return 0;
 }
 
 /* Tangent of ``line_rule``. */
-static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* tangent, double* tangent_t, double* turn, double* turn_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
+static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* result_1, double* overlap, double* overlap_t, double* rise, double* rise_t, double* bend, double* bend_t, double* curvature, double* curvature_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t)
 {
     double z_rail;
     double z_rail_t;
@@ -541,8 +366,6 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
     double z_t;
     double slope;
     double slope_t;
-    double bend;
-    double bend_t;
     double y_track;
     double y_track_t;
     double z_track;
@@ -554,28 +377,28 @@ static inline int64_t tangent_pressed__line_rule_t(double* result_0, double* res
     double rate;
     double rate_t;
     double v1;
-    double rest_t;
-    double rest;
+    double residual_t;
+    double residual;
     double v2;
     double v3;
-    pressed__normal_line(&y, overlap, tangent, turn, curvature, found, tables, work, at, abscissa, y, height);
+    pressed__normal_line(&y, overlap, rise, bend, curvature, found, work, tables, place, abscissa, y, height);
     y_t = 0.0;
     (*overlap_t) = 0.0;
-    (*tangent_t) = 0.0;
-    (*turn_t) = 0.0;
+    (*rise_t) = 0.0;
+    (*bend_t) = 0.0;
     (*curvature_t) = 0.0;
     if ((*found) == INT64_C(1))
     {
         tangent_profile_table__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+        tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, bend, bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
+        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, (*bend), (*bend_t));
         v1 = z_track + height - z_rail;
-        rest_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
-        rest = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa + v1 * m;
-        v2 = -rest;
+        residual_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v1 * m_t);
+        residual = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa + v1 * m;
+        v2 = -residual;
         v3 = stretch * (1.0 + m * outline_slope);
-        y_t = (-rest_t) / v3;
-        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, tangent, tangent_t, turn, turn_t, curvature, curvature_t, found, tables, work, work_t, at, abscissa, abscissa_t, y, y_t, height, height_t);
+        y_t = (-residual_t) / v3;
+        tangent_pressed__normal_line_t(&y, &y_t, overlap, overlap_t, rise, rise_t, bend, bend_t, curvature, curvature_t, found, work, work_t, tables, place, abscissa, abscissa_t, y, y_t, height, height_t);
     }
     (*result_0) = y;
     (*result_1) = y_t;

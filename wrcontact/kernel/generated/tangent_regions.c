@@ -6,9 +6,8 @@
 #include "tangent_regions.h"
 
 /* Tangent of ``open_region``. */
-static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
+static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double station, double station_t)
 {
-    int64_t block;
     double start_t;
     double start;
     double gap_t;
@@ -33,7 +32,6 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     double height_t;
     double slope;
     double slope_t;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * index;
     start_t = station_t;
     start = station;
     gap_t = 0.0;
@@ -50,7 +48,7 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, station, station_t, regions__TRACE, 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, regions__TRACE, 0.0);
         move_t = 0.0;
         move = -regions__DOWNHILL;
         if (rate < 0.0)
@@ -100,25 +98,25 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
         station_t = station_t + move_t;
         station = station + move;
     }
-    (*cspan_at(&work_t, block + layout__REGION_STATION)) = station_t;
-    (*cspan_at(&work, block + layout__REGION_STATION)) = station;
-    (*cspan_at(&work_t, block + layout__REGION_GAP)) = gap_t;
-    (*cspan_at(&work, block + layout__REGION_GAP)) = gap;
-    (*cspan_at(&work_t, block + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-    (*cspan_at(&work, block + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-    (*cspan_at(&work_t, block + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-    (*cspan_at(&work, block + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-    (*cspan_at(&work_t, block + layout__REGION_BEND)) = bend_t;
-    (*cspan_at(&work, block + layout__REGION_BEND)) = bend;
-    (*cspan_at(&work_t, block + layout__REGION_CURVATURE)) = curvature_t;
-    (*cspan_at(&work, block + layout__REGION_CURVATURE)) = curvature;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)));
-    tangent_regions__lean_region_t(tables, work, work_t, block, slope, slope_t);
+    (*cspan_at(&work_t, region + layout__REGION_STATION)) = station_t;
+    (*cspan_at(&work, region + layout__REGION_STATION)) = station;
+    (*cspan_at(&work_t, region + layout__REGION_GAP)) = gap_t;
+    (*cspan_at(&work, region + layout__REGION_GAP)) = gap;
+    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
+    (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_regions__incline_region_t(work, work_t, tables, region, slope, slope_t);
     return 0;
 }
 
-/* Tangent of ``lean_region``. */
-static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t block, double slope, double slope_t)
+/* Tangent of ``incline_region``. */
+static inline int64_t tangent_regions__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t)
 {
     double v1;
     double v2;
@@ -130,30 +128,30 @@ static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, arr
     v3 = 1.0 / v2;
     cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
     cosine = v3;
-    (*cspan_at(&work_t, block + layout__REGION_LEAN)) = slope_t;
-    (*cspan_at(&work, block + layout__REGION_LEAN)) = slope;
-    (*cspan_at(&work_t, block + layout__REGION_OWN)) = 0.0;
-    (*cspan_at(&work, block + layout__REGION_OWN)) = (double)(0);
-    (*cspan_at(&work_t, block + layout__REGION_TURN)) = 0.0;
-    (*cspan_at(&work, block + layout__REGION_TURN)) = 1.0;
-    (*cspan_at(&work_t, block + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, block + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work_t, block + layout__REGION_COS)) = cosine_t;
-    (*cspan_at(&work, block + layout__REGION_COS)) = cosine;
-    (*cspan_at(&work_t, block + layout__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
-    (*cspan_at(&work, block + layout__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work_t, block + layout__REGION_SHARE)) = 0.0;
-    (*cspan_at(&work, block + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
+    (*cspan_at(&work_t, region + layout__REGION_INCLINATION)) = slope_t;
+    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
+    (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
+    (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
+    (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
+    (*cspan_at(&work_t, region + layout__REGION_COS)) = cosine_t;
+    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
+    (*cspan_at(&work_t, region + layout__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
+    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
+    (*cspan_at(&work_t, region + layout__REGION_SHARE)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work_t, block + layout__REGION_SHARE)) = cosine_t;
-        (*cspan_at(&work, block + layout__REGION_SHARE)) = cosine;
+        (*cspan_at(&work_t, region + layout__REGION_SHARE)) = cosine_t;
+        (*cspan_at(&work, region + layout__REGION_SHARE)) = cosine;
     }
     return INT64_C(0);
 }
 
 /* Tangent of ``open_contact_region``. */
-static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state)
 {
     double gap;
     double gap_t;
@@ -164,30 +162,30 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tab
     double curvature;
     double curvature_t;
     double v1;
-    tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, 0.0, 0.0, regions__TRACE, 0.0);
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_Y));
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_Y));
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_BEND)) = bend_t;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND)) = bend;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CURVATURE)) = curvature_t;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE)) = curvature;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_LOW)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_HIGH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_HIGH)) = regions__FAR;
-    v1 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
-    tangent_regions__lean_region_t(tables, work, work_t, layout__WORK_REGIONS, v1, ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)));
+    tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__TRACE, 0.0);
+    (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
+    (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
+    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
+    (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
+    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
+    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
+    (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__FAR;
+    v1 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    tangent_regions__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     return INT64_C(0);
 }
 
 /* Tangent of ``find_regions``. */
-static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double level, double level_t)
+static inline int64_t tangent_regions__find_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double level, double level_t)
 {
     double v1;
     double v2;
@@ -212,10 +210,10 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
     int64_t count;
     count = INT64_C(1);
     v1 = 2.0 * level;
-    v2 = v1 / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
-    reach_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+    v2 = v1 / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    reach_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + v2;
-    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA)));
+    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
@@ -226,12 +224,12 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
             abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-            v3 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ABSCISSA));
-            v4 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-            station_t = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ABSCISSA))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v3 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SIN)));
-            station = v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS)) + v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SIN));
-            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
-            tangent_regions__minimum_rule_t(&n5, &n5_t, tables, work, work_t, state, count, station, station_t);
+            v3 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+            v4 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+            station_t = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v3 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+            station = v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+            tangent_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
+            tangent_regions__minimum_rule_t(&n5, &n5_t, work, work_t, tables, layout__WORK_REGIONS + layout__REGION_SIZE * count, state, station, station_t);
             if (n5 < level)
             {
                 if (regions__is_new(work, count) == INT64_C(1))
@@ -245,7 +243,7 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, ar
 }
 
 /* Tangent of ``bound_regions``. */
-static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double level, double level_t)
+static inline int64_t tangent_regions__bound_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double level, double level_t)
 {
     int64_t i;
     int64_t j;
@@ -276,14 +274,14 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, a
     {
         low = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         high = layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
-        tangent_regions__hump_rule_t(&station, &station_t, &gap, &gap_t, tables, work, work_t, state, low, high);
+        tangent_regions__saddle_rule_t(&station, &station_t, &gap, &gap_t, work, work_t, tables, low, high, state);
         if (gap < regions__MERGE * level)
         {
             if ((*cspan_at(&work, high + layout__REGION_GAP)) < (*cspan_at(&work, low + layout__REGION_GAP)))
             {
                 bound_t = (*cspan_at(&work_t, low + layout__REGION_LOW));
                 bound = (*cspan_at(&work, low + layout__REGION_LOW));
-                tangent_regions__swap_regions_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i, layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1)));
+                tangent_regions__swap_regions_t(work, work_t, low, high);
                 (*cspan_at(&work_t, low + layout__REGION_LOW)) = bound_t;
                 (*cspan_at(&work, low + layout__REGION_LOW)) = bound;
             }
@@ -313,7 +311,7 @@ static inline int64_t tangent_regions__swap_regions_t(array_double_1d work, arra
     int64_t i;
     double kept_t;
     double kept;
-    for (i = INT64_C(0); i < layout__REGION_BLOCK; i += INT64_C(1))
+    for (i = INT64_C(0); i < layout__REGION_SIZE; i += INT64_C(1))
     {
         kept_t = (*cspan_at(&work_t, first + i));
         kept = (*cspan_at(&work, first + i));
@@ -325,182 +323,8 @@ static inline int64_t tangent_regions__swap_regions_t(array_double_1d work, arra
     return INT64_C(0);
 }
 
-/* Tangent of ``zone_width``. */
-static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
-{
-    double limit_t;
-    double limit;
-    double tolerance_t;
-    double tolerance;
-    double v1;
-    double root_t;
-    double root;
-    double low_t;
-    double low;
-    double high_t;
-    double high;
-    double width_t;
-    double width;
-    double station_t;
-    double station;
-    double abscissa_t;
-    double abscissa;
-    double y_t;
-    double y;
-    int64_t i;
-    double gap;
-    double gap_t;
-    double rate;
-    double rate_t;
-    double bend;
-    double bend_t;
-    double curvature;
-    double curvature_t;
-    double rise_t;
-    double rise;
-    double following_t;
-    double following;
-    double sharp;
-    double near;
-    double v2;
-    double v3;
-    double square_t;
-    double square;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double newton_t;
-    double newton;
-    limit_t = (*cspan_at(&work_t, block + layout__REGION_HIGH)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
-    limit = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
-    if (direction < 0.0)
-    {
-        limit_t = (*cspan_at(&work_t, block + layout__REGION_STATION)) - (*cspan_at(&work_t, block + layout__REGION_LOW));
-        limit = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
-    }
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
-    tangent_separation__open_origin_t(tables, work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_GAP)), (*cspan_at(&work_t, block + layout__REGION_GAP)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)), 0.0, 0.0);
-    tolerance_t = 0.001 * guess_t;
-    tolerance = 0.001 * guess;
-    if (tolerance > regions__WIDTH_TRACE)
-    {
-        tolerance_t = 0.0;
-        tolerance = regions__WIDTH_TRACE;
-    }
-    v1 = sqrt(level);
-    root_t = tangent_rates__root_rate(v1, level_t);
-    root = v1;
-    low_t = 0.0;
-    low = 0.0;
-    high_t = 0.0;
-    high = -1.0;
-    width_t = guess_t;
-    width = guess;
-    (*cspan_at(&work_t, block + layout__REGION_REACHED)) = 0.0;
-    (*cspan_at(&work, block + layout__REGION_REACHED)) = 0.0;
-    station_t = (*cspan_at(&work_t, block + layout__REGION_STATION));
-    station = (*cspan_at(&work, block + layout__REGION_STATION));
-    abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL));
-    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL));
-    y_t = (*cspan_at(&work_t, block + layout__REGION_WHEEL));
-    y = (*cspan_at(&work, block + layout__REGION_WHEEL));
-    for (i = INT64_C(0); i < regions__WIDTH_ITERATIONS; i += INT64_C(1))
-    {
-        if (width > limit)
-        {
-            width_t = limit_t;
-            width = limit;
-        }
-        tangent_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
-        if (gap >= contact_plane__NO_GAP)
-        {
-            tangent_contact_plane__start_tracer_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
-        }
-        else
-        {
-            station_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-            station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-            abscissa_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-            abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-            y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-            y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-        }
-        rise_t = gap_t - (*cspan_at(&work_t, block + layout__REGION_GAP));
-        rise = gap - (*cspan_at(&work, block + layout__REGION_GAP));
-        if (rise < level)
-        {
-            low_t = width_t;
-            low = width;
-            (*cspan_at(&work_t, block + layout__REGION_REACHED)) = rise_t;
-            (*cspan_at(&work, block + layout__REGION_REACHED)) = rise;
-            if (width >= limit)
-            {
-                (*result_0_0001) = limit;
-                (*result_1_0001) = limit_t;
-                return 0;
-            }
-        }
-        else
-        {
-            high_t = width_t;
-            high = width;
-        }
-        following_t = 2.0 * width_t;
-        following = 2.0 * width;
-        sharp = regions__HALVED_SHARP;
-        near = regions__WIDTH_SHARP;
-        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
-        {
-            near = regions__PRESSED_SHARP;
-        }
-        if (high > 0.0)
-        {
-            v2 = low + high;
-            following_t = 0.5 * (low_t + high_t);
-            following = 0.5 * v2;
-        }
-        if ((rise > 0.0) && (rate * direction > 0.0))
-        {
-            v3 = sqrt(rise);
-            square_t = tangent_rates__root_rate(v3, rise_t);
-            square = v3;
-            v4 = root - square;
-            v5 = v4 * 2.0;
-            v6 = v5 * square;
-            v7 = rate * direction;
-            v8 = v6 / v7;
-            newton_t = width_t + ((root_t - square_t) * 2.0 * square + v5 * square_t - v8 * (rate_t * direction + rate * direction_t)) / v7;
-            newton = width + v8;
-            if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
-            {
-                following_t = newton_t;
-                following = newton;
-                sharp = near;
-            }
-        }
-        if (fabs(following - width) < sharp * width)
-        {
-            if (sharp == near)
-            {
-                (*cspan_at(&work_t, block + layout__REGION_REACHED)) = level_t;
-                (*cspan_at(&work, block + layout__REGION_REACHED)) = level;
-            }
-            (*result_0_0001) = following;
-            (*result_1_0001) = following_t;
-            return 0;
-        }
-        width_t = following_t;
-        width = following;
-    }
-    (*result_0_0001) = width;
-    (*result_1_0001) = width_t;
-    return 0;
-}
-
 /* Tangent of ``minimum_rule``. */
-static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t)
+static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double station, double station_t)
 {
     double n1;
     double place_t;
@@ -516,34 +340,34 @@ static inline int64_t tangent_regions__minimum_rule_t(double* found, double* fou
     double v2;
     double v3;
     double v3_t;
-    n1 = regions__open_region(tables, work, state, index, station);
+    n1 = regions__open_region(work, tables, region, state, station);
     (*found_t) = 0.0;
     (*found) = n1;
     if ((*found) < regions__FAR)
     {
         place_t = 0.0;
-        place = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * index + layout__REGION_STATION));
-        tangent_contact_plane__start_tracer_t(work, work_t, place, place_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), 0.0);
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, place, place_t, regions__TRACE, 0.0);
+        place = (*cspan_at(&work, region + layout__REGION_STATION));
+        tangent_traces__start_traces_t(work, work_t, place, place_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, place, place_t, regions__TRACE, 0.0);
         v2 = -rate;
         place_t = (-rate_t) / bend;
-        tangent_regions__open_region_t(&v3, &v3_t, tables, work, work_t, state, index, place, place_t);
+        tangent_regions__open_region_t(&v3, &v3_t, work, work_t, tables, region, state, place, place_t);
         (*found_t) = v3_t;
         (*found) = v3;
     }
     return 0;
 }
 
-/* Tangent of ``hump_rule``. */
-static inline int64_t tangent_regions__hump_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t low, int64_t high)
+/* Tangent of ``saddle_rule``. */
+static inline int64_t tangent_regions__saddle_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t low, int64_t high, array_double_1d state)
 {
     double way_t;
     double way;
     double v1;
     double place_t;
     double place;
-    double hump;
-    double hump_t;
+    double saddle;
+    double saddle_t;
     double rate;
     double rate_t;
     double bend;
@@ -551,17 +375,17 @@ static inline int64_t tangent_regions__hump_rule_t(double* station, double* stat
     double curvature;
     double curvature_t;
     double v2;
-    regions__find_hump(station, gap, tables, work, state, low, high);
+    regions__find_saddle(station, gap, work, tables, low, high, state);
     (*station_t) = 0.0;
     way_t = (*cspan_at(&work_t, high + layout__REGION_STATION)) - (*cspan_at(&work_t, low + layout__REGION_STATION));
     way = (*cspan_at(&work, high + layout__REGION_STATION)) - (*cspan_at(&work, low + layout__REGION_STATION));
     v1 = ((*station) - (*cspan_at(&work, low + layout__REGION_STATION))) / way;
     place_t = (*cspan_at(&work_t, low + layout__REGION_STATION)) + way_t * v1;
     place = (*cspan_at(&work, low + layout__REGION_STATION)) + way * v1;
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)) == (*station))
+    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) == (*station))
     {
-        tangent_contact_plane__start_tracer_t(work, work_t, (*station), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), 0.0);
-        tangent_contact_plane__normal_gap_t(&hump, &hump_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*station), 0.0, regions__TRACE, 0.0);
+        tangent_traces__start_traces_t(work, work_t, (*station), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
+        tangent_contact_plane__normal_gap_t(&saddle, &saddle_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*station), 0.0, regions__TRACE, 0.0);
         if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
         {
             v2 = -rate;
@@ -571,92 +395,5 @@ static inline int64_t tangent_regions__hump_rule_t(double* station, double* stat
     }
     (*station_t) = place_t;
     (*result_3) = 0.0;
-    return 0;
-}
-
-/* Tangent of ``width_rule``. */
-static inline int64_t tangent_regions__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t)
-{
-    double v1;
-    double v1_t;
-    double limit_t;
-    double limit;
-    double inner;
-    double tolerance;
-    double gap;
-    double gap_t;
-    double rate;
-    double rate_t;
-    double rail_rate;
-    double wheel_rate;
-    double lack;
-    double moved;
-    int64_t rail;
-    int64_t wheel;
-    double x_t;
-    double x;
-    double y_t;
-    double y;
-    double out;
-    tangent_regions__zone_width_t(&v1, &v1_t, tables, work, work_t, state, block, direction, direction_t, level, level_t, guess, guess_t);
-    (*width_t) = v1_t;
-    (*width) = v1;
-    limit_t = (*cspan_at(&work_t, block + layout__REGION_HIGH)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
-    limit = (*cspan_at(&work, block + layout__REGION_HIGH)) - (*cspan_at(&work, block + layout__REGION_STATION));
-    if (direction < 0.0)
-    {
-        limit_t = (*cspan_at(&work_t, block + layout__REGION_STATION)) - (*cspan_at(&work_t, block + layout__REGION_LOW));
-        limit = (*cspan_at(&work, block + layout__REGION_STATION)) - (*cspan_at(&work, block + layout__REGION_LOW));
-    }
-    if (((*width) < limit) && ((*cspan_at(&work, block + layout__REGION_REACHED)) != level))
-    {
-        inner = (*width) * (1.0 - 10.0 * regions__HALVED_SHARP);
-        tolerance = 0.001 * guess;
-        if (tolerance > regions__WIDTH_TRACE)
-        {
-            tolerance = regions__WIDTH_TRACE;
-        }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 0.0, tolerance, 0.0);
-        rail_rate = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-        wheel_rate = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-        lack = level_t - gap_t + (*cspan_at(&work_t, block + layout__REGION_GAP));
-        moved = 0.0;
-        if (rate * direction > 0.0)
-        {
-            moved = lack / (rate * direction);
-        }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, 1.0, tolerance, 0.0);
-        rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-        wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-        x_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-        x = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_RAIL));
-        y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-        y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL));
-        out = x_t - rail_rate;
-        if ((out != 0.0) && ((x < (*cspan_at(&tables, rail + layout__PROFILE_START)) + regions__WIDTH_TRACE) || (x > (*cspan_at(&tables, rail + layout__PROFILE_STOP)) - regions__WIDTH_TRACE)))
-        {
-            moved = (-rail_rate) / out;
-        }
-        out = y_t - wheel_rate;
-        if ((out != 0.0) && ((y < (*cspan_at(&tables, wheel + layout__PROFILE_START)) + regions__WIDTH_TRACE) || (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - regions__WIDTH_TRACE)))
-        {
-            moved = (-wheel_rate) / out;
-        }
-        tangent_regions__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, state, block, direction, direction_t, inner, moved, tolerance, 0.0);
-        (*width_t) = moved;
-        (*cspan_at(&work_t, block + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, block + layout__REGION_GAP));
-    }
-    return 0;
-}
-
-/* Tangent of ``width_jet``. */
-static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
-{
-    double bend;
-    double bend_t;
-    double curvature;
-    double curvature_t;
-    tangent_contact_plane__start_tracer_t(work, work_t, (*cspan_at(&work, block + layout__REGION_STATION)), (*cspan_at(&work_t, block + layout__REGION_STATION)), (*cspan_at(&work, block + layout__REGION_RAIL)), (*cspan_at(&work_t, block + layout__REGION_RAIL)), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
-    tangent_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, state, (*cspan_at(&work, block + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, block + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
     return 0;
 }

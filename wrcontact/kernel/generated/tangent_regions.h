@@ -7,25 +7,21 @@
 #define WRCONTACT_KERNEL_TANGENT_REGIONS_H
 
 #include "../native/spans.h"
-#include "contact_plane.h"
 #include "layout.h"
 #include "regions.h"
 #include "smallest_gap.h"
 #include "tangent_contact_plane.h"
 #include "tangent_profile_table.h"
 #include "tangent_rates.h"
-#include "tangent_separation.h"
+#include "tangent_traces.h"
 
-static inline int64_t tangent_regions__lean_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t block, double slope, double slope_t);
-static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t);
-static inline int64_t tangent_regions__open_contact_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state);
-static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double station, double station_t);
-static inline int64_t tangent_regions__find_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double level, double level_t);
+static inline int64_t tangent_regions__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t);
+static inline int64_t tangent_regions__open_region_t(double* found, double* found_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double station, double station_t);
+static inline int64_t tangent_regions__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state);
+static inline int64_t tangent_regions__minimum_rule_t(double* found, double* found_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, array_double_1d state, double station, double station_t);
+static inline int64_t tangent_regions__find_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, array_double_1d state, double level, double level_t);
 static inline int64_t tangent_regions__swap_regions_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t second);
-static inline int64_t tangent_regions__hump_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t low, int64_t high);
-static inline int64_t tangent_regions__bound_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double level, double level_t);
-static inline int64_t tangent_regions__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t);
-static inline int64_t tangent_regions__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
-static inline int64_t tangent_regions__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t block, double direction, double direction_t, double level, double level_t, double guess, double guess_t);
+static inline int64_t tangent_regions__saddle_rule_t(double* station, double* station_t, double* gap, double* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t low, int64_t high, array_double_1d state);
+static inline int64_t tangent_regions__bound_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double level, double level_t);
 
 #endif

@@ -62,14 +62,14 @@ static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, ar
     load = (*cspan_at(&work, block + layout__REGION_CARRIED));
     if (load > 0.0)
     {
-        cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_COS));
-        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_COS));
+        cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
         {
-            v1 = 1.0 + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN));
+            v1 = 1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION));
             v2 = sqrt(v1);
             v3 = 1.0 / v2;
-            cosine_t = (-v3) * tangent_rates__root_rate(v2, (*cspan_at(&work_t, block + layout__REGION_LEAN)) * (*cspan_at(&work, block + layout__REGION_LEAN)) + (*cspan_at(&work, block + layout__REGION_LEAN)) * (*cspan_at(&work_t, block + layout__REGION_LEAN))) / v2;
+            cosine_t = (-v3) * tangent_rates__root_rate(v2, (*cspan_at(&work_t, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)) + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work_t, block + layout__REGION_INCLINATION))) / v2;
             cosine = v3;
         }
         v4 = (*cspan_at(&work, block + layout__REGION_MOMENT)) / load;
@@ -92,8 +92,8 @@ static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, ar
             normal_sin_t = (*cspan_at(&work_t, block + layout__REGION_SIN));
             normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
         }
-        x_t = (*cspan_at(&work_t, block + layout__REGION_ALONG)) + ((*cspan_at(&work_t, block + layout__REGION_SLANT)) * away + (*cspan_at(&work, block + layout__REGION_SLANT)) * away_t);
-        x = (*cspan_at(&work, block + layout__REGION_ALONG)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
+        x_t = (*cspan_at(&work_t, block + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, block + layout__REGION_SLANT)) * away + (*cspan_at(&work, block + layout__REGION_SLANT)) * away_t);
+        x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
         v8 = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa;
         y_t = mirror_t * v8 + mirror * abscissa_t;
         y = mirror * v8;

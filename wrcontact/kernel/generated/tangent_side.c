@@ -107,32 +107,28 @@ static inline int64_t tangent_side__solve_side_t(array_double_1d tables, array_d
 static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t index, double approach, double approach_t)
 {
     int64_t side;
-    int64_t at;
     double height_t;
     double height;
     int64_t n1;
     int64_t deepest;
-    int64_t deep;
     double aside;
     double aside_t;
     double shift;
     double shift_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = side + layout__SIDE_SEARCH_PLACE;
     height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + approach_t;
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     tangent_side__clear_side_t(tables, work, work_t, index);
     tangent_resultant__clear_resultant_t(work, work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
-    n1 = tangent_overlaps__overlaps_rule_t(tables, work, work_t, state, side, at, height, height_t);
+    n1 = tangent_overlaps__overlaps_rule_t(work, work_t, tables, side, state, height, height_t);
     if (n1 == INT64_C(0))
     {
         return layout__OFF_PROFILE;
     }
-    deepest = overlaps__deepest_entry(work);
-    deep = overlaps__DEEP_FIRST + overlaps__DEEP_SIZE * deepest;
-    tangent_overlaps__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, at, deepest, height, height_t);
-    tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deep + overlaps__DEEP_WHEEL)), (*cspan_at(&work_t, deep + overlaps__DEEP_WHEEL)), aside, aside_t, shift, shift_t);
-    tangent_overlaps__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deep + overlaps__DEEP_DEPTH)), (*cspan_at(&work_t, deep + overlaps__DEEP_DEPTH)), 0.0, 0.0);
+    deepest = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    tangent_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
+    tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
     return layout__VALID;
 }
 

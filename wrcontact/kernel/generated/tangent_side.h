@@ -7,15 +7,16 @@
 #define WRCONTACT_KERNEL_TANGENT_SIDE_H
 
 #include "../native/spans.h"
+#include "deep_points.h"
 #include "layout.h"
 #include "outlines.h"
-#include "overlaps.h"
 #include "tangent_contact_point.h"
 #include "tangent_gap.h"
 #include "tangent_normal_contact.h"
 #include "tangent_outline.h"
 #include "tangent_outlines.h"
 #include "tangent_overlaps.h"
+#include "tangent_pressed_regions.h"
 #include "tangent_resultant.h"
 #include "tangent_totals.h"
 

@@ -55,7 +55,7 @@ static inline int64_t tangent_strip_patches__fill_from_strips_t(array_double_1d 
             stop_t = v2_t;
             stop = v2;
             region = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-            n3 = tangent_filling__begin_patch_t(work, work_t, region, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_LEAN))), -((*cspan_at(&work_t, region + layout__REGION_LEAN)) / (1.0 + (*cspan_at(&work, region + layout__REGION_LEAN)) * (*cspan_at(&work, region + layout__REGION_LEAN)))));
+            n3 = tangent_filling__begin_patch_t(work, work_t, region, start, start_t, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))), -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION)))));
             index = n3;
             patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
@@ -106,8 +106,8 @@ static inline int64_t tangent_strip_patches__add_strip_t(array_double_1d work, a
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
     v1 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, region + layout__REGION_ALONG)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * v1 + (*cspan_at(&work, region + layout__REGION_SLANT)) * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION))));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_ALONG)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * v1;
+    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * v1 + (*cspan_at(&work, region + layout__REGION_SLANT)) * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION))));
+    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * v1;
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = (*cspan_at(&work_t, strip + layout__STRIP_CURVATURE));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = (*cspan_at(&work, strip + layout__STRIP_CURVATURE));
     (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD));

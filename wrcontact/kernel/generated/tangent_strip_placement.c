@@ -81,8 +81,8 @@ static inline int64_t tangent_strip_placement__measure_zone_t(array_double_1d wo
     double v2_t;
     double v3;
     double v3_t;
-    own_t = (*cspan_at(&work_t, region + layout__REGION_TURN)) * penetration + (*cspan_at(&work, region + layout__REGION_TURN)) * penetration_t;
-    own = (*cspan_at(&work, region + layout__REGION_TURN)) * penetration;
+    own_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t;
+    own = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration;
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_PENETRATION)) = own_t;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_PENETRATION)) = own;
     tangent_strip_placement__zone_end_t(&v1, &v1_t, work, work_t, region, nodes, -INT64_C(1), own, own_t);

@@ -55,8 +55,8 @@ static inline int64_t tangent_strip_surfaces__read_surfaces_t(array_double_1d wo
     (*cspan_at(&work, strip + layout__STRIP_A)) = A * (*cspan_at(&work, region + layout__REGION_UPRIGHT_A));
     (*cspan_at(&work_t, strip + layout__STRIP_CURVATURE)) = 2.0 * A_t;
     (*cspan_at(&work, strip + layout__STRIP_CURVATURE)) = 2.0 * A;
-    (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_TURN)) + (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work_t, region + layout__REGION_TURN));
-    (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_TURN));
+    (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) + (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT));
+    (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) = (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
     return INT64_C(0);
 }
 
@@ -129,8 +129,8 @@ static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d 
         v5 = (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
         below_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - ((*cspan_at(&work_t, strip + layout__STRIP_GAP)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE))) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
         below = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - v5;
-        below_t = below_t * (*cspan_at(&work, region + layout__REGION_TURN)) + below * (*cspan_at(&work_t, region + layout__REGION_TURN));
-        below = below * (*cspan_at(&work, region + layout__REGION_TURN));
+        below_t = below_t * (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) + below * (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT));
+        below = below * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
         v6 = strip_surfaces__INSIDE * strip_surfaces__INSIDE;
         v7 = v6 * below;
         v8 = v7 / length;

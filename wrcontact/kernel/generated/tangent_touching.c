@@ -6,7 +6,7 @@
 #include "tangent_touching.h"
 
 /* Tangent of ``pair_rule``. */
-static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* result_1, double* result_2, double* result_3, double* depth, double* depth_t, double* aside, double* aside_t, double* back_shift, double* back_shift_t, int64_t* found, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t at, double y, double y_t, double abscissa, double abscissa_t, double shift, double shift_t)
+static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* result_1, double* result_2, double* result_3, double* depth, double* depth_t, double* aside, double* aside_t, double* back_shift, double* back_shift_t, int64_t* found, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double y, double y_t, double abscissa, double abscissa_t, double shift, double shift_t)
 {
     int64_t i;
     double z;
@@ -35,8 +35,8 @@ static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* re
     double across;
     double down_t;
     double down;
-    double turned_t;
-    double turned;
+    double mismatch_t;
+    double mismatch;
     double apart_t;
     double apart;
     double v1;
@@ -51,7 +51,7 @@ static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* re
     double v5;
     double v6;
     double v7;
-    touching__touching_pair(&y, &abscissa, depth, aside, back_shift, found, tables, work, at, y, abscissa, shift);
+    touching__touching_pair(&y, &abscissa, depth, aside, back_shift, found, work, tables, place, y, abscissa, shift);
     y_t = 0.0;
     abscissa_t = 0.0;
     (*depth_t) = 0.0;
@@ -62,7 +62,7 @@ static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* re
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
             tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
-            tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, at, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+            tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
             tangent_profile_table__height_slope_bend_t(&height, &height_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
             across_t = y_track_t - abscissa_t;
             across = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y)) - abscissa;
@@ -70,8 +70,8 @@ static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* re
             down = z_track + shift - height;
             if (i == INT64_C(0))
             {
-                turned_t = outline_slope_t - m_t;
-                turned = outline_slope - m;
+                mismatch_t = outline_slope_t - m_t;
+                mismatch = outline_slope - m;
                 apart_t = across_t + (down_t * m + down * m_t);
                 apart = across + down * m;
                 v1 = 1.0 + outline_slope * m;
@@ -80,10 +80,10 @@ static inline int64_t tangent_touching__pair_rule_t(double* result_0, double* re
                 back_t = down_t * rail_bend + down * rail_bend_t - (m_t * m + m * m_t);
                 back = down * rail_bend - 1.0 - m * m;
                 determinant = rate * back + rail_bend * along;
-                v2 = -(turned * back + rail_bend * apart);
-                y_t = (-(turned_t * back + rail_bend * apart_t)) / determinant;
-                v3 = -(rate * apart - along * turned);
-                abscissa_t = (-(rate * apart_t - along * turned_t)) / determinant;
+                v2 = -(mismatch * back + rail_bend * apart);
+                y_t = (-(mismatch_t * back + rail_bend * apart_t)) / determinant;
+                v3 = -(rate * apart - along * mismatch);
+                abscissa_t = (-(rate * apart_t - along * mismatch_t)) / determinant;
             }
             else
             {

@@ -75,19 +75,19 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
         high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    tangent_regions__width_rule_t(&v6, &v6_t, tables, work, work_t, state, region, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
+    tangent_zone_width__width_rule_t(&v6, &v6_t, work, work_t, tables, region, state, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
     high_t = v6_t;
     high = v6;
     high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant_t = 0.0;
     slant = 0.0;
-    start_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    start_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION));
+    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        tangent_contact_plane__ridge_place_t(&v7, &v7_t, tables, work, work_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
+        tangent_locus__outline_x_t(&v7, &v7_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         slant_t = v7_t;
         slant = v7;
     }
@@ -96,19 +96,19 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
         low_t = high_t;
         low = high;
     }
-    tangent_regions__width_rule_t(&v8, &v8_t, tables, work, work_t, state, region, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
+    tangent_zone_width__width_rule_t(&v8, &v8_t, work, work_t, tables, region, state, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
     low_t = v8_t;
     low = v8;
     if (yawed == INT64_C(1))
     {
-        tangent_contact_plane__ridge_place_t(&v9, &v9_t, tables, work, work_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
+        tangent_locus__outline_x_t(&v9, &v9_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         slant_t = slant_t - v9_t;
         slant = slant - v9;
-        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)))
+        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)))
         {
-            v10 = start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+            v10 = start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
             v11 = slant / v10;
-            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)))) / v10;
+            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)))) / v10;
             (*cspan_at(&work, region + layout__REGION_SLANT)) = v11;
         }
     }

@@ -9,9 +9,9 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
-#include "tangent_contact_plane.h"
+#include "tangent_locus.h"
 #include "tangent_rates.h"
-#include "tangent_regions.h"
+#include "tangent_zone_width.h"
 #include "widths.h"
 
 static inline int64_t tangent_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t);

@@ -36,26 +36,26 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    high = regions__zone_width(tables, work, state, region, 1.0, local_penetration, high);
+    high = zone_width__zone_width(work, tables, region, state, 1.0, local_penetration, high);
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant = 0.0;
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION));
+    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        slant = contact_plane__ridge_place(tables, work, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
+        slant = locus__outline_x(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     }
     if (!((*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) > 0.0))
     {
         low = high;
     }
-    low = regions__zone_width(tables, work, state, region, -1.0, local_penetration, low);
+    low = zone_width__zone_width(work, tables, region, state, -1.0, local_penetration, low);
     if (yawed == INT64_C(1))
     {
-        slant -= contact_plane__ridge_place(tables, work, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_WHEEL)));
-        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)))
+        slant -= locus__outline_x(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)))
         {
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACER_STATION)));
+            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)));
         }
     }
     (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = widths__side_curvature(high_reached, high, 0.5 * (low + high));

@@ -9,7 +9,8 @@
 #include "../native/spans.h"
 #include "contact_plane.h"
 #include "layout.h"
-#include "regions.h"
+#include "locus.h"
+#include "zone_width.h"
 
 static const double widths__NARROWER = 4.0;
 static const double widths__LEAST_BEND = 1.0;

@@ -1,53 +1,72 @@
-"""Records of the room contact: the plane of a contact and the regions beside it."""
+"""Records of the room contact: the plane of a contact, the regions beside it, and the overlap of a pressed wheel."""
 
 from typing import Final
 
-from .record import Float, record
+from .record import Float, To, record, run, size
+from .surface import Place
 
 REGION_LIMIT: Final[int] = 3         # loaded regions of one wheel
-REGION_BLOCK: Final[int] = 48        # numbers kept of each
-CONTACT_BLOCK: Final[int] = 40       # contact frame and tracer
-OVERLAP_LIMIT: Final[int] = 200      # samples of the overlap of a pressed wheel to either side
-OVERLAP_BLOCK: Final[int] = 64 + 4 * 2 * OVERLAP_LIMIT
+#: The two profiles, where there is something for each of them.
+RAIL: Final[int] = 0
+WHEEL: Final[int] = 1
+
+
+@record
+class Point:
+    y: float                        # lateral and vertical coordinate [m]
+    z: float
+
+
+@record
+class Direction:
+    cos: float
+    sin: float
+
+
+@record
+class Trace:
+    """Where a profile is at one station; Newton's method for the next station starts from it."""
+
+    abscissa: float                 # [m]
+    rate: float                     # its first and second derivative over the stations [-, 1/m]
+    bend: float
 
 
 @record
 class Frame:
-    abscissa: float                 # rail abscissa of the contact point [m]
-    height: float                   # rail height there [m]
-    y: float                        # wheel abscissa [m]
-    cos: float                      # of the plane's angle
-    sin: float
-    shift: float                    # vertical shift of the wheelset [m]
-    place: float                    # offset of the placed wheel in the workspace
-    z: float                        # wheel height [m]
-    wheel_cos: float                # of the plane's angle in the wheelset's frame
-    wheel_sin: float
-    tracer_station: float
-    tracer_rail: float
-    tracer_rail_rate: float
-    tracer_rail_bend: float
-    tracer_wheel: float
-    tracer_wheel_rate: float
-    tracer_wheel_bend: float
-    lift: float                     # of the wheel's point below the rail's [m]; zero but for rounding
+    """The contact plane of the side at work, and where wheel and rail are traced along it."""
+
+    rail: Point                     # the contact point on the rail's profile
+    wheel: Point                    # and on the wheel's
+    plane: Direction                # the plane's inclination on the track
+    wheel_plane: Direction          # and in the wheelset's frame
+    place: To(Place)                # of the wheel
     aside: float                    # lateral shift that lets the wheel just touch [m]; zero for a rigid contact
+    shift: float                    # and the vertical shift [m]
+    lift: float                     # of the wheel's point below the rail's [m]; zero but for rounding
     raised: float                   # what is added to the gap of a region with a plane of its own [m]
-    pose: float                     # vertical shift of the wheelset where it stands [m]
-    depth: float                    # how deep wheel and rail overlap there, along the normal [m]
-    pressed: bool                  # 1 if the wheel comes down, 0 if it comes along the normal
-    blur: float                     # half the stretch of a pressed wheel that its bend is averaged over [m]
-    spare_24: Float * 16
+    station: float                  # to which the traces belong [m]
+    traces: Trace * 2               # of RAIL and WHEEL
+    pressed: bool                   # whether the wheel is pressed into the rail, rather than just touching it
+    height: float                   # vertical shift at which a pressed wheelset stands [m]
+    depth: float                    # largest overlap of a pressed wheel, along the normal [m]
+    blur: float                     # half the stretch of a pressed wheel that its second derivative is averaged over [m]
+
+
+FRAME_SIZE: Final[int] = size(Frame)
+#: The numbers of a frame that is set aside while another one is open: one for each region, and the contact point's.
+KeptFrame = run(FRAME_SIZE)
+KeptFrames = KeptFrame * (REGION_LIMIT + 1)
 
 
 @record
 class Origin:
+    """The pair of points from which the separation of a region is measured."""
+
     station: float                  # [m]
     gap: float                      # the normal gap there [m]
-    rail: Float * 2                 # rail abscissa and height there [m]
-    wheel: Float * 2                # the outline's lateral and vertical coordinate there [m]
+    points: Point * 2               # of RAIL: abscissa and height; of WHEEL: its outline's coordinates
     spacing: float                  # length of a chord [m]; 0: true arc length
-    spare_7: Float * 1
 
 
 @record
@@ -61,7 +80,7 @@ class Region:
     width_low: float                # half-widths of the interpenetration [m]
     width_high: float
     spacing: float                  # of its nodes [m]
-    first: int                    # first and last node
+    first: int                      # first and last node
     last: int
     level: float                    # local penetration: total minus own gap minus what other regions push down [m]
     load: float                     # [N]
@@ -81,19 +100,53 @@ class Region:
     upright_b: float                # real ones, and its penetration over the real one [-]
     upright_share: float
     slant: float                    # of the line along which the gap is smallest, dx/ds [-]; of a yawed wheel only
-    own: bool                      # 1 if it has a plane of its own, else 0
-    turn: float                     # how much of the penetration comes along its normal [-]
+    own: bool                       # 1 if it has a plane of its own, else 0
+    alignment: float                # cosine between its normal and the contact point's: share of the penetration that it gets
     offset: float                   # from its own stations to those of the outputs [m]
     cos: float                      # of the angle along which its force acts: the rail's at its minimum, or the mean over it
     sin: float
     share: float                    # of its load that counts for the prescribed force
     moment: float                   # of the load that it carries, over the stations of the outputs [N m]
     carried: float                  # that load [N]
-    lean: float                     # slope of the rail at its minimum
-    along: float                    # track coordinate x of the minimum [m], where regions lean apart
+    inclination: float              # slope of the rail at its minimum [-]
+    x_track: float                  # track coordinate x of the minimum [m], where regions have planes of their own
     strip: int                      # the strip of the solved patches at its minimum
-    spare_43: Float * 8
 
 
-#: The loaded regions of one wheel.
+REGION_SIZE: Final[int] = size(Region)
+#: The loaded regions of a wheel.
 Regions = Region * REGION_LIMIT
+
+OVERLAP_LIMIT: Final[int] = 200      # samples of the overlap of a pressed wheel to either side
+DEEP_LIMIT: Final[int] = 9           # deepest points that are listed
+SampleRun = run(2 * OVERLAP_LIMIT)
+
+
+@record
+class DeepPoint:
+    """A local maximum of the overlap."""
+
+    rail: float                     # rail and wheel abscissa [m]
+    wheel: float
+    depth: float                    # the overlap there [m]
+    saddle: float                   # rail abscissa of the smallest overlap between it and the next one [m]
+    between: float                  # the overlap there [m]; negative where wheel and rail are apart
+
+
+@record
+class Samples:
+    """The overlap at scan nodes, in the order of the wheel's abscissae."""
+
+    rail: SampleRun                 # rail and wheel abscissa [m]
+    wheel: SampleRun
+    rise: SampleRun                 # slope of the overlap [-]
+    adjacent: SampleRun             # 1 if no scan node lies between it and the sample before it, else 0
+
+
+@record
+class Overlap:
+    """Where a pressed wheel overlaps its rail."""
+
+    count: int                      # of the deepest points, in the order of the rail
+    points: DeepPoint * DEEP_LIMIT
+    samples: Samples

@@ -1,6 +1,6 @@
 """The array ``work``: the workspace of one step."""
 
-from .contact import CONTACT_BLOCK, OVERLAP_BLOCK, REGION_LIMIT, Frame, Origin, Regions
+from .contact import Frame, KeptFrames, Origin, Overlap, Regions
 from .interface import Inputs, Outputs
 from .normal import Equations, NodesOfRegions, StripProblem
 from .patch import Outline, SolvedPatches
@@ -25,8 +25,8 @@ class Work:
     strip_problem: StripProblem
     equations: Equations
     origin: Origin
-    frames: Float * (CONTACT_BLOCK * (REGION_LIMIT + 1))
-    overlap: Float * OVERLAP_BLOCK
+    frames: KeptFrames
+    overlap: Overlap
     supports: Supports
     broyden: Broyden
     height_bracket: Bracket

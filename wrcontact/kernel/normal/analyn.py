@@ -105,7 +105,7 @@ def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state:
     """
     for i in range(count):
         region = regions[i]
-        region.level = region.turn * penetration - region.gap
+        region.level = region.alignment * penetration - region.gap
     low = 0.0
     high = HIGHEST * penetration
     total_before = 0.0
@@ -174,7 +174,7 @@ def level_residuals(tables: Tables, regions: Regions, count: int, penetration: f
         for j in range(count):
             if j != i:
                 pushed += region_influence(tables, region, regions[j]) * regions[j].load
-        turn = region.turn
+        turn = region.alignment
         residual = turn * penetration - region.gap - pushed - region.level
         region.residual = residual
         region.slope = turn
@@ -187,7 +187,7 @@ def level_residuals(tables: Tables, regions: Regions, count: int, penetration: f
     for sweep in range(sweeps):
         for i in range(count):
             region = regions[i]
-            slope = region.turn
+            slope = region.alignment
             move = region.residual
             for j in range(count):
                 if j != i:

@@ -11,8 +11,9 @@ The estimate depends on pose and force alone and is smooth in them, and so is th
 from math import isfinite
 from typing import Final
 
-from ..contact.overlaps import gather_overlaps, keep_deepest
-from ..contact.planes import give_planes, line_up
+from ..contact.deep_points import keep_deepest
+from ..contact.planes import give_planes, locate_along_track
+from ..contact.pressed_regions import gather_overlaps
 from ..contact.regions import bound_regions, find_regions, open_contact_region
 from ..layout import REGION_LIMIT, SideSearch, State, Tables, Work
 from .analyn import solve_levels
@@ -32,7 +33,7 @@ def analyn_contact(tables: Tables, work: Work, state: State, side: SideSearch, f
     """Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is satisfied, else 0."""
     penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
     if satisfied == 1:
-        line_up(tables, work, count)
+        locate_along_track(tables, work.frame, work.regions, count)
         fill_from_nodes(work.regions, work.nodes, work.solved, count)
     return penetration, count, satisfied
 
@@ -69,10 +70,10 @@ def solve_estimated(tables: Tables, work: Work, state: State, side: SideSearch, 
         # regions so close that pressing on each other has no fixed point are one region
         count = 1
         if work.frame.pressed:
-            keep_deepest(work.raw)
-            gather_overlaps(tables, work, state)
+            keep_deepest(work.overlap)
+            gather_overlaps(tables, work.frame, work.frames, work.regions, work.overlap, state)
         else:
-            open_contact_region(tables, work, state)
+            open_contact_region(tables, work.frame, work.regions[0], state)
         start_penetrations(work.regions, count, estimate)
         penetration, satisfied = solve_fine(tables, work, state, count, force, estimate, by_penetration)
     return penetration, count, satisfied
@@ -85,12 +86,12 @@ def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, p
         work.regions[i].slant = 0.0
     count = 1
     if work.frame.pressed:
-        count = gather_overlaps(tables, work, state)
+        count = gather_overlaps(tables, work.frame, work.frames, work.regions, work.overlap, state)
     else:
-        open_contact_region(tables, work, state)
-        count = find_regions(tables, work, state, side, penetration)
-        count = bound_regions(tables, work, state, count, penetration)
-        give_planes(tables, work, state, count)
+        open_contact_region(tables, work.frame, work.regions[0], state)
+        count = find_regions(tables, work.frame, work.regions, side, state, penetration)
+        count = bound_regions(tables, work.frame, work.regions, state, count, penetration)
+        give_planes(tables, work.frame, work.frames, work.regions, state, count)
     start_penetrations(work.regions, count, penetration)
     return count
 

@@ -43,7 +43,7 @@ def estimate_penetration(tables: Tables, work: Work, state: State, force: float)
 
 def first_penetration(tables: Tables, work: Work, state: State, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
-    open_contact_region(tables, work, state)
+    open_contact_region(tables, work.frame, work.regions[0], state)
     region = work.regions[0]
     region.width_level = 0.0
     return estimate_penetration(tables, work, state, force / region.share)
@@ -54,7 +54,7 @@ def start_penetrations(regions: Regions, count: int, penetration: float):
     the penetration."""
     for i in range(count):
         region = regions[i]
-        local = region.turn * penetration - region.gap
+        local = region.alignment * penetration - region.gap
         if local < LEAST_SHARE * penetration:
             local = LEAST_SHARE * penetration
         region.level = local

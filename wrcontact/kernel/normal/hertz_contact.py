@@ -2,7 +2,7 @@
 
 from math import isfinite, pi, sqrt
 
-from ..contact.planes import line_up
+from ..contact.planes import locate_along_track
 from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables, Work
 from ..patch.filling import fill_single, place_patch
 from .hertz import hertz_coefficients, hertz_stiffness
@@ -11,7 +11,7 @@ from .node_coefficients import FLOOR
 
 def hertz_contact(tables: Tables, work: Work, point: SideOutputs, force: float, prescribed: float):
     """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and 1: the force is satisfied."""
-    line_up(tables, work, 1)
+    locate_along_track(tables, work.frame, work.regions, 1)
     penetration = solve_hertz(tables, point, work.regions[0], work.solved, force, prescribed)
     return penetration, 1, 1
 

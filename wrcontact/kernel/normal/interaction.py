@@ -39,7 +39,7 @@ def region_lead(one: Region, other: Region):
     """
     lead = 0.0
     if planes_cosine(one, other) < INCLINED:
-        lead = one.along - other.along
+        lead = one.x_track - other.x_track
     return lead
 
 

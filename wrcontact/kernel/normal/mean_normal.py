@@ -11,7 +11,7 @@ def rail_per_station(tables: Tables, frame: Frame, abscissa: float):
     height, slope = height_slope(tables.rail, abscissa)
     along = sqrt(1.0 + slope * slope)
     if not frame.pressed:
-        along = frame.cos + slope * frame.sin
+        along = frame.plane.cos + slope * frame.plane.sin
     return 1.0 / along
 
 

@@ -72,23 +72,23 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
     """Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``."""
     for i in range(count):
         region = work.regions[i]
-        enter_plane(work, i)
+        enter_plane(work.frame, work.frames, work.regions[i], i)
         measure_widths(tables, work, state, region, MEASURED * region.level)
         region.spacing = node_spacing(tables, region, enlarge)
         prepare_nodes(tables, work, state, region, work.nodes[i], enlarge)
-        leave_plane(work, i)
+        leave_plane(work.frame, work.frames, work.regions[i])
     return 0
 
 
 def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, enlarge: float):
     """Nodes and coefficients of a region whose frame is open, up to its local penetration times ``enlarge``."""
-    yawed = is_yawed(work)
+    yawed = is_yawed(work.frame)
     reach = region.level * enlarge
     A = 0.5 * region.curvature
     low_reach = reach * zone_share(tables, A, region.side_low)
     high_reach = reach * zone_share(tables, A, region.side_high)
     if work.frame.pressed and yawed == 1:
-        work.frame.blur = region.spacing * float(node_stride(tables)) * work.frame.wheel_cos
+        work.frame.blur = region.spacing * float(node_stride(tables)) * work.frame.wheel_plane.cos
     lay_nodes(tables, work, state, region, nodes, low_reach, high_reach)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
     if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:

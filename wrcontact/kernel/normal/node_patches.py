@@ -38,7 +38,7 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
             region.strip = strips - region.first
             fill_strips(region, nodes[index], solved.strips)
             strips += region.last - region.first + 1
-            angle = -atan(region.lean)
+            angle = -atan(region.inclination)
             for k in range(region.first, region.last):
                 add_cell(solved, region, nodes[index], k, angle)
     finish_patch(solved)
@@ -56,7 +56,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
     middle = region.strip
     spacing = region.spacing
     origin = region.offset + region.station
-    along = region.along
+    along = region.x_track
     slant = region.slant
     for k in range(region.first, region.last + 1):
         strip = strips[middle + k]

@@ -6,15 +6,19 @@ So a result depends on the pose alone and is smooth in it.
 
 from typing import Final
 
-from ..contact.contact_plane import NO_GAP, start_tracer
-from ..contact.separation import open_origin, separation
+from ..contact.contact_plane import NO_GAP
+from ..contact.curves import open_origin
+from ..contact.separation import separation
+from ..contact.traces import start_traces
 from ..layout import (
     LATERAL_ADAPTIVE,
     NODE_FIELDS,
     NODE_LIMIT,
     NODE_MIDDLE,
+    RAIL,
     SEPARATION_EQUIDISTANT_CHORD,
     SEPARATION_VERTICAL,
+    WHEEL,
     WORK_NODES,
     NodeRun,
     Nodes,
@@ -76,13 +80,13 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
 
     Where the lateral curvature is a prepared one, it is kept in nodes.B for :func:`node_coefficients.weigh_nodes`.
     """
-    start_tracer(work, region.station, region.rail, region.wheel)
-    open_origin(tables, work, region.station, region.gap, region.rail, region.wheel, region.spacing)
-    gap, rate, bend, curvature = separation(tables, work, state, region.station, trace_tolerance(region.spacing))
+    start_traces(work.frame, region.station, region.rail, region.wheel)
+    open_origin(tables, work.frame, work.origin, region, region.spacing)
+    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, region.station, trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
     if int(tables.lateral) != LATERAL_ADAPTIVE:
-        nodes.B[0] = relative_curvature(tables, work.frame.tracer_wheel, work.frame.tracer_rail)
+        nodes.B[0] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa, work.frame.traces[RAIL].abscissa)
     before = lay_side_nodes(tables, work, state, region, nodes, -1, low_reach, rate)
     region.first = -before
     after = lay_side_nodes(tables, work, state, region, nodes, 1, high_reach, rate)
@@ -93,12 +97,12 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
 def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, at: int):
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(tables, work, state, station, trace_tolerance(region.spacing))
+    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, station, trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
         if int(tables.lateral) != LATERAL_ADAPTIVE:
-            nodes.B[at] = relative_curvature(tables, work.frame.tracer_wheel, work.frame.tracer_rail)
+            nodes.B[at] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa, work.frame.traces[RAIL].abscissa)
     return gap, rate
 
 
@@ -109,7 +113,7 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
 
     Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and slope there.
     """
-    start_tracer(work, region.station, region.rail, region.wheel)
+    start_traces(work.frame, region.station, region.rail, region.wheel)
     stride = node_stride(tables)
     window = window_nodes(tables)
     k = 0
@@ -124,7 +128,7 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
-                start_tracer(work, region.station, region.rail, region.wheel)
+                start_traces(work.frame, region.station, region.rail, region.wheel)
                 gap, next_rate = trace_node(tables, work, state, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = 1

@@ -2,7 +2,7 @@
 
 from math import isfinite
 
-from ..contact.planes import line_up
+from ..contact.planes import locate_along_track
 from ..layout import SideSearch, State, Tables, Work
 from .analyn_contact import solve_analyn
 from .strip_patches import fill_from_strips
@@ -19,7 +19,7 @@ def strip_contact(tables: Tables, work: Work, state: State, side: SideSearch, fo
         by_penetration = 1
     penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
     if satisfied == 1:
-        line_up(tables, work, count)
+        locate_along_track(tables, work.frame, work.regions, count)
         problem = work.strip_problem
         place_strips(problem, work.regions, work.nodes, count, tables.strips, penetration)
         describe_strips(problem, work.regions, work.nodes)

@@ -36,7 +36,7 @@ def fill_from_strips(problem: StripProblem, regions: Regions, solved: SolvedPatc
             start = run_edge(strips, count, first, last, -1)
             stop = run_edge(strips, count, last, first, 1)
             region = regions[strips[first].region]
-            index = begin_patch(solved, region, start, first, RULE_STRAIGHT, -atan(region.lean))
+            index = begin_patch(solved, region, start, first, RULE_STRAIGHT, -atan(region.inclination))
             patch = solved.patches[index]
             for i in range(first, last + 1):
                 add_strip(patch, regions[strips[i].region], strips[i], solved.strips[i])
@@ -61,7 +61,7 @@ def add_strip(patch: SolvedPatch, region: Region, strip: Strip, to: SolvedStrip)
     region.moment += load * strip.station
     to.station = strip.station
     to.width = strip.width
-    to.x = region.along + region.slant * (strip.station - region.offset - region.station)
+    to.x = region.x_track + region.slant * (strip.station - region.offset - region.station)
     to.curvature = strip.curvature
     to.line_load = strip.line_load
     to.half_length_square = strip.half_length_square

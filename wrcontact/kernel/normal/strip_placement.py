@@ -8,7 +8,7 @@ narrower where the gap bends and near the contact (docs/method.md, section 9).
 from math import sqrt
 from typing import Final
 
-from ..layout import Nodes, Region, Regions, NodesOfRegions, StripProblem, Strips, StripZone
+from ..layout import Nodes, NodesOfRegions, Region, Regions, StripProblem, StripZone, Strips
 
 #: Strips lie where the gap is below this share of ANALYN's penetration,
 ZONE: Final[float] = 0.9
@@ -54,7 +54,7 @@ def place_strips(problem: StripProblem, regions: Regions, nodes: NodesOfRegions,
 
 def measure_zone(zone: StripZone, region: Region, nodes: Nodes, penetration: float):
     """Ends and weight of a region's zone at the total ``penetration`` [m]."""
-    own = region.turn * penetration
+    own = region.alignment * penetration
     zone.penetration = own
     zone.start = zone_end(region, nodes, -1, own)
     zone.stop = zone_end(region, nodes, 1, own)

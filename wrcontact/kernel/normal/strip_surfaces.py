@@ -40,7 +40,7 @@ def read_surfaces(strip: Strip, region: Region, nodes: Nodes, k: int, x: float):
     strip.gap = region.upright_share * region.gap + gap * region.upright_b
     strip.A = A * region.upright_a
     strip.curvature = 2.0 * A
-    strip.penetration_share = region.upright_share * region.turn
+    strip.penetration_share = region.upright_share * region.alignment
     return 0
 
 
@@ -65,7 +65,7 @@ def describe_strips(problem: StripProblem, regions: Regions, nodes: NodesOfRegio
             loaded = 1
             square = level / length
         below = problem.penetration - strip.gap / strip.penetration_share
-        below *= region.turn
+        below *= region.alignment
         inside = INSIDE * INSIDE * below / length
         if inside > square:
             square = inside

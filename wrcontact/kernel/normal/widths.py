@@ -3,9 +3,10 @@
 from math import sqrt
 from typing import Final
 
-from ..contact.contact_plane import is_yawed, ridge_place
-from ..contact.regions import zone_width
-from ..layout import Region, State, Tables, Work
+from ..contact.contact_plane import is_yawed
+from ..contact.zone_width import zone_width
+from ..layout import WHEEL, Region, State, Tables, Work
+from ..surface.locus import outline_x
 
 #: The narrower half of a region counts as at most so many times narrower than the mean.
 NARROWER: Final[float] = 4.0
@@ -29,20 +30,20 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
         grown = sqrt(local_penetration / region.width_level)
         low = region.width_low * grown
         high = region.width_high * grown
-    high = zone_width(tables, work, state, region, 1.0, local_penetration, high)
+    high = zone_width(tables, work.frame, work.origin, region, state, 1.0, local_penetration, high)
     high_reached = region.reached
     slant = 0.0
-    start = work.frame.tracer_station
-    yawed = is_yawed(work)
+    start = work.frame.station
+    yawed = is_yawed(work.frame)
     if yawed == 1:
-        slant = ridge_place(tables, work, work.frame.tracer_wheel)
+        slant = outline_x(tables, work.frame.place, work.frame.traces[WHEEL].abscissa)
     if not region.width_level > 0.0:
         low = high
-    low = zone_width(tables, work, state, region, -1.0, local_penetration, low)
+    low = zone_width(tables, work.frame, work.origin, region, state, -1.0, local_penetration, low)
     if yawed == 1:
-        slant -= ridge_place(tables, work, work.frame.tracer_wheel)
-        if start > work.frame.tracer_station:
-            region.slant = slant / (start - work.frame.tracer_station)
+        slant -= outline_x(tables, work.frame.place, work.frame.traces[WHEEL].abscissa)
+        if start > work.frame.station:
+            region.slant = slant / (start - work.frame.station)
     region.side_high = side_curvature(high_reached, high, 0.5 * (low + high))
     region.side_low = side_curvature(region.reached, low, 0.5 * (low + high))
     region.width_high = high

@@ -51,7 +51,7 @@ def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, conta
     patch.rail = region.rail
     patch.wheel = region.wheel
     patch.station = region.offset + region.station
-    patch.x = region.along
+    patch.x = region.x_track
     patch.slant = region.slant
     patch.local_penetration = region.level
     patch.rule = rule

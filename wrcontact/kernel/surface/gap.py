@@ -23,14 +23,14 @@ def above_rail(tables: Tables, abscissa: float):
     return inside
 
 
-def vertical_gap(tables: Tables, at: Place, y: float):
+def vertical_gap(tables: Tables, place: Place, y: float):
     """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
 
     Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
     difference reads FOLDED.
     """
     z, slope, bend = height_slope_bend(tables.wheel, y)
-    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(at, y, z, slope, bend)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
     z_rail, rail_slope, rail_bend = height_slope_bend(tables.rail, y_track - tables.rail_y)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
@@ -38,7 +38,7 @@ def vertical_gap(tables: Tables, at: Place, y: float):
     return z_rail - z_track, mismatch, rail_bend * stretch - outline_rate
 
 
-def gap_per_roll(tables: Tables, at: Place, y: float):
+def gap_per_roll(tables: Tables, place: Place, y: float):
     """Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
 
     At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel point,
@@ -46,36 +46,36 @@ def gap_per_roll(tables: Tables, at: Place, y: float):
     dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
     """
     z, slope = height_slope(tables.wheel, y)
-    y_track, z_track, outline_slope = outline_point(at, y, z, slope)
+    y_track, z_track, outline_slope = outline_point(place, y, z, slope)
     z_rail, rail_slope = height_slope(tables.rail, y_track - tables.rail_y)
-    sin_phi, cos_phi = around_wheel(at, slope)
-    arm = at.arm + y
-    height = (at.radius + z) * cos_phi
-    sin_roll = at.sin_roll
-    cos_roll = at.cos_roll
-    lateral = -at.cos_yaw * (arm * sin_roll + height * cos_roll)
+    sin_phi, cos_phi = around_wheel(place, slope)
+    arm = place.arm + y
+    height = (place.radius + z) * cos_phi
+    sin_roll = place.sin_roll
+    cos_roll = place.cos_roll
+    lateral = -place.cos_yaw * (arm * sin_roll + height * cos_roll)
     vertical = arm * cos_roll - height * sin_roll
     return rail_slope * lateral - vertical
 
 
-def gap_jet(tables: Tables, at: Place, y: float):
+def gap_jet(tables: Tables, place: Place, y: float):
     """``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed wheel point, and
     the rail abscissa [m].
 
     The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
     """
     z, slope, bend = height_slope_bend(tables.wheel, y)
-    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(at, y, z, slope, bend)
+    y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
     abscissa = y_track - tables.rail_y
     z_rail, rail_slope, rail_bend = height_slope_bend(tables.rail, abscissa)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
         mismatch = FOLDED
-    lateral = -at.cos_yaw * (z_track + at.radius)
-    vertical = y_track - at.shift
-    if at.yawed:
-        sin_phi, cos_phi = around_wheel(at, slope)
-        vertical = ((at.arm + y) * at.cos_roll
-                    - (at.radius + z) * cos_phi * at.sin_roll)
+    lateral = -place.cos_yaw * (z_track + place.radius)
+    vertical = y_track - place.shift
+    if place.yawed:
+        sin_phi, cos_phi = around_wheel(place, slope)
+        vertical = ((place.arm + y) * place.cos_roll
+                    - (place.radius + z) * cos_phi * place.sin_roll)
     return (z_rail - z_track, mismatch, rail_bend * stretch - outline_rate, rail_slope * lateral - vertical,
             rail_bend * lateral - 1.0 - outline_slope * outline_slope, abscissa)

@@ -11,132 +11,133 @@ Everything here is for a right wheel; the left one comes in mirrored (convention
 
 from math import cos, sin, sqrt
 
-from ..layout import Place
+from ..layout import Place, Tables
+from .profile_table import height_slope
 
 
-def place_wheelset(at: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
-    """Write the pose of a right wheel to ``at``; ``arm`` is half the distance of the running circles [m]."""
-    at.shift = lateral_shift
-    at.sin_yaw = 0.0
-    at.cos_yaw = 1.0
-    at.yawed = False
+def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
+    """Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles [m]."""
+    place.shift = lateral_shift
+    place.sin_yaw = 0.0
+    place.cos_yaw = 1.0
+    place.yawed = False
     if yaw != 0.0:
-        at.sin_yaw = sin(yaw)
-        at.cos_yaw = cos(yaw)
-        at.yawed = True
-    at.radius = radius
-    at.arm = arm
-    turn_wheelset(at, roll)
+        place.sin_yaw = sin(yaw)
+        place.cos_yaw = cos(yaw)
+        place.yawed = True
+    place.radius = radius
+    place.arm = arm
+    turn_wheelset(place, roll)
     return 0
 
 
-def turn_wheelset(at: Place, roll: float):
-    """Give the wheelset at ``at`` another roll [rad]."""
+def turn_wheelset(place: Place, roll: float):
+    """Give a placed wheelset another roll [rad]."""
     sin_roll = sin(roll)
     cos_roll = cos(roll)
     t = 0.0
     cos_t = 1.0
     w_per_slope = 0.0
-    if at.yawed:
-        tan_yaw = at.sin_yaw / at.cos_yaw
+    if place.yawed:
+        tan_yaw = place.sin_yaw / place.cos_yaw
         t = tan_yaw * sin_roll
         cos_t = 1.0 / sqrt(1.0 + t * t)
         w_per_slope = tan_yaw * cos_roll * cos_t
-    at.sin_roll = sin_roll
-    at.cos_roll = cos_roll
-    at.t = t
-    at.cos_t = cos_t
-    at.w_per_slope = w_per_slope
+    place.sin_roll = sin_roll
+    place.cos_roll = cos_roll
+    place.t = t
+    place.cos_t = cos_t
+    place.w_per_slope = w_per_slope
     return 0
 
 
-def mirror_place(at: Place, to: Place):
-    """The left wheel of the wheelset at ``at`` as a right wheel at ``to``: shift, yaw and roll change sign."""
-    to.shift = -at.shift
-    to.sin_yaw = -at.sin_yaw
-    to.cos_yaw = at.cos_yaw
-    to.radius = at.radius
-    to.arm = at.arm
-    to.yawed = at.yawed
-    mirror_roll(at, to)
+def mirror_place(place: Place, mirrored: Place):
+    """The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll change sign."""
+    mirrored.shift = -place.shift
+    mirrored.sin_yaw = -place.sin_yaw
+    mirrored.cos_yaw = place.cos_yaw
+    mirrored.radius = place.radius
+    mirrored.arm = place.arm
+    mirrored.yawed = place.yawed
+    mirror_roll(place, mirrored)
     return 0
 
 
-def mirror_roll(at: Place, to: Place):
+def mirror_roll(place: Place, mirrored: Place):
     """What ``turn_wheelset`` has changed, mirrored."""
-    to.sin_roll = -at.sin_roll
-    to.cos_roll = at.cos_roll
-    to.t = at.t
-    to.cos_t = at.cos_t
-    to.w_per_slope = -at.w_per_slope
+    mirrored.sin_roll = -place.sin_roll
+    mirrored.cos_roll = place.cos_roll
+    mirrored.t = place.t
+    mirrored.cos_t = place.cos_t
+    mirrored.w_per_slope = -place.w_per_slope
     return 0
 
 
-def around_wheel(at: Place, slope: float):
+def around_wheel(place: Place, slope: float):
     """sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x component.
 
     Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
     """
-    w = at.w_per_slope * slope
+    w = place.w_per_slope * slope
     if w > 1.0:
         w = 1.0
     if w < -1.0:
         w = -1.0
     root = sqrt(1.0 - w * w)
-    t = at.t
-    cos_t = at.cos_t
+    t = place.t
+    cos_t = place.cos_t
     return -(t * root + w) * cos_t, (root - t * w) * cos_t
 
 
-def outline_point(at: Place, y: float, z: float, slope: float):
+def outline_point(place: Place, y: float, z: float, slope: float):
     """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y, z).
 
     The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
     """
-    sin_roll = at.sin_roll
-    cos_roll = at.cos_roll
-    arm = at.arm + y
-    r = at.radius + z
-    if not at.yawed:
-        y_track = at.shift + arm * cos_roll - r * sin_roll
-        z_track = arm * sin_roll + r * cos_roll - at.radius
+    sin_roll = place.sin_roll
+    cos_roll = place.cos_roll
+    arm = place.arm + y
+    r = place.radius + z
+    if not place.yawed:
+        y_track = place.shift + arm * cos_roll - r * sin_roll
+        z_track = arm * sin_roll + r * cos_roll - place.radius
         outline_slope = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll)
     else:
-        sin_yaw = at.sin_yaw
-        cos_yaw = at.cos_yaw
-        sin_phi, cos_phi = around_wheel(at, slope)
-        y_track = (at.shift + sin_yaw * r * sin_phi
+        sin_yaw = place.sin_yaw
+        cos_yaw = place.cos_yaw
+        sin_phi, cos_phi = around_wheel(place, slope)
+        y_track = (place.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
-        z_track = arm * sin_roll + r * cos_phi * cos_roll - at.radius
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - place.radius
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
         outline_slope = -normal_y / normal_z
     return y_track, z_track, outline_slope
 
 
-def outline_jet(at: Place, y: float, z: float, slope: float, bend: float):
+def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]."""
-    sin_roll = at.sin_roll
-    cos_roll = at.cos_roll
-    arm = at.arm + y
-    r = at.radius + z
-    if not at.yawed:
-        y_track = at.shift + arm * cos_roll - r * sin_roll
-        z_track = arm * sin_roll + r * cos_roll - at.radius
+    sin_roll = place.sin_roll
+    cos_roll = place.cos_roll
+    arm = place.arm + y
+    r = place.radius + z
+    if not place.yawed:
+        y_track = place.shift + arm * cos_roll - r * sin_roll
+        z_track = arm * sin_roll + r * cos_roll - place.radius
         stretch = cos_roll - slope * sin_roll
         outline_slope = (slope * cos_roll + sin_roll) / stretch
         slope_rate = bend / (stretch * stretch)
     else:
-        sin_yaw = at.sin_yaw
-        cos_yaw = at.cos_yaw
-        sin_phi, cos_phi = around_wheel(at, slope)
-        w = at.w_per_slope * slope
+        sin_yaw = place.sin_yaw
+        cos_yaw = place.cos_yaw
+        sin_phi, cos_phi = around_wheel(place, slope)
+        w = place.w_per_slope * slope
         phi_rate = 0.0
         if w * w < 1.0:
-            phi_rate = -at.w_per_slope * bend / sqrt(1.0 - w * w)
-        y_track = (at.shift + sin_yaw * r * sin_phi
+            phi_rate = -place.w_per_slope * bend / sqrt(1.0 - w * w)
+        y_track = (place.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
-        z_track = arm * sin_roll + r * cos_phi * cos_roll - at.radius
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - place.radius
         stretch = (sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate)
                    + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)))
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
@@ -146,3 +147,12 @@ def outline_jet(at: Place, y: float, z: float, slope: float, bend: float):
         outline_slope = -normal_y / normal_z
         slope_rate = -(normal_y_rate * normal_z - normal_y * normal_z_rate) / (normal_z * normal_z)
     return y_track, z_track, outline_slope, stretch, slope_rate
+
+
+def outline_x(tables: Tables, place: Place, y: float):
+    """Track coordinate x [m] of the outline at wheel abscissa ``y`` [m], from the middle of the wheelset."""
+    z, slope = height_slope(tables.wheel, y)
+    sin_phi, cos_phi = around_wheel(place, slope)
+    r = place.radius + z
+    lateral = (place.arm + y) * place.cos_roll - r * cos_phi * place.sin_roll
+    return place.cos_yaw * r * sin_phi - place.sin_yaw * lateral

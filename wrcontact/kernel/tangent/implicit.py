@@ -12,42 +12,26 @@ lets the result move by them.  Values are left as they are.  What the rules call
 
 from math import cos, fabs, log, sin, sqrt
 
-from ..contact.contact_plane import TRACER_WHEEL, normal_gap, start_tracer
-from ..contact.overlaps import (
-    DEEP_BETWEEN,
-    DEEP_DEPTH,
-    DEEP_FIRST,
-    DEEP_HUMP,
-    DEEP_RAIL,
-    DEEP_SIZE,
-    DEEP_WHEEL,
-    find_overlaps,
-)
+from ..contact.arc_length import arc_length
+from ..contact.contact_plane import normal_gap
+from ..contact.curves import curve_jet, curve_speed
+from ..contact.moves import move_across, move_arc, move_chord
+from ..contact.overlaps import find_overlaps
 from ..contact.pressed import normal_line
-from ..contact.regions import (
-    FAR,
-    HALVED_SHARP,
-    PLACE_SHARP,
-    TRACE,
-    WIDTH_TRACE,
-    find_hump,
-    open_region,
-    zone_width,
-)
-from ..contact.separation import (
-    arc_length,
-    curve_jet,
-    curve_speed,
-    move_across,
-    move_arc,
-    move_chord,
-    separation,
-)
+from ..contact.regions import FAR, PLACE_SHARP, TRACE, find_saddle, open_region
+from ..contact.separation import separation
 from ..contact.touching import touching_pair
+from ..contact.traces import start_traces
+from ..contact.zone_width import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
 from ..layout import (
     MODE_COMPLIANT,
     MODE_ELASTIC,
     MODE_RIGID,
+    RAIL,
+    WHEEL,
+    Frame,
+    Origin,
+    Overlap,
     Place,
     Region,
     SideSearch,
@@ -56,9 +40,9 @@ from ..layout import (
     Work,
 )
 from ..normal.analyn import load_regions, region_load, solve_levels
-from ..normal.interaction import region_influence
-from ..normal.hertz import table_value, upright_coefficients
 from ..normal.elimination import eliminate
+from ..normal.hertz import table_value, upright_coefficients
+from ..normal.interaction import region_influence
 from ..search.roll import place_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, outline_jet, turn_wheelset
@@ -209,75 +193,68 @@ def differentiate(tables: Tables, work: Work, state: State):
     return outcome
 
 
-def minimum_rule(tables: Tables, work: Work, state: State, index: int, station: float):
+def minimum_rule(tables: Tables, frame: Frame, region: Region, state: State, station: float):
     """``open_region``: at the minimum the gap's rate is zero."""
-    found = open_region(tables, work, state, index, station)
+    found = open_region(tables, frame, region, state, station)
     if found < FAR:
-        place = held(work.regions[index].station)
-        start_tracer(work, place, held(work.frame.tracer_rail), held(work.frame.tracer_wheel))
-        gap, rate, bend, curvature = normal_gap(tables, work, state, place, TRACE)
+        place = held(region.station)
+        start_traces(frame, place, held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, place, TRACE)
         place = moving(place, -rate / held(bend))
-        found = differentiated(open_region(tables, work, state, index, place))
+        found = differentiated(open_region(tables, frame, region, state, place))
     return found
 
 
-def hump_rule(tables: Tables, work: Work, state: State, low: Region, high: Region):
-    """``find_hump``: at the hump the gap's rate is zero; a sample that stands for it keeps its share of the way."""
-    station, gap = find_hump(tables, work, state, low, high)
+def saddle_rule(tables: Tables, frame: Frame, low: Region, high: Region, state: State):
+    """``find_saddle``: at the saddle the gap's rate is zero; a sample that stands for it keeps its share of the way."""
+    station, gap = find_saddle(tables, frame, low, high, state)
     way = high.station - low.station
     place = low.station + way * held((station - low.station) / way)
-    if work.frame.tracer_station == station:
-        start_tracer(work, held(station), held(work.frame.tracer_rail), held(work.frame.tracer_wheel))
-        hump, rate, bend, curvature = normal_gap(tables, work, state, held(station), TRACE)
+    if frame.station == station:
+        start_traces(frame, held(station), held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
+        saddle, rate, bend, curvature = normal_gap(tables, frame, state, held(station), TRACE)
         if bend < 0.0 and fabs(rate) < -10.0 * PLACE_SHARP * bend:
             place = -rate / held(bend)
     station = moving(station, place)
     return station, gap
 
 
-def width_rule(tables: Tables, work: Work, state: State, block: Region, direction: float, level: float,
-               guess: float):
+def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float, level: float,
+               estimate: float):
     """``zone_width``: its Newton steps are followed as they are.  A width that halving has found ends where a profile ends, and
     stays on that point; or else where the gap has risen by ``level``."""
-    width = differentiated(zone_width(tables, work, state, block, direction, level, guess))
-    limit = block.high - block.station
-    if direction < 0.0:
-        limit = block.station - block.low
-    if width < limit and block.reached != level:
+    width = differentiated(zone_width(tables, frame, origin, region, state, direction, level, estimate))
+    limit = width_limit(region, direction)
+    if width < limit and region.reached != level:
         inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
-        tolerance = 1e-3 * held(guess)
-        if tolerance > WIDTH_TRACE:
-            tolerance = WIDTH_TRACE
-        gap, rate = width_jet(tables, work, state, block, direction, inner, tolerance)
-        rail_rate = rate_of(work.frame.tracer_rail)
-        wheel_rate = rate_of(work.frame.tracer_wheel)
-        lack = rate_of(level - gap + block.gap)
+        tolerance = width_tolerance(held(estimate))
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, inner, tolerance)
+        rail_rate = rate_of(frame.traces[RAIL].abscissa)
+        wheel_rate = rate_of(frame.traces[WHEEL].abscissa)
+        missing = rate_of(level - gap + region.gap)
         moved = 0.0
         if rate * direction > 0.0:
-            moved = lack / held(rate * direction)
-        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, 1.0), tolerance)
-        rail = tables.rail
-        wheel = tables.wheel
-        x = work.frame.tracer_rail
-        y = work.frame.tracer_wheel
+            moved = missing / held(rate * direction)
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, 1.0), tolerance)
+        x = frame.traces[RAIL].abscissa
+        y = frame.traces[WHEEL].abscissa
         out = rate_of(x) - rail_rate
-        if out != 0.0 and (x < rail.start + WIDTH_TRACE or x > rail.stop - WIDTH_TRACE):
+        if out != 0.0 and (x < tables.rail.start + WIDTH_TRACE or x > tables.rail.stop - WIDTH_TRACE):
             moved = -rail_rate / out
         out = rate_of(y) - wheel_rate
-        if out != 0.0 and (y < wheel.start + WIDTH_TRACE or y > wheel.stop - WIDTH_TRACE):
+        if out != 0.0 and (y < tables.wheel.start + WIDTH_TRACE or y > tables.wheel.stop - WIDTH_TRACE):
             moved = -wheel_rate / out
-        gap, rate = width_jet(tables, work, state, block, direction, seeded(inner, moved), tolerance)
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
-        block.reached = moving(block.reached, gap - block.gap)
+        region.reached = moving(region.reached, gap - region.gap)
     return width
 
 
-def width_jet(tables: Tables, work: Work, state: State, block: Region, direction: float, width: float,
+def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float, width: float,
               tolerance: float):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as ``zone_width`` measures it."""
-    start_tracer(work, block.station, block.rail, block.wheel)
-    gap, rate, bend, curvature = separation(tables, work, state, block.station + direction * width,
-                                        tolerance)
+    start_traces(frame, region.station, region.rail, region.wheel)
+    gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width, tolerance)
     return gap, rate
 
 
@@ -310,8 +287,8 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
                 share = region_influence(tables, block, regions[j])
             pushed += share * regions[j].load
             row[j] = held(share)
-        rest = block.turn * held(penetration) - block.gap - pushed
-        row[count] = -held(block.turn)
+        rest = block.alignment * held(penetration) - block.gap - pushed
+        row[count] = -held(block.alignment)
         row[size] = rate_of(rest)
         row[size + 1] = 0.0
     for j in range(count):
@@ -339,24 +316,24 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
     return penetration, met
 
 
-def pair_rule(tables: Tables, work: Work, at: Place, y: float, abscissa: float, shift: float):
+def pair_rule(tables: Tables, place: Place, y: float, abscissa: float, shift: float):
     """``touching_pair``: both slopes agree, and the line between the points is normal to them."""
-    y, abscissa, depth, aside, back_shift, found = touching_pair(tables, work, at, y, abscissa, shift)
+    y, abscissa, depth, aside, back_shift, found = touching_pair(tables, place, y, abscissa, shift)
     if found == 1:
         for i in range(2):
             z, slope, bend = height_slope_bend(tables.wheel, y)
-            y_track, z_track, outline_slope, stretch, rate = outline_jet(at, y, z, slope, bend)
+            y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
             height, m, rail_bend = height_slope_bend(tables.rail, abscissa)
             across = y_track - tables.rail_y - abscissa
             down = z_track + shift - height
             if i == 0:
-                turned = outline_slope - m
+                mismatch = outline_slope - m
                 apart = across + down * m
                 along = stretch * (1.0 + outline_slope * m)
                 back = down * rail_bend - 1.0 - m * m
                 determinant = held(rate * back + rail_bend * along)
-                y = moving(y, -(turned * held(back) + held(rail_bend) * apart) / determinant)
-                abscissa = moving(abscissa, -(held(rate) * apart - held(along) * turned) / determinant)
+                y = moving(y, -(mismatch * held(back) + held(rail_bend) * apart) / determinant)
+                abscissa = moving(abscissa, -(held(rate) * apart - held(along) * mismatch) / determinant)
             else:
                 depth = moving(depth, (down - m * across) / sqrt(1.0 + m * m))
                 aside = moving(aside, -across)
@@ -379,87 +356,88 @@ def upright_rule(tables: 'float[:]', base: int, length: float, width: float, nr:
     return A, B, share
 
 
-def arc_rule(tables: Tables, work: Work, tracer: int, length: float):
+def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float):
     """``move_arc``: the arc from the old abscissa to the new one has the given length."""
-    start = work[tracer]
-    exists = move_arc(tables, work, tracer, length)
+    start = frame.traces[curve].abscissa
+    exists = move_arc(tables, frame, origin, curve, length)
     if exists == 1:
-        u = held(work[tracer])
-        place = length / held(curve_speed(tables, work, tracer, u))
+        u = held(frame.traces[curve].abscissa)
+        place = length / held(curve_speed(tables, frame, origin, curve, u))
         if u == start:
             place = start + place
         else:
-            place -= arc_length(tables, work, tracer, start, u) / held(curve_speed(tables, work, tracer, u))
-        work[tracer] = moving(u, place)
+            place -= arc_length(tables, frame, origin, curve, start, u) / held(curve_speed(tables, frame, origin, curve, u))
+        frame.traces[curve].abscissa = moving(u, place)
     return exists
 
 
-def chord_rule(tables: Tables, work: Work, tracer: int, chord: float):
+def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float):
     """``move_chord``: both abscissae are a chord apart."""
-    from_across, from_down, slope, stretch, bend = curve_jet(tables, work, tracer, work[tracer])
-    exists = move_chord(tables, work, tracer, chord)
+    start = frame.traces[curve].abscissa
+    from_across, from_down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, start)
+    exists = move_chord(tables, frame, origin, curve, chord)
     if exists == 1:
-        u = held(work[tracer])
-        across, down, slope, stretch, bend = curve_jet(tables, work, tracer, u)
+        u = held(frame.traces[curve].abscissa)
+        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
         across -= from_across
         down -= from_down
         length = sqrt(across * across + down * down)
         along = (across + slope * down) * stretch
-        work[tracer] = moving(u, -(length - fabs(chord)) * held(length / along))
+        frame.traces[curve].abscissa = moving(u, -(length - fabs(chord)) * held(length / along))
     return exists
 
 
-def across_rule(tables: Tables, work: Work, lateral: float):
+def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
     """``move_across``: the wheel's outline is at the given lateral coordinate."""
-    exists = move_across(tables, work, lateral)
+    exists = move_across(tables, frame, origin, lateral)
     if exists == 1:
-        u = held(work.frame.tracer_wheel)
-        across, down, slope, stretch, bend = curve_jet(tables, work, TRACER_WHEEL, u)
-        work.frame.tracer_wheel = moving(u, -(across - lateral) / held(stretch))
+        u = held(frame.traces[WHEEL].abscissa)
+        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)
+        frame.traces[WHEEL].abscissa = moving(u, -(across - lateral) / held(stretch))
     return exists
 
 
-def line_rule(tables: Tables, work: Work, at: Place, abscissa: float, y: float, height: float):
+def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float):
     """``normal_line``: the wheel's point lies on the rail's normal."""
-    y, overlap, tangent, turn, curvature, found = normal_line(tables, work, at, abscissa, y, height)
+    y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, abscissa, y, height)
     if found == 1:
         z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
         z, slope, bend = height_slope_bend(tables.wheel, y)
-        y_track, z_track, outline_slope, stretch, rate = outline_jet(at, y, z, slope, bend)
-        rest = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
-        y = moving(y, -rest / held(stretch * (1.0 + m * outline_slope)))
-        y, overlap, tangent, turn, curvature, found = differentiated(normal_line(tables, work, at, abscissa, y, height))
-    return y, overlap, tangent, turn, curvature, found
+        y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
+        residual = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
+        y = moving(y, -residual / held(stretch * (1.0 + m * outline_slope)))
+        y, overlap, rise, bend, curvature, found = differentiated(normal_line(tables, frame, place, abscissa, y, height))
+    return y, overlap, rise, bend, curvature, found
 
 
-def turning_rule(tables: Tables, work: Work, at: Place, x: float, y: float, height: float):
+def turning_rule(tables: Tables, frame: Frame, place: Place, x: float, y: float, height: float):
     """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the overlap: its rate is
     zero there."""
     x = held(x)
-    place = x
-    y, overlap, rise, turn, curvature, found = line_rule(tables, work, at, x, held(y), height)
+    found_x = x
+    y, overlap, rise, bend, curvature, found = line_rule(tables, frame, place, x, held(y), height)
     if found == 1:
-        y, overlap, more, turn, curvature, found = line_rule(tables, work, at, seeded(x, 1.0), held(y), height)
-        bend = rate_of(more) - rate_of(rise)
-        if bend != 0.0:
-            place = moving(x, -rise / bend)
-        y, overlap, more, turn, curvature, found = line_rule(tables, work, at, place, held(y), height)
-    return place, y, overlap, found
+        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, seeded(x, 1.0), held(y), height)
+        change = rate_of(more) - rate_of(rise)
+        if change != 0.0:
+            found_x = moving(x, -rise / change)
+        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, found_x, held(y), height)
+    return found_x, y, overlap, found
 
 
-def overlaps_rule(tables: Tables, work: Work, state: State, side: SideSearch, at: Place, height: float):
-    """``find_overlaps``: the overlap's rate is zero at deepest points and humps."""
-    count = find_overlaps(tables, work, state, side, at, height)
+def overlaps_rule(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State, height: float):
+    """``find_overlaps``: the overlap's rate is zero at deepest points and saddles."""
+    count = find_overlaps(tables, frame, overlap, side, state, height)
     for entry in range(count):
-        block = DEEP_FIRST + DEEP_SIZE * entry
-        x, y, overlap, found = turning_rule(tables, work, at, work[block + DEEP_RAIL], work[block + DEEP_WHEEL], height)
-        work[block + DEEP_RAIL] = moving(work[block + DEEP_RAIL], x)
-        work[block + DEEP_WHEEL] = moving(work[block + DEEP_WHEEL], y)
-        work[block + DEEP_DEPTH] = moving(work[block + DEEP_DEPTH], overlap)
+        point = overlap.points[entry]
+        x, y, depth, found = turning_rule(tables, frame, side.place, point.rail, point.wheel, height)
+        point.rail = moving(point.rail, x)
+        point.wheel = moving(point.wheel, y)
+        point.depth = moving(point.depth, depth)
     for entry in range(count - 1):
-        block = DEEP_FIRST + DEEP_SIZE * entry
-        x, y, overlap, found = turning_rule(tables, work, at, work[block + DEEP_HUMP],
-                                            0.5 * (work[block + DEEP_WHEEL] + work[block + DEEP_SIZE + DEEP_WHEEL]), height)
-        work[block + DEEP_HUMP] = moving(work[block + DEEP_HUMP], x)
-        work[block + DEEP_BETWEEN] = moving(work[block + DEEP_BETWEEN], overlap)
+        point = overlap.points[entry]
+        following = overlap.points[entry + 1]
+        x, y, depth, found = turning_rule(tables, frame, side.place, point.saddle, 0.5 * (point.wheel + following.wheel), height)
+        point.saddle = moving(point.saddle, x)
+        point.between = moving(point.between, depth)
     return count

@@ -25,9 +25,9 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
     load = block.carried
     if load > 0.0:
         # of the region's plane
-        cosine = work.frame.cos
+        cosine = work.frame.plane.cos
         if work.frame.pressed or block.own:
-            cosine = 1.0 / sqrt(1.0 + block.lean * block.lean)
+            cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
         # from the region's smallest gap to its centre of load, along its plane
         away = block.moment / load - block.offset - block.station
         abscissa = block.rail + away * cosine
@@ -37,7 +37,7 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
         if work.frame.pressed or tables.load == LOAD_VERTICAL:
             normal_cos = block.cos
             normal_sin = block.sin
-        x = block.along + block.slant * away
+        x = block.x_track + block.slant * away
         y = mirror * (tables.rail_y + abscissa)
         z = height
         force_y = mirror * normal_sin * load

@@ -2,17 +2,9 @@
 
 from math import isfinite
 
-from ..contact.contact_point import describe_contact
-from ..contact.overlaps import (
-    DEEP_DEPTH,
-    DEEP_FIRST,
-    DEEP_SIZE,
-    DEEP_WHEEL,
-    deepest_entry,
-    find_overlaps,
-    press_frame,
-    touching_shift,
-)
+from ..contact.deep_points import deepest_entry
+from ..contact.overlaps import find_overlaps
+from ..contact.pressed_regions import press_frame, touching_shift
 from ..layout import (
     DEPTH_ALL,
     DEPTH_GEOMETRY,
@@ -30,6 +22,7 @@ from ..normal.normal_contact import solve_normal
 from ..patch.outline import write_outline
 from ..patch.totals import write_patches
 from ..surface.gap import gap_per_roll
+from .contact_point import describe_contact
 from .outlines import fill_apart, outline_place
 from .resultant import add_region, clear_resultant
 
@@ -88,18 +81,16 @@ def solve_side(tables: Tables, work: Work, state: State, index: int, force: floa
 def press_side(tables: Tables, work: Work, state: State, index: int, approach: float):
     """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its rail most; its outcome."""
     side = work.sides[index]
-    at = side.place
     height = side.best + approach
     clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
-    if find_overlaps(tables, work, state, side, at, height) == 0:
+    if find_overlaps(tables, work.frame, work.overlap, side, state, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE
-    deepest = deepest_entry(work.raw)
-    deep = DEEP_FIRST + DEEP_SIZE * deepest
-    aside, shift = touching_shift(tables, work, at, deepest, height)
-    describe_contact(tables, work, state, index, work[deep + DEEP_WHEEL], aside, shift)
-    press_frame(work, height, work[deep + DEEP_DEPTH], 0.0)
+    deepest = work.overlap.points[deepest_entry(work.overlap)]
+    aside, shift = touching_shift(tables, side.place, deepest)
+    describe_contact(tables, work, state, index, deepest.wheel, aside, shift)
+    press_frame(work.frame, height, deepest.depth, 0.0)
     return VALID
 
 

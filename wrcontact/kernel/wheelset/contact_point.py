@@ -3,11 +3,11 @@
 from math import atan, fabs
 from typing import Final
 
+from ..contact.contact_plane import open_frame
+from ..contact.regions import open_contact_region
 from ..layout import LATERAL_ADAPTIVE, Profile, State, Tables, Work
 from ..surface.lateral_curvature import relative_curvature
 from ..surface.locus import around_wheel
-from .contact_plane import open_frame
-from .regions import open_contact_region
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is none.  Within
 #: a profile they may differ by CORNER, as at the last digits of printed joints.
@@ -24,34 +24,36 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
 
     1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
     """
-    at = work.sides[index].place
+    place = work.sides[index].place
+    frame = work.frame
+    region = work.regions[0]
     out = work.outputs.left[index]
-    z, slope, y_track, rail_slope, mismatch = open_frame(tables, work, at, y, aside, shift)
-    sin_phi, cos_phi = around_wheel(at, slope)
+    z, slope, y_track, rail_slope, mismatch = open_frame(tables, frame, place, y, aside, shift)
+    sin_phi, cos_phi = around_wheel(place, slope)
     r = tables.radius + z
-    lateral = (at.arm + y) * at.cos_roll - r * cos_phi * at.sin_roll
+    lateral = (place.arm + y) * place.cos_roll - r * cos_phi * place.sin_roll
     out.x_wheel = r * sin_phi
     out.y_wheel = y
     out.z_wheel = r * cos_phi - tables.radius
-    out.y_rail = work.frame.abscissa
-    out.z_rail = work.frame.height
-    out.x_track = at.cos_yaw * r * sin_phi - at.sin_yaw * lateral
+    out.y_rail = frame.rail.y
+    out.z_rail = frame.rail.z
+    out.x_track = place.cos_yaw * r * sin_phi - place.sin_yaw * lateral
     out.y_track = y_track
     if index == 0:
         out.y_track = -y_track
-    out.z_track = work.frame.height
+    out.z_track = frame.rail.z
     out.contact_angle = -atan(rail_slope)
     out.rolling_radius = r
-    open_contact_region(tables, work, state)
-    out.curvature_x = work.regions[0].curvature
-    out.curvature_y = work.regions[0].bend
-    if int(tables.lateral) != LATERAL_ADAPTIVE:
-        out.curvature_y = 2.0 * relative_curvature(tables, y, work.frame.abscissa)
+    open_contact_region(tables, frame, region, state)
+    out.curvature_x = region.curvature
+    out.curvature_y = region.bend
+    if tables.lateral != LATERAL_ADAPTIVE:
+        out.curvature_y = 2.0 * relative_curvature(tables, y, frame.rail.y)
     touches = 1
     if fabs(mismatch) >= PARALLEL:
         if fabs(mismatch) > CORNER or is_end(tables.wheel, y) == 1:
             touches = 0
-        if is_end(tables.rail, work.frame.abscissa) == 1:
+        if is_end(tables.rail, frame.rail.y) == 1:
             touches = 0
     return touches
 

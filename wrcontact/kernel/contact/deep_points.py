@@ -1,0 +1,125 @@
+"""The list of deepest points of the overlap, in the order of the rail, with the saddles between them."""
+
+from typing import Final
+
+from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap
+from .regions import MERGE
+
+#: Deepest points closer than this on the rail are one [m].
+SAME: Final[float] = 1e-6
+
+
+def copy_point(point: DeepPoint, copy: DeepPoint):
+    """Write ``point`` to ``copy``."""
+    copy.rail = point.rail
+    copy.wheel = point.wheel
+    copy.depth = point.depth
+    copy.saddle = point.saddle
+    copy.between = point.between
+    return 0
+
+
+def append_point(overlap: Overlap, rail: float, wheel: float, depth: float):
+    """List a deepest point at the end."""
+    count = overlap.count
+    if count < DEEP_LIMIT:
+        point = overlap.points[count]
+        point.rail = rail
+        point.wheel = wheel
+        point.depth = depth
+        overlap.count = count + 1
+    return 0
+
+
+def sort_last(overlap: Overlap):
+    """Bring the last point listed to its place along the rail."""
+    entry = overlap.count - 1
+    rail = overlap.points[entry].rail
+    wheel = overlap.points[entry].wheel
+    depth = overlap.points[entry].depth
+    while entry > 0 and rail < overlap.points[entry - 1].rail:
+        copy_point(overlap.points[entry - 1], overlap.points[entry])
+        entry -= 1
+    point = overlap.points[entry]
+    point.rail = rail
+    point.wheel = wheel
+    point.depth = depth
+    return 0
+
+
+def is_listed(overlap: Overlap, x: float):
+    """1 if the last point listed is at ``x`` [m] or beyond, else 0."""
+    listed = 0
+    entry = overlap.count - 1
+    if entry >= 0:
+        if x < overlap.points[entry].rail + SAME:
+            listed = 1
+    return listed
+
+
+def deepest_entry(overlap: Overlap):
+    """The deepest of the list."""
+    best = 0
+    for entry in range(overlap.count):
+        if overlap.points[entry].depth > overlap.points[best].depth:
+            best = entry
+    return best
+
+
+def shallowest_entry(overlap: Overlap):
+    """The least deep of the list."""
+    least = 0
+    for entry in range(overlap.count):
+        if overlap.points[entry].depth < overlap.points[least].depth:
+            least = entry
+    return least
+
+
+def keep_deepest(overlap: Overlap):
+    """Leave only the deepest of the list, which then has no bounds."""
+    copy_point(overlap.points[deepest_entry(overlap)], overlap.points[0])
+    overlap.count = 1
+    return 0
+
+
+def remove_point(overlap: Overlap, entry: int):
+    """Take a point off the list with its own saddle."""
+    count = overlap.count
+    for i in range(entry, count - 1):
+        copy_point(overlap.points[i + 1], overlap.points[i])
+    overlap.count = count - 1
+    return 0
+
+
+def drop_point(overlap: Overlap, entry: int):
+    """Leave out a deepest point; of the saddles beside it the less deep one stays."""
+    if entry > 0 and entry < overlap.count - 1:
+        point = overlap.points[entry]
+        before = overlap.points[entry - 1]
+        if point.between < before.between:
+            before.between = point.between
+            before.saddle = point.saddle
+    remove_point(overlap, entry)
+    return 0
+
+
+def merge_points(overlap: Overlap):
+    """Join points with a low saddle between them, and keep the deepest REGION_LIMIT."""
+    depth = overlap.points[deepest_entry(overlap)].depth
+    entry = 0
+    while entry < overlap.count - 1:
+        point = overlap.points[entry]
+        following = overlap.points[entry + 1]
+        if depth - point.between < MERGE * depth:
+            less = entry
+            if point.depth > following.depth:
+                less = entry + 1
+                # the saddle between the two goes, the one on the far side stays
+                point.saddle = following.saddle
+                point.between = following.between
+            remove_point(overlap, less)
+        else:
+            entry += 1
+    while overlap.count > REGION_LIMIT:
+        drop_point(overlap, shallowest_entry(overlap))
+    return 0

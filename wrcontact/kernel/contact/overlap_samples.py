@@ -1,0 +1,79 @@
+"""Samples of the overlap of a pressed wheel at the scan nodes where the wheel is below the rail.
+
+The overlap is taken straight down there and converted to the rail's normal.
+"""
+
+from ..layout import EXPONENTS, OVERLAP_LIMIT, Place, Samples, State, Tables
+from ..search.bounds import clear_exponent
+from ..surface.gap import above_rail
+from ..surface.locus import outline_point
+from ..surface.profile_table import height_slope_bend
+
+
+def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, height: float, entry: int):
+    """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]."""
+    point = tables.scan.nodes[node]
+    y = point.y
+    y_track, z_track, outline_slope = outline_point(place, y, point.height, point.slope)
+    abscissa = y_track - tables.rail_y
+    z_rail, m, bend = height_slope_bend(tables.rail, abscissa)
+    gap = z_rail - z_track
+    square = 1.0 / (1.0 + m * m)
+    samples.rail[entry] = abscissa
+    samples.wheel[entry] = y
+    # of (height - gap) cos, but for a factor cos; where they are apart and the rail's normals say little, of height - gap
+    rise = outline_slope - m
+    if height > gap:
+        rise -= (height - gap) * m * bend * square
+    samples.rise[entry] = rise
+    return gap, m - outline_slope, abscissa
+
+
+def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
+    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+
+    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+    """
+    samples.rail[entry] = tables.rail.start
+    samples.rise[entry] = 1.0
+    if direction > 0:
+        samples.rail[entry] = tables.rail.stop
+        samples.rise[entry] = -1.0
+    return 0
+
+
+def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, node: int, direction: int, height: float,
+                 first: int):
+    """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
+    the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
+    count = tables.scan.count
+    entry = first
+    exponent = EXPONENTS - 1
+    adjacent = 1.0
+    while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
+        gap, mismatch, abscissa = sample_overlap(tables, samples, place, node, height, entry)
+        state.gap_count += 1.0
+        on_rail = above_rail(tables, abscissa)
+        if on_rail == 0:
+            sample_end(tables, samples, direction, entry)
+        if direction > 0:
+            samples.adjacent[entry] = adjacent
+        else:
+            samples.adjacent[entry + 1] = adjacent
+        entry += direction
+        if on_rail == 0:
+            return entry
+        adjacent = 1.0
+        step = 1
+        if gap > height:
+            exponent = clear_exponent(tables.scan, place, node, direction, abscissa, gap - height, float(direction) * mismatch,
+                                      exponent)
+            if exponent < 0:
+                exponent = 0
+            elif exponent > 0:
+                step = 1 << exponent
+                adjacent = 0.0
+            if exponent < EXPONENTS - 1:
+                exponent += 1
+        node += direction * step
+    return entry

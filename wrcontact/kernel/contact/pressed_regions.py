@@ -1,0 +1,99 @@
+"""The regions of a pressed wheel, from its overlaps: each has a frame of its own at its deepest point."""
+
+from ..layout import (
+    REGION_LIMIT,
+    DeepPoint,
+    Frame,
+    KeptFrames,
+    Overlap,
+    Place,
+    Region,
+    Regions,
+    State,
+    Tables,
+)
+from ..surface.locus import outline_point
+from ..surface.profile_table import height_slope
+from .arc_length import rail_length
+from .contact_plane import open_frame
+from .deep_points import deepest_entry
+from .planes import keep_frame, locate_along_track, use_frame
+from .pressed import pressed_gap
+from .regions import incline_region
+from .traces import start_traces
+
+
+def touching_shift(tables: Tables, place: Place, point: DeepPoint):
+    """Lateral and vertical shift [m] that let the wheel just touch at a deepest point."""
+    z, slope = height_slope(tables.wheel, point.wheel)
+    y_track, z_track, outline_slope = outline_point(place, point.wheel, z, slope)
+    z_rail, m = height_slope(tables.rail, point.rail)
+    return point.rail + tables.rail_y - y_track, z_rail - z_track
+
+
+def press_frame(frame: Frame, height: float, depth: float, gap: float):
+    """Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own gap is ``gap`` [m]."""
+    frame.height = height
+    frame.depth = depth
+    frame.pressed = True
+    frame.raised = gap
+    return 0
+
+
+def open_pressed_region(tables: Tables, region: Region, point: DeepPoint):
+    """Start a region at a deepest point, inclined as the rail there."""
+    region.station = 0.0
+    region.gap = 0.0
+    region.rail = point.rail
+    region.wheel = point.wheel
+    z_rail, m = height_slope(tables.rail, point.rail)
+    incline_region(tables, region, m)
+    return 0
+
+
+def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
+    """Open the frame of a region beside the contact point's, whose frame is open; what it gets of the approach follows from
+    both inclinations."""
+    cosine = frame.plane.cos
+    abscissa = frame.rail.y
+    height = frame.height
+    depth = frame.depth
+    aside, shift = touching_shift(tables, frame.place, point)
+    open_frame(tables, frame, frame.place, point.wheel, aside, shift)
+    region.own = True
+    region.alignment = region.cos / cosine
+    region.gap = region.alignment * depth - point.depth
+    region.offset = rail_length(tables, abscissa, point.rail)
+    press_frame(frame, height, point.depth, region.gap)
+    return 0
+
+
+def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap, state: State):
+    """Open a region for every deepest point on the list, each with its own frame; their number.  The open frame is that of the
+    deepest, whose share of the approach counts as one."""
+    count = overlap.count
+    contact = deepest_entry(overlap)
+    keep_frame(frame, frames, REGION_LIMIT)
+    for index in range(count):
+        region = regions[index]
+        point = overlap.points[index]
+        open_pressed_region(tables, region, point)
+        if index != contact:
+            give_own_frame(tables, frame, region, point)
+        start_traces(frame, 0.0, point.rail, point.wheel)
+        gap, rate, bend, curvature = pressed_gap(tables, frame, state, 0.0)
+        region.bend = bend
+        region.curvature = curvature
+        low = tables.rail.start
+        high = tables.rail.stop
+        if index > 0:
+            low = overlap.points[index - 1].saddle
+        if index < count - 1:
+            high = point.saddle
+        region.low = rail_length(tables, point.rail, low)
+        region.high = rail_length(tables, point.rail, high)
+        keep_frame(frame, frames, index)
+        use_frame(frame, frames, REGION_LIMIT)
+    if count > 1:
+        locate_along_track(tables, frame, regions, count)
+    return count

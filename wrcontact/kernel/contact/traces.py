@@ -1,0 +1,152 @@
+"""Wheel and rail as heights over the contact plane, traced from station to station.
+
+Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
+plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
+n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
+residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
+"""
+
+from math import fabs
+from typing import Final
+
+from ..layout import RAIL, WHEEL, Direction, Frame, Point, Profile, Tables, Trace
+from ..surface.locus import outline_jet
+from ..surface.longitudinal_curvature import longitudinal_curvature
+from ..surface.profile_table import height_slope_bend
+
+#: A trace is extrapolated to second order over this distance at most [m].
+NEAR: Final[float] = 1e-3
+TRACE_ITERATIONS: Final[int] = 30
+
+
+def start_traces(frame: Frame, station: float, abscissa: float, y: float):
+    """Let the traces begin at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]."""
+    frame.station = station
+    frame.traces[RAIL].abscissa = abscissa
+    frame.traces[RAIL].rate = frame.plane.cos
+    frame.traces[RAIL].bend = 0.0
+    frame.traces[WHEEL].abscissa = y
+    frame.traces[WHEEL].rate = frame.plane.cos
+    frame.traces[WHEEL].bend = 0.0
+    return 0
+
+
+def first_abscissa(trace: Trace, away: float):
+    """Estimated profile abscissa [m] at a distance ``away`` from the station of the trace [m]."""
+    u = trace.abscissa + away * trace.rate
+    if fabs(away) < NEAR:
+        u += 0.5 * away * away * trace.bend
+    return u
+
+
+def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction, trace: Trace, station: float,
+                  tolerance: float):
+    """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope there [-], its
+    height [m], and 1 if it exists.
+
+    point : the profile's point at station zero.
+    plane : inclination of the contact plane in the profile's coordinates.
+    """
+    u = first_abscissa(trace, station - frame.station)
+    exists = 0
+    excess = 0.0
+    forward = 1.0
+    height = 0.0
+    slope = 0.0
+    bend = 0.0
+    for i in range(TRACE_ITERATIONS):
+        if u < profile.start:
+            u = profile.start
+        if u > profile.stop:
+            u = profile.stop
+        height, slope, bend = height_slope_bend(profile, u)
+        forward = plane.cos + slope * plane.sin
+        excess = (u - point.y) * plane.cos + (height - point.z) * plane.sin - station
+        if fabs(excess) < tolerance:
+            if forward > 0.0:
+                exists = 1
+            break
+        u -= excess / forward
+    along = 1.0 / forward
+    rate = (plane.sin - slope * plane.cos) * along
+    ordinate_bend = -bend * along * along * along
+    trace.abscissa = u - excess * along
+    trace.rate = along
+    trace.bend = ordinate_bend * plane.sin
+    ordinate = (u - point.y) * plane.sin - (height - point.z) * plane.cos
+    return (ordinate - excess * (rate - 0.5 * excess * ordinate_bend), rate - excess * ordinate_bend, ordinate_bend, slope, height,
+            exists)
+
+
+def trace_rail(tables: Tables, frame: Frame, station: float, tolerance: float):
+    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists."""
+    ordinate, rate, bend, slope, height, exists = trace_profile(frame, tables.rail, frame.rail, frame.plane, frame.traces[RAIL],
+                                                                station, tolerance)
+    return ordinate, rate, bend, exists
+
+
+def trace_wheel(tables: Tables, frame: Frame, station: float, tolerance: float):
+    """Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
+    ``station``; and 1 if it exists.
+
+    Without yaw the outline is the profile, turned by the roll.
+    """
+    place = frame.place
+    if not place.yawed:
+        ordinate, rate, bend, slope, z, exists = trace_profile(frame, tables.wheel, frame.wheel, frame.wheel_plane,
+                                                               frame.traces[WHEEL], station - frame.lift * frame.plane.sin,
+                                                               tolerance)
+        ordinate -= frame.lift * frame.plane.cos
+        curvature = longitudinal_curvature(tables, place, z, slope, bend)
+    else:
+        ordinate, rate, bend, curvature, exists = trace_outline(tables, frame, station, tolerance)
+    return ordinate, rate, bend, curvature, exists
+
+
+def trace_outline(tables: Tables, frame: Frame, station: float, tolerance: float):
+    """``trace_wheel`` with yaw."""
+    wheel = tables.wheel
+    place = frame.place
+    trace = frame.traces[WHEEL]
+    cosine = frame.plane.cos
+    sine = frame.plane.sin
+    left = tables.rail_y + frame.rail.y - frame.aside
+    above = frame.shift - frame.rail.z
+    y = first_abscissa(trace, station - frame.station)
+    exists = 0
+    excess = 0.0
+    along = 1.0
+    across = 0.0
+    up = 0.0
+    stretch = 1.0
+    z = 0.0
+    slope = 0.0
+    bend = 0.0
+    outline_slope = 0.0
+    outline_rate = 0.0
+    for i in range(TRACE_ITERATIONS):
+        if y < wheel.start:
+            y = wheel.start
+        if y > wheel.stop:
+            y = wheel.stop
+        z, slope, bend = height_slope_bend(wheel, y)
+        y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
+        across = y_track - left
+        up = z_track + above
+        along = cosine + outline_slope * sine
+        excess = across * cosine + up * sine - station
+        if fabs(excess) < tolerance:
+            if stretch * along > 0.0:
+                exists = 1
+            break
+        y -= excess / (stretch * along)
+    per_along = 1.0 / along
+    per_stretch = 1.0 / stretch
+    rate = (sine - outline_slope * cosine) * per_along
+    ordinate_bend = -outline_rate * per_stretch * per_along * per_along * per_along
+    trace.abscissa = y - excess * per_along * per_stretch
+    trace.rate = per_along * per_stretch
+    trace.bend = ordinate_bend * sine * per_stretch
+    curvature = longitudinal_curvature(tables, place, z, slope, bend)
+    ordinate = across * sine - up * cosine - excess * (rate - 0.5 * excess * ordinate_bend)
+    return ordinate, rate - excess * ordinate_bend, ordinate_bend, curvature, exists

@@ -1,0 +1,97 @@
+"""How far the interpenetration of a region reaches to either side."""
+
+from math import fabs, sqrt
+from typing import Final
+
+from ..layout import RAIL, WHEEL, Frame, Origin, Region, State, Tables
+from .contact_plane import NO_GAP
+from .curves import open_origin
+from .separation import separation
+from .traces import start_traces
+
+#: Tolerance of the traces [m]: this share of the estimated half-width, or less.
+TRACE_OF_WIDTH: Final[float] = 1e-3
+WIDTH_TRACE: Final[float] = 5e-8
+WIDTH_ITERATIONS: Final[int] = 60
+#: Last halving, relative [-].
+HALVED_SHARP: Final[float] = 1e-9
+#: Last Newton step, relative [-]; its error is a tenth of the square.
+WIDTH_SHARP: Final[float] = 5e-3
+#: The same where height and roll are sought, which asks for a smooth answer [-].
+PRESSED_SHARP: Final[float] = 1e-5
+
+
+def width_limit(region: Region, direction: float):
+    """Distance [m] from the region's minimum to its bound in ``direction`` (1.0 or -1.0)."""
+    limit = region.high - region.station
+    if direction < 0.0:
+        limit = region.station - region.low
+    return limit
+
+
+def width_tolerance(estimate: float):
+    """Tolerance of the traces [m] for an estimated half-width [m]."""
+    tolerance = TRACE_OF_WIDTH * estimate
+    if tolerance > WIDTH_TRACE:
+        tolerance = WIDTH_TRACE
+    return tolerance
+
+
+def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float, level: float,
+               estimate: float):
+    """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
+    end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
+
+    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
+    separation, with arcs in place of the chords whose length follows from this width.
+    """
+    limit = width_limit(region, direction)
+    start_traces(frame, region.station, region.rail, region.wheel)
+    open_origin(tables, frame, origin, region, 0.0)
+    tolerance = width_tolerance(estimate)
+    root = sqrt(level)
+    low = 0.0
+    high = -1.0
+    width = estimate
+    region.reached = 0.0
+    station = region.station
+    abscissa = region.rail
+    y = region.wheel
+    near = WIDTH_SHARP
+    if frame.pressed:
+        near = PRESSED_SHARP
+    for i in range(WIDTH_ITERATIONS):
+        if width > limit:
+            width = limit
+        gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width, tolerance)
+        if gap >= NO_GAP:
+            # beyond an end the traces are lost
+            start_traces(frame, station, abscissa, y)
+        else:
+            station = frame.station
+            abscissa = frame.traces[RAIL].abscissa
+            y = frame.traces[WHEEL].abscissa
+        rise = gap - region.gap
+        if rise < level:
+            low = width
+            region.reached = rise
+            if width >= limit:
+                return limit
+        else:
+            high = width
+        following = 2.0 * width
+        sharp = HALVED_SHARP
+        if high > 0.0:
+            following = 0.5 * (low + high)
+        if rise > 0.0 and rate * direction > 0.0:
+            square = sqrt(rise)
+            newton = width + (root - square) * 2.0 * square / (rate * direction)
+            if newton > low and newton < 4.0 * width and (high < 0.0 or newton < high):
+                following = newton
+                sharp = near
+        if fabs(following - width) < sharp * width:
+            if sharp == near:
+                region.reached = level
+            return following
+        width = following
+    return width
