@@ -1,1 +1,1 @@
-"""The neighbourhood of a contact: frame, point, regions, planes, undeformed distance, overlap of a pressed wheel."""
+"""The neighbourhood of a contact: frame, regions, planes, undeformed distance, overlap of a pressed wheel."""

@@ -14,12 +14,13 @@ NO_GAP: Final[float] = 1.0
 
 
 def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: float, shift: float):
-    """Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's there.
+    """Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
+    there.
 
     aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
 
-    Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
-    much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
+    Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
+    [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
     """
     z, slope, bend = height_slope_bend(tables.wheel, y)
     y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
@@ -53,7 +54,8 @@ def open_frame(tables: Tables, frame: Frame, place: Place, y: float, aside: floa
 
 
 def normal_gap(tables: Tables, frame: Frame, state: State, station: float, tolerance: float):
-    """Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m].
+    """Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
+    [m].
 
     NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
     """

@@ -1,12 +1,24 @@
-"""Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured along them.
+"""Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured
+along them.
 
-The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.  ``curve`` is RAIL or
-WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from the origin of the region.
+The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.
+``curve`` is RAIL or WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from
+the origin of the region.
 """
 
 from math import sqrt
 
-from ..layout import RAIL, SEPARATION_EQUIDISTANT_CHORD, SEPARATION_NORMAL, WHEEL, Frame, Origin, Profile, Region, Tables
+from ..layout import (
+    RAIL,
+    SEPARATION_EQUIDISTANT_CHORD,
+    SEPARATION_NORMAL,
+    WHEEL,
+    Frame,
+    Origin,
+    Profile,
+    Region,
+    Tables,
+)
 from ..surface.locus import outline_jet
 from ..surface.profile_table import height_slope, height_slope_bend
 
@@ -20,8 +32,8 @@ def curve_profile(tables: Tables, curve: int) -> Profile:
 
 
 def curve_jet(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
-    """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
-    derivatives of the lateral coordinate [-] and of the slope [1/m]."""
+    """Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa
+    ``u`` the derivatives of the lateral coordinate [-] and of the slope [1/m]."""
     z, slope, bend = height_slope_bend(curve_profile(tables, curve), u)
     across = u - origin.points[RAIL].y
     down = z - origin.points[RAIL].z
@@ -34,7 +46,8 @@ def curve_jet(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float
 
 
 def curve_speed(tables: Tables, frame: Frame, origin: Origin, curve: int, u: float):
-    """Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not change it."""
+    """Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not
+    change it."""
     speed = 1.0
     if curve == RAIL or not frame.place.yawed:
         z, slope = height_slope(curve_profile(tables, curve), u)
@@ -56,7 +69,8 @@ def within(tables: Tables, curve: int, u: float):
 
 
 def open_origin(tables: Tables, frame: Frame, origin: Origin, region: Region, spacing: float):
-    """Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where that is 0."""
+    """Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where
+    that is 0."""
     if tables.separation != SEPARATION_NORMAL:
         origin.station = region.station
         origin.gap = region.gap

@@ -6,7 +6,7 @@ from ..layout import DEEP_LIMIT, REGION_LIMIT, DeepPoint, Overlap
 from .regions import MERGE
 
 #: Deepest points closer than this on the rail are one [m].
-SAME: Final[float] = 1e-6
+SAME_POINT: Final[float] = 1e-6
 
 
 def copy_point(point: DeepPoint, copy: DeepPoint):
@@ -52,7 +52,7 @@ def is_listed(overlap: Overlap, x: float):
     listed = 0
     entry = overlap.count - 1
     if entry >= 0:
-        if x < overlap.points[entry].rail + SAME:
+        if x < overlap.points[entry].rail + SAME_POINT:
             listed = 1
     return listed
 

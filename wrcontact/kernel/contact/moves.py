@@ -16,7 +16,8 @@ MOVE_ITERATIONS: Final[int] = 40
 
 
 def move_arc(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float):
-    """Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; 1 if the curve is that long, else 0."""
+    """Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; 1 if the curve is
+    that long, else 0."""
     u = frame.traces[curve].abscissa
     remainder = length
     for i in range(MOVE_ITERATIONS):
@@ -35,8 +36,8 @@ def move_arc(tables: Tables, frame: Frame, origin: Origin, curve: int, length: f
 
 
 def move_chord(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float):
-    """Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve, forward where
-    ``chord`` is positive; 1 if it does, else 0."""
+    """Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
+    forward where ``chord`` is positive; 1 if it does, else 0."""
     start = frame.traces[curve].abscissa
     from_across, from_down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, start)
     if not stretch > 0.0:
@@ -61,7 +62,8 @@ def move_chord(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: 
 
 
 def move_to_station(tables: Tables, frame: Frame, origin: Origin, curve: int, station: float):
-    """Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; 1 if there is one."""
+    """Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; 1 if
+    there is one."""
     way = station - frame.station
     spacing = origin.spacing
     exists = 1
@@ -78,8 +80,8 @@ def move_to_station(tables: Tables, frame: Frame, origin: Origin, curve: int, st
 
 
 def move_across(tables: Tables, frame: Frame, origin: Origin, lateral: float):
-    """Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method; 1 if there is
-    such a place, else 0."""
+    """Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method;
+    1 if there is such a place, else 0."""
     u = within(tables, WHEEL, frame.traces[WHEEL].abscissa)
     for i in range(MOVE_ITERATIONS):
         across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)

@@ -11,7 +11,8 @@ from ..surface.profile_table import height_slope_bend
 
 
 def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, height: float, entry: int):
-    """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]."""
+    """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
+    abscissa [m]."""
     point = tables.scan.nodes[node]
     y = point.y
     y_track, z_track, outline_slope = outline_point(place, y, point.height, point.slope)
@@ -21,7 +22,8 @@ def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, he
     square = 1.0 / (1.0 + m * m)
     samples.rail[entry] = abscissa
     samples.wheel[entry] = y
-    # of (height - gap) cos, but for a factor cos; where they are apart and the rail's normals say little, of height - gap
+    # the slope of (height - gap) cos, divided by cos; where wheel and rail are apart, and the rail's normals
+    # mean little, that of height - gap
     rise = outline_slope - m
     if height > gap:
         rise -= (height - gap) * m * bend * square
@@ -30,9 +32,11 @@ def sample_overlap(tables: Tables, samples: Samples, place: Place, node: int, he
 
 
 def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
-    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+    """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
+    searched.
 
-    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
+    sampled yet.
     """
     samples.rail[entry] = tables.rail.start
     samples.rise[entry] = 1.0
@@ -42,10 +46,10 @@ def sample_end(tables: Tables, samples: Samples, direction: int, entry: int):
     return 0
 
 
-def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, node: int, direction: int, height: float,
-                 first: int):
-    """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
-    the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
+def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, node: int, direction: int,
+                 height: float, first: int):
+    """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
+    above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
     count = tables.scan.count
     entry = first
     exponent = EXPONENTS - 1
@@ -66,8 +70,8 @@ def walk_overlap(tables: Tables, samples: Samples, place: Place, state: State, n
         adjacent = 1.0
         step = 1
         if gap > height:
-            exponent = clear_exponent(tables.scan, place, node, direction, abscissa, gap - height, float(direction) * mismatch,
-                                      exponent)
+            exponent = clear_exponent(tables.scan, place, node, direction, abscissa, gap - height,
+                                      float(direction) * mismatch, exponent)
             if exponent < 0:
                 exponent = 0
             elif exponent > 0:

@@ -1,8 +1,8 @@
 """Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
 
-Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest point, which is
-located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle between them are one region
-(regions.MERGE).
+Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
+point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle
+between them are one region (regions.MERGE).
 """
 
 from math import fabs
@@ -18,16 +18,19 @@ from .pressed import normal_line
 from .touching import turning_point
 
 #: Between two samples the overlap is examined in this many parts.
-PARTS: Final[int] = 4
-#: The deepest point beside the smallest gap is sought in steps that double from the first one on, up to the other [m].
+OVERLAP_PARTS: Final[int] = 4
+#: The deepest point beside the smallest gap is sought in steps that double from the first one on, up to the
+#: other [m].
 FIRST_STEP: Final[float] = 1e-7
 FAR_STEP: Final[float] = 1e-3
 #: Steps that a deepest point is sought beyond its two samples.
 WIDENINGS: Final[int] = 6
 
 
-def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State, height: float):
-    """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their number."""
+def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
+                  height: float):
+    """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
+    number."""
     place = side.place
     samples = overlap.samples
     node = node_below(tables.scan, side.best_y)
@@ -35,7 +38,8 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
     start = walk_overlap(tables, samples, place, state, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(tables, samples, place, state, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
-        if samples.rise[entry] > 0.0 and samples.rise[entry + 1] <= 0.0 and samples.adjacent[entry + 1] == 1.0:
+        if (samples.rise[entry] > 0.0 and samples.rise[entry + 1] <= 0.0
+                and samples.adjacent[entry + 1] == 1.0):
             step = samples.rail[entry + 1] - samples.rail[entry]
             y = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
             low = bracket_end(tables, frame, place, samples.rail[entry], -step, y, height)
@@ -49,8 +53,9 @@ def find_overlaps(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
 
 
 def bracket_end(tables: Tables, frame: Frame, place: Place, x: float, step: float, y: float, height: float):
-    """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other side: the samples
-    are straight down, and their slope may change its sign a little before the overlap along the normal has its maximum."""
+    """``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
+    side: the samples are straight down, and their slope may change its sign a little before the overlap along
+    the normal has its maximum."""
     rail = tables.rail
     for i in range(WIDENINGS):
         if x <= rail.start:
@@ -64,25 +69,28 @@ def bracket_end(tables: Tables, frame: Frame, place: Place, x: float, step: floa
     return x
 
 
-def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float, high: float, y: float,
-                 height: float):
-    """List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
-    profiles the joints of their arcs leave several, of which a bracket by itself would end at either."""
-    step = (high - low) / float(PARTS)
+def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, low: float, high: float,
+                 y: float, height: float):
+    """List the deepest points between two rail abscissae from where the overlap rises towards each other: on
+    nearly conformal profiles the joints of their arcs leave several, of which a bracket by itself would end
+    at either."""
+    step = (high - low) / float(OVERLAP_PARTS)
     start = low
     rising = 1
     estimate = y
-    for i in range(1, PARTS + 1):
+    for i in range(1, OVERLAP_PARTS + 1):
         stop = low + step * float(i)
         falls = 1
-        if i < PARTS:
-            near, depth, rise, bend, curvature, found = normal_line(tables, frame, place, stop, estimate, height)
+        if i < OVERLAP_PARTS:
+            near, depth, rise, bend, curvature, found = normal_line(tables, frame, place, stop, estimate,
+                                                                    height)
             if found == 1:
                 estimate = near
             if found == 1 and rise > 0.0:
                 falls = 0
         if rising == 1 and falls == 1:
-            rail, wheel, depth, turned = turning_point(tables, frame, place, start, stop, estimate, height, 1.0)
+            rail, wheel, depth, turned = turning_point(tables, frame, place, start, stop, estimate, height,
+                                                       1.0)
             if turned == 1 and depth > 0.0 and is_listed(overlap, rail) == 0:
                 append_point(overlap, rail, wheel, depth)
         rising = 1 - falls
@@ -91,8 +99,9 @@ def list_between(tables: Tables, frame: Frame, overlap: Overlap, place: Place, l
 
 
 def list_beside_smallest_gap(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, height: float):
-    """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
-    scan nodes on nearly conformal profiles the slope of the overlap can change its sign three times."""
+    """List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:
+    between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
+    times."""
     place = side.place
     z, slope = height_slope(tables.wheel, side.best_y)
     y_track, z_track, outline_slope = outline_point(place, side.best_y, z, slope)

@@ -1,8 +1,10 @@
-"""Planes of their own for regions of a rigid contact whose normal differs from the contact point's: a flange beside a tread.
+"""Planes of their own for regions of a rigid contact whose normal differs from the contact point's: a flange
+beside a tread.
 
-One contact plane serves all regions whose normals differ little.  A region whose normal differs by more than SPLIT has its own
-frame, in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run
-in its own plane, and of the wheel's approach it gets the share that comes along its normal,
+One contact plane serves all regions whose normals differ little.  A region whose normal differs by more than
+SPLIT has its own frame, in the pair of points where it would touch (:mod:`touching`): its gap is measured
+along its own normal, its stations run in its own plane, and of the wheel's approach it gets the share that
+comes along its normal,
 
     level_i = cos(angle_i - angle_0) penetration - gap_i
 
@@ -17,12 +19,13 @@ from ..surface.locus import outline_x
 from ..surface.profile_table import height_slope
 from .arc_length import rail_length
 from .contact_plane import normal_gap, open_frame
-from .regions import FAR, TRACE, incline_region
+from .regions import BEYOND, PLACE_TRACE, incline_region
 from .touching import touching_pair
 from .traces import start_traces
 
-#: Sine of the angle between the normals from which on a region has its own plane: 15 deg.  S1002 on UIC60 has 9 deg between
-#: tread and flange root, which one plane serves within a few per mille, and 30 ... 65 deg to the flange.
+#: Sine of the angle between the normals from which on a region has its own plane: 15 deg.  S1002 on UIC60 has
+#: 9 deg between tread and flange root, which one plane serves within a few per mille, and 30 ... 65 deg to
+#: the flange.
 SPLIT: Final[float] = 0.2588190451025207
 
 
@@ -43,19 +46,20 @@ def use_frame(frame: Frame, frames: KeptFrames, slot: int):
 
 
 def bound_abscissa(tables: Tables, frame: Frame, region: Region, state: State, bound: float):
-    """Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; FAR beyond any rail if it has none."""
+    """Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; BEYOND if it has
+    none."""
     abscissa = bound
-    if fabs(bound) < FAR:
+    if fabs(bound) < BEYOND:
         start_traces(frame, region.station, region.rail, region.wheel)
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, bound, TRACE)
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, bound, PLACE_TRACE)
         abscissa = frame.traces[RAIL].abscissa
     return abscissa
 
 
 def bound_station(tables: Tables, frame: Frame, abscissa: float):
-    """Station [m] in the open frame of the rail's point at ``abscissa``; FAR stays FAR."""
+    """Station [m] in the open frame of the rail's point at ``abscissa``; BEYOND stays BEYOND."""
     station = abscissa
-    if fabs(abscissa) < FAR:
+    if fabs(abscissa) < BEYOND:
         height, slope = height_slope(tables.rail, abscissa)
         station = ((abscissa - frame.rail.y) * frame.plane.cos + (height - frame.rail.z) * frame.plane.sin)
     return station
@@ -71,8 +75,10 @@ def needs_own_plane(frame: Frame, region: Region):
 
 
 def own_plane(tables: Tables, frame: Frame, frames: KeptFrames, region: Region, slot: int, state: State):
-    """Give a region its own frame, kept in ``slot``; the contact point's frame stays open.  1 if it has one, else 0."""
-    y, abscissa, depth, aside, shift, found = touching_pair(tables, frame.place, region.wheel, region.rail, frame.shift)
+    """Give a region its own frame, kept in ``slot``; the contact point's frame stays open.  1 if it has one,
+    else 0."""
+    y, abscissa, depth, aside, shift, found = touching_pair(tables, frame.place, region.wheel, region.rail,
+                                                            frame.shift)
     if found == 1:
         low = bound_abscissa(tables, frame, region, state, region.low)
         high = bound_abscissa(tables, frame, region, state, region.high)
@@ -90,7 +96,7 @@ def own_plane(tables: Tables, frame: Frame, frames: KeptFrames, region: Region, 
         region.gap = -depth
         z, slope, y_track, rail_slope, mismatch = open_frame(tables, frame, frame.place, y, aside, shift)
         frame.raised = region.gap
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, TRACE)
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, PLACE_TRACE)
         region.bend = bend
         region.curvature = curvature
         region.low = bound_station(tables, frame, low)
@@ -113,7 +119,8 @@ def give_planes(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regio
 
 
 def locate_along_track(tables: Tables, frame: Frame, regions: Regions, count: int):
-    """Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the flange root."""
+    """Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
+    flange root."""
     for index in range(count):
         region = regions[index]
         region.x_track = outline_x(tables, frame.place, region.wheel)

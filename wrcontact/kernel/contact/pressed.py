@@ -1,8 +1,8 @@
 """The overlap of a wheel that is pressed into its rail, along the rail's own normals.
 
-A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a corner one plane
-cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each rail point x, to where that line
-meets the wheel's outline (Y, Z) as it stands,
+A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a
+corner one plane cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each
+rail point x, to where that line meets the wheel's outline (Y, Z) as it stands,
 
     Y - x + (Z - z_rail(x)) m = 0,   o = (Z - z_rail - m (Y - x)) / sqrt(1 + m^2),   m = z_rail'(x)
 
@@ -10,8 +10,9 @@ and stations run along the rail, by its arc length.  With slope m_w of the outli
 
     do/ds = (m_w - m) / (1 + m m_w)
 
-but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
-deepest point of a region is a pair of points with one normal, and o does not depend on where stations begin.
+but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must
+not.  The deepest point of a region is a pair of points with one normal, and o does not depend on where
+stations begin.
 """
 
 from math import fabs, sqrt
@@ -26,7 +27,8 @@ from .contact_plane import NO_GAP
 
 #: The wheel's abscissa is found to this [m],
 LINE_SHARP: Final[float] = 1e-12
-#: and to this after the last iteration: at a joint of the profile Newton's method can alternate between both sides [m].
+#: and to this after the last iteration: at a joint of the profile Newton's method can alternate between both
+#: sides [m].
 LINE_JOINT: Final[float] = 1e-7
 LINE_ITERATIONS: Final[int] = 20
 #: Longest move of the wheel's abscissa in one step of Newton's method [m].
@@ -38,9 +40,9 @@ LEAST_WAY: Final[float] = 1e-5
 
 
 def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float):
-    """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
-    ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
-    and 1 if there is such a point, else 0."""
+    """Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
+    moved down by ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's
+    arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else 0."""
     wheel = tables.wheel
     z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
     cosine = 1.0 / sqrt(1.0 + m * m)
@@ -81,9 +83,11 @@ def normal_line(tables: Tables, frame: Frame, place: Place, abscissa: float, y: 
 
 
 def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
-    """Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side where that is set.
+    """Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side
+    where that is set.
 
-    With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint passes a node.
+    With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint
+    passes a node.
     """
     blur = frame.blur
     if blur > 0.0:
@@ -101,8 +105,9 @@ def mean_bend(tables: Tables, frame: Frame, y: float, bend: float):
 
 
 def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
-    """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap [m], with its
-    derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel."""
+    """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
+    [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
+    pressed wheel."""
     state.node_count += 1.0
     rail = tables.rail
     way = station - frame.station
@@ -113,8 +118,9 @@ def pressed_gap(tables: Tables, frame: Frame, state: State, station: float):
     curvature = 1.0
     if abscissa >= rail.start and abscissa <= rail.stop:
         trace = frame.traces[WHEEL]
-        y, overlap, rise, rise_rate, found_curvature, found = normal_line(tables, frame, frame.place, abscissa,
-                                                                          trace.abscissa + way * trace.rate, frame.height)
+        estimate = trace.abscissa + way * trace.rate
+        y, overlap, rise, rise_rate, found_curvature, found = normal_line(
+            tables, frame, frame.place, abscissa, estimate, frame.height)
         if found == 1:
             gap = frame.raised + frame.depth - overlap
             rate = -rise

@@ -32,7 +32,8 @@ def touching_shift(tables: Tables, place: Place, point: DeepPoint):
 
 
 def press_frame(frame: Frame, height: float, depth: float, gap: float):
-    """Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own gap is ``gap`` [m]."""
+    """Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own
+    gap is ``gap`` [m]."""
     frame.height = height
     frame.depth = depth
     frame.pressed = True
@@ -52,8 +53,8 @@ def open_pressed_region(tables: Tables, region: Region, point: DeepPoint):
 
 
 def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoint):
-    """Open the frame of a region beside the contact point's, whose frame is open; what it gets of the approach follows from
-    both inclinations."""
+    """Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
+    approach follows from both inclinations."""
     cosine = frame.plane.cos
     abscissa = frame.rail.y
     height = frame.height
@@ -68,9 +69,10 @@ def give_own_frame(tables: Tables, frame: Frame, region: Region, point: DeepPoin
     return 0
 
 
-def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap, state: State):
-    """Open a region for every deepest point on the list, each with its own frame; their number.  The open frame is that of the
-    deepest, whose share of the approach counts as one."""
+def gather_overlaps(tables: Tables, frame: Frame, frames: KeptFrames, regions: Regions, overlap: Overlap,
+                    state: State):
+    """Open a region for every deepest point on the list, each with its own frame; their number.  The open
+    frame is that of the deepest, whose share of the approach counts as one."""
     count = overlap.count
     contact = deepest_entry(overlap)
     keep_frame(frame, frames, REGION_LIMIT)

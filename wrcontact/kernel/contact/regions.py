@@ -1,7 +1,8 @@
 """Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
 
-A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where the gap is
-largest.  Both belong to one region while the saddle stays below MERGE of the penetration; otherwise it bounds both.
+A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where
+the gap is largest.  Both belong to one region while the saddle stays below MERGE of the penetration;
+otherwise it bounds both.
 """
 
 from math import fabs, sqrt
@@ -25,19 +26,21 @@ from ..surface.profile_table import height_slope
 from .contact_plane import normal_gap
 from .traces import start_traces
 
-#: Two minima are one region while the saddle between them is below this share of the penetration.  Against the complete
-#: theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure +14 %), 0.45 joins what is separate.
+#: Two minima are one region while the saddle between them is below this share of the penetration.  Against
+#: the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure +14 %), 0.45 joins what is
+#: separate.
 MERGE: Final[float] = 0.3
 #: Minima closer than this to another are the same [m].
-APART: Final[float] = 2e-4
-#: A minimum of the normal gap lies within this of the vertical gap's [m]; 2 mm where a tread is seen from a flange.
+SEPARATE: Final[float] = 2e-4
+#: A minimum of the normal gap lies within this of the vertical gap's [m]; 2 mm where a tread is seen from a
+#: flange.
 WANDER: Final[float] = 5e-3
 #: Step towards a minimum while the gap bends downwards: half a scan cell [m].
 DOWNHILL: Final[float] = 0.25e-3
 #: Gap of a region that does not exist, and station of a bound that is none [m]; longer than any profile.
-FAR: Final[float] = 1.0
+BEYOND: Final[float] = 1.0
 #: Tolerance of the traces while minima and saddles are sought [m].
-TRACE: Final[float] = 1e-12
+PLACE_TRACE: Final[float] = 1e-12
 #: Last Newton step to a minimum or a saddle [m]; a saddle cuts a load.
 PLACE_SHARP: Final[float] = 1e-11
 SADDLE_SAMPLES: Final[int] = 8
@@ -45,16 +48,16 @@ MINIMUM_ITERATIONS: Final[int] = 30
 
 
 def open_region(tables: Tables, frame: Frame, region: Region, state: State, station: float):
-    """Start a region at the gap's local minimum near ``station``; its gap [m] (FAR if there is none)."""
+    """Start a region at the gap's local minimum near ``station``; its gap [m] (BEYOND if there is none)."""
     start = station
-    gap = FAR
-    found = FAR
+    gap = BEYOND
+    found = BEYOND
     bend = 0.0
     curvature = 0.0
     low = start - WANDER
     high = start + WANDER
     for i in range(MINIMUM_ITERATIONS):
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, TRACE)
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, PLACE_TRACE)
         # downhill, until the gap bends upwards
         move = -DOWNHILL
         if rate < 0.0:
@@ -66,7 +69,8 @@ def open_region(tables: Tables, frame: Frame, region: Region, state: State, stat
             move = -rate / bend
             if fabs(move) < PLACE_SHARP:
                 found = gap
-        if (station + move > high and high < start + WANDER) or (station + move < low and low > start - WANDER):
+        if ((station + move > high and high < start + WANDER)
+                or (station + move < low and low > start - WANDER)):
             # the curvature jumps in between
             move = 0.5 * (low + high) - station
         if station + move > start + WANDER:
@@ -88,7 +92,8 @@ def open_region(tables: Tables, frame: Frame, region: Region, state: State, stat
 
 
 def incline_region(tables: Tables, region: Region, slope: float):
-    """Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what follows from it."""
+    """Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what
+    follows from it."""
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     region.inclination = slope
     region.own = False
@@ -104,20 +109,21 @@ def incline_region(tables: Tables, region: Region, slope: float):
 
 def open_contact_region(tables: Tables, frame: Frame, region: Region, state: State):
     """The region of the rigid contact point itself, station and gap zero."""
-    gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, TRACE)
+    gap, rate, bend, curvature = normal_gap(tables, frame, state, 0.0, PLACE_TRACE)
     region.station = 0.0
     region.gap = 0.0
     region.rail = frame.rail.y
     region.wheel = frame.wheel.y
     region.bend = bend
     region.curvature = curvature
-    region.low = -FAR
-    region.high = FAR
+    region.low = -BEYOND
+    region.high = BEYOND
     incline_region(tables, region, frame.plane.sin / frame.plane.cos)
     return 0
 
 
-def find_regions(tables: Tables, frame: Frame, regions: Regions, side: SideSearch, state: State, level: float):
+def find_regions(tables: Tables, frame: Frame, regions: Regions, side: SideSearch, state: State,
+                 level: float):
     """Open the regions whose smallest gap is below ``level`` [m]; their count, region 0 included.
 
     They are sought at the local minima of the vertical gap.
@@ -130,7 +136,8 @@ def find_regions(tables: Tables, frame: Frame, regions: Regions, side: SideSearc
             y = side.candidates[i].y
             abscissa = side.candidates[i].rail
             height, slope = height_slope(tables.rail, abscissa)
-            station = ((abscissa - frame.rail.y) * frame.plane.cos + (height - frame.rail.z) * frame.plane.sin)
+            station = ((abscissa - frame.rail.y) * frame.plane.cos
+                       + (height - frame.rail.z) * frame.plane.sin)
             start_traces(frame, station, abscissa, y)
             if open_region(tables, frame, regions[count], state, station) < level:
                 if is_new(regions, count) == 1:
@@ -143,19 +150,20 @@ def is_new(regions: Regions, count: int):
     new = 1
     for i in range(count):
         distance = regions[i].station - regions[count].station
-        if fabs(distance) < APART:
+        if fabs(distance) < SEPARATE:
             new = 0
     return new
 
 
 def bound_regions(tables: Tables, frame: Frame, regions: Regions, state: State, count: int, level: float):
-    """Order the regions by station, set the saddles between them as bounds, and join those with a low saddle; the count."""
+    """Order the regions by station, set the saddles between them as bounds, and join those with a low saddle;
+    the count."""
     for i in range(count - 1):
         for j in range(count - 1 - i):
             if regions[j].station > regions[j + 1].station:
                 swap_regions(regions[j], regions[j + 1])
-    regions[0].low = -FAR
-    regions[count - 1].high = FAR
+    regions[0].low = -BEYOND
+    regions[count - 1].high = BEYOND
     i = 0
     while i < count - 1:
         low = regions[i]
@@ -169,7 +177,7 @@ def bound_regions(tables: Tables, frame: Frame, regions: Regions, state: State, 
             for j in range(i + 1, count - 1):
                 swap_regions(regions[j], regions[j + 1])
             count -= 1
-            regions[count - 1].high = FAR
+            regions[count - 1].high = BEYOND
         else:
             low.high = station
             high.low = station
@@ -187,22 +195,23 @@ def swap_regions(first: Region, second: Region):
 
 
 def find_saddle(tables: Tables, frame: Frame, low: Region, high: Region, state: State):
-    """Station and gap [m] of the saddle between two regions: best of SADDLE_SAMPLES, then Newton on the rate."""
+    """Station and gap [m] of the saddle between two regions: best of SADDLE_SAMPLES, then
+    Newton on the rate."""
     left = low.station
     right = high.station
     start_traces(frame, left, low.rail, low.wheel)
     step = (right - left) / float(SADDLE_SAMPLES + 1)
     top = left
-    largest = -FAR
+    largest = -BEYOND
     for i in range(1, SADDLE_SAMPLES + 1):
         station = left + step * float(i)
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, TRACE)
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, PLACE_TRACE)
         if gap > largest:
             largest = gap
             top = station
     station = top
     for i in range(MINIMUM_ITERATIONS):
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, TRACE)
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, station, PLACE_TRACE)
         if not bend < 0.0 or fabs(station - top) > step:
             return top, largest
         move = -rate / bend

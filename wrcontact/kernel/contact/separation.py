@@ -1,12 +1,16 @@
 """The undeformed distance over a region's stations, measured in one of four ways.
 
-normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the rail's, :mod:`pressed`;
+normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the
+              rail's, :mod:`pressed`;
 vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
-equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of their normals;
-chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the source).
+equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
+              their normals;
+chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the
+              source).
 
-Except for the first, the wheel is moved so that its point at the region's minimum lies on the rail's, and the smallest gap
-is added again: each region is a contact of its own, and only differences of coordinates count, not where the wheelset is.
+Except for the first, the wheel is moved so that its point at the region's minimum lies on the rail's, and the
+smallest gap is added again: each region is a contact of its own, and only differences of coordinates count,
+not where the wheelset is.
 """
 
 from math import sqrt
@@ -30,22 +34,24 @@ from .pressed import mean_bend, pressed_gap
 
 
 def vertical_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
-    """Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it exists."""
+    """Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it
+    exists."""
     per_station = frame.plane.cos
     lateral = (station - origin.station) * per_station
     exists = move_across(tables, frame, origin, lateral)
     frame.traces[RAIL].abscissa = origin.points[RAIL].y + lateral
     if within(tables, RAIL, frame.traces[RAIL].abscissa) != frame.traces[RAIL].abscissa:
         exists = 0
-    across, rail_down, rail_slope, along, rail_bend = curve_jet(tables, frame, origin, RAIL, frame.traces[RAIL].abscissa)
+    across, rail_down, rail_slope, along, rail_bend = curve_jet(tables, frame, origin, RAIL,
+                                                                frame.traces[RAIL].abscissa)
     across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, frame.traces[WHEEL].abscissa)
     bend = rail_bend - bend / stretch
     return rail_down - down, (rail_slope - slope) * per_station, bend * per_station * per_station, exists
 
 
 def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: float):
-    """Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed, its rate [-] and
-    bend [1/m] over the stations, and 1 if it exists.
+    """Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed,
+    its rate [-] and bend [1/m] over the stations, and 1 if it exists.
 
     With angles theta of the tangents and n = (sin, -cos) of their mean, d = (p_w - p_r) n and
 
@@ -59,7 +65,8 @@ def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: floa
     rail_cos = 1.0 / sqrt(1.0 + slope * slope)
     rail_sin = slope * rail_cos
     rail_curvature = bend * rail_cos * rail_cos * rail_cos
-    wheel_across, wheel_down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, frame.traces[WHEEL].abscissa)
+    wheel_across, wheel_down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL,
+                                                               frame.traces[WHEEL].abscissa)
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope)
     wheel_sin = slope * wheel_cos
     wheel_curvature = bend / stretch * wheel_cos * wheel_cos * wheel_cos
@@ -79,8 +86,8 @@ def equidistant_rise(tables: Tables, frame: Frame, origin: Origin, station: floa
 
 
 def depth_lost(tables: Tables, frame: Frame):
-    """How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is pressed along the
-    region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-]."""
+    """How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is
+    pressed along the region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-]."""
     height, slope, bend = height_slope_bend(tables.rail, frame.traces[RAIL].abscissa)
     cosine = 1.0 / sqrt(1.0 + slope * slope)
     along = cosine * (frame.plane.cos + slope * frame.plane.sin)
@@ -89,7 +96,8 @@ def depth_lost(tables: Tables, frame: Frame):
 
 
 def moved_separation(tables: Tables, frame: Frame, origin: Origin, state: State, station: float, kind: int):
-    """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum."""
+    """``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
+    region's minimum."""
     state.node_count += 1.0
     if kind == SEPARATION_VERTICAL:
         gap, rate, bend, exists = vertical_rise(tables, frame, origin, station)
@@ -111,8 +119,8 @@ def moved_separation(tables: Tables, frame: Frame, origin: Origin, state: State,
 
 
 def separation(tables: Tables, frame: Frame, origin: Origin, state: State, station: float, tolerance: float):
-    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
-    NO_GAP where a profile has ended.
+    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
+    measured as chosen; NO_GAP where a profile has ended.
 
     ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
     """

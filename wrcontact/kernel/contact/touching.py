@@ -1,16 +1,22 @@
 """Pairs of points of wheel and rail with a common normal, found in two ways for two purposes.
 
-touching_pair   by Newton's method for both abscissae at once, from a good estimate: where a wheel that overlaps its rail a
-                little, or stands above it, would touch.  It needs wheel and rail to be bent towards each other.
-turning_point   by a bracket on the rail, with Newton's method inside it: where the overlap of a pressed wheel is largest,
+touching_pair   by Newton's method for both abscissae at once, from a good estimate: where a wheel that
+overlaps its rail a
+                little, or stands above it, would touch.  It needs wheel and rail to be bent towards each
+                other.
+turning_point   by a bracket on the rail, with Newton's method inside it: where the overlap of a pressed wheel
+is largest,
                 or smallest between two largest ones.  It finds one also where curvatures jump.
 
-An elastic contact is a rigid one that has been pressed: the wheel stands ``depth`` deeper than where it just touches.  In a
-pair the outline and the rail have one slope m and the line between both points is normal to them,
+An elastic contact is a rigid one that has been pressed: the wheel stands ``depth`` deeper than where it just
+touches.  In a pair the outline and the rail have one slope m and the line between both points is normal to
+them,
 
-    m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,   depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)
+    m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,   depth = (Z - z_rail - m (X - x)) / sqrt(1 +
+    m^2)
 
-with (X, Z) the wheel's point at abscissa y as it stands.  Without overlap it is the point of the smallest vertical gap.
+with (X, Z) the wheel's point at abscissa y as it stands.  Without overlap it is the point of the smallest
+vertical gap.
 """
 
 from math import fabs, sqrt
@@ -28,14 +34,15 @@ PAIR_ITERATIONS: Final[int] = 25
 #: Longest step of the pair, and how far it may lie from the estimate [m].
 PAIR_STEP: Final[float] = 5e-4
 PAIR_REACH: Final[float] = 4e-3
-#: Smallest relative bend of wheel and rail, as a share of the sum of both, for a pair to be sought between nearly conformal ones.
+#: Smallest relative bend of wheel and rail, as a share of the sum of both, for a pair to be sought between
+#: nearly conformal ones.
 PAIR_BEND: Final[float] = 1e-3
-#: A deepest point is located to this on the rail [m], so that differences of its place between poses are its derivatives; its
-#: depth, being second order, asks for less.
+#: A deepest point is located to this on the rail [m], so that differences of its place between poses are its
+#: derivatives; its depth, being second order, asks for less.
 DEEP_SHARP: Final[float] = 1e-13
 DEEP_ITERATIONS: Final[int] = 60
-#: Slope of the overlap below which it has changed sign there [-]: standard profiles are joined with slopes that differ by up to
-#: 1e-5.
+#: Slope of the overlap below which it has changed sign there [-]: standard profiles are joined with slopes
+#: that differ by up to 1e-5.
 LEVEL_RISE: Final[float] = 1e-4
 
 
@@ -49,9 +56,9 @@ def limited(step: float, limit: float):
 
 
 def touching_pair(tables: Tables, place: Place, y: float, abscissa: float, shift: float):
-    """Wheel and rail abscissa [m] of the pair near ``y`` and ``abscissa`` for the wheel placed at ``place`` and moved down by
-    ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical shift [m] that let it touch; and 1
-    if there is such a pair, else 0."""
+    """Wheel and rail abscissa [m] of the pair near ``y`` and ``abscissa`` for the wheel placed at ``place``
+    and moved down by ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical
+    shift [m] that let it touch; and 1 if there is such a pair, else 0."""
     rail = tables.rail
     wheel = tables.wheel
     start_y = y
@@ -85,14 +92,15 @@ def touching_pair(tables: Tables, place: Place, y: float, abscissa: float, shift
     return y, abscissa, 0.0, 0.0, 0.0, 0
 
 
-def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: float, y: float, height: float,
-                  sign: float):
-    """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail abscissae, and
-    the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope changes its sign
-    there, else 0.
+def turning_point(tables: Tables, frame: Frame, place: Place, low: float, high: float, y: float,
+                  height: float, sign: float):
+    """Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
+    abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
+    value: 1 if the slope changes its sign there, else 0.
 
-    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap Newton's method can
-    then alternate between two places.  Where a step has not halved the slope, the bracket is halved.
+    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
+    Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
+    is halved.
     """
     x = 0.5 * (low + high)
     overlap = 0.0

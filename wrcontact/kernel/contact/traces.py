@@ -1,9 +1,10 @@
 """Wheel and rail as heights over the contact plane, traced from station to station.
 
-Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
-plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
-n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
-residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
+Station s runs along the contact plane to the field side, from the contact point; heights n are measured along
+the plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both
+read as n(s): the profile abscissa that projects on s is found by Newton's method from the previous station,
+and the last residual is removed by the curve's own slope and bend, which leaves an error of third order in a
+small residual.
 """
 
 from math import fabs
@@ -15,7 +16,7 @@ from ..surface.longitudinal_curvature import longitudinal_curvature
 from ..surface.profile_table import height_slope_bend
 
 #: A trace is extrapolated to second order over this distance at most [m].
-NEAR: Final[float] = 1e-3
+EXTRAPOLATED: Final[float] = 1e-3
 TRACE_ITERATIONS: Final[int] = 30
 
 
@@ -34,15 +35,15 @@ def start_traces(frame: Frame, station: float, abscissa: float, y: float):
 def first_abscissa(trace: Trace, away: float):
     """Estimated profile abscissa [m] at a distance ``away`` from the station of the trace [m]."""
     u = trace.abscissa + away * trace.rate
-    if fabs(away) < NEAR:
+    if fabs(away) < EXTRAPOLATED:
         u += 0.5 * away * away * trace.bend
     return u
 
 
-def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction, trace: Trace, station: float,
-                  tolerance: float):
-    """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope there [-], its
-    height [m], and 1 if it exists.
+def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction, trace: Trace,
+                  station: float, tolerance: float):
+    """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope
+    there [-], its height [m], and 1 if it exists.
 
     point : the profile's point at station zero.
     plane : inclination of the contact plane in the profile's coordinates.
@@ -74,14 +75,15 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
     trace.rate = along
     trace.bend = ordinate_bend * plane.sin
     ordinate = (u - point.y) * plane.sin - (height - point.z) * plane.cos
-    return (ordinate - excess * (rate - 0.5 * excess * ordinate_bend), rate - excess * ordinate_bend, ordinate_bend, slope, height,
-            exists)
+    return (ordinate - excess * (rate - 0.5 * excess * ordinate_bend), rate - excess * ordinate_bend,
+            ordinate_bend, slope, height, exists)
 
 
 def trace_rail(tables: Tables, frame: Frame, station: float, tolerance: float):
-    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists."""
-    ordinate, rate, bend, slope, height, exists = trace_profile(frame, tables.rail, frame.rail, frame.plane, frame.traces[RAIL],
-                                                                station, tolerance)
+    """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it
+    exists."""
+    ordinate, rate, bend, slope, height, exists = trace_profile(frame, tables.rail, frame.rail, frame.plane,
+                                                                frame.traces[RAIL], station, tolerance)
     return ordinate, rate, bend, exists
 
 
@@ -93,8 +95,9 @@ def trace_wheel(tables: Tables, frame: Frame, station: float, tolerance: float):
     """
     place = frame.place
     if not place.yawed:
-        ordinate, rate, bend, slope, z, exists = trace_profile(frame, tables.wheel, frame.wheel, frame.wheel_plane,
-                                                               frame.traces[WHEEL], station - frame.lift * frame.plane.sin,
+        lifted = station - frame.lift * frame.plane.sin
+        ordinate, rate, bend, slope, z, exists = trace_profile(frame, tables.wheel, frame.wheel,
+                                                               frame.wheel_plane, frame.traces[WHEEL], lifted,
                                                                tolerance)
         ordinate -= frame.lift * frame.plane.cos
         curvature = longitudinal_curvature(tables, place, z, slope, bend)

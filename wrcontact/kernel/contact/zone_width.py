@@ -37,13 +37,13 @@ def width_tolerance(estimate: float):
     return tolerance
 
 
-def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float, level: float,
-               estimate: float):
-    """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
-    end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
+def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State,
+               direction: float, level: float, estimate: float):
+    """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
+    bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
 
-    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
-    separation, with arcs in place of the chords whose length follows from this width.
+    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
+    chosen separation, with arcs in place of the chords whose length follows from this width.
     """
     limit = width_limit(region, direction)
     start_traces(frame, region.station, region.rail, region.wheel)
@@ -63,7 +63,8 @@ def zone_width(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
     for i in range(WIDTH_ITERATIONS):
         if width > limit:
             width = limit
-        gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width, tolerance)
+        gap, rate, bend, curvature = separation(tables, frame, origin, state,
+                                                region.station + direction * width, tolerance)
         if gap >= NO_GAP:
             # beyond an end the traces are lost
             start_traces(frame, station, abscissa, y)

@@ -1,4 +1,5 @@
-"""Records of the room contact: the plane of a contact, the regions beside it, and the overlap of a pressed wheel."""
+"""Records of the room contact: the plane of a contact, the regions beside it, and the overlap of a pressed
+wheel."""
 
 from typing import Final
 
@@ -41,7 +42,7 @@ class Frame:
     plane: Direction                # the plane's inclination on the track
     wheel_plane: Direction          # and in the wheelset's frame
     place: To(Place)                # of the wheel
-    aside: float                    # lateral shift that lets the wheel just touch [m]; zero for a rigid contact
+    aside: float                    # lateral shift that lets the wheel just touch [m]; 0 if rigid
     shift: float                    # and the vertical shift [m]
     lift: float                     # of the wheel's point below the rail's [m]; zero but for rounding
     raised: float                   # what is added to the gap of a region with a plane of its own [m]
@@ -50,11 +51,12 @@ class Frame:
     pressed: bool                   # whether the wheel is pressed into the rail, rather than just touching it
     height: float                   # vertical shift at which a pressed wheelset stands [m]
     depth: float                    # largest overlap of a pressed wheel, along the normal [m]
-    blur: float                     # half the stretch of a pressed wheel that its second derivative is averaged over [m]
+    blur: float                     # half the length over which r'' of a pressed wheel is averaged [m]
 
 
 FRAME_SIZE: Final[int] = size(Frame)
-#: The numbers of a frame that is set aside while another one is open: one for each region, and the contact point's.
+#: The numbers of a frame that is set aside while another one is open: one for each region, and the contact
+#: point's.
 KeptFrame = run(FRAME_SIZE)
 KeptFrames = KeptFrame * (REGION_LIMIT + 1)
 
@@ -82,7 +84,7 @@ class Region:
     spacing: float                  # of its nodes [m]
     first: int                      # first and last node
     last: int
-    level: float                    # local penetration: total minus own gap minus what other regions push down [m]
+    level: float                    # local penetration: total less own gap less what others push down [m]
     load: float                     # [N]
     stiffness: float                # load per level [N/m]
     bend: float                     # second derivative of the gap at the minimum [1/m]
@@ -94,22 +96,22 @@ class Region:
     width_level: float              # level that the half-widths were measured at [m]
     square: float                   # square of its half-length as estimated [m^2]
     reached: float                  # rise of the gap where the last half-width ends [m]
-    side_low: float                 # lateral curvature on either side, rise over square of the half-width [1/m]
+    side_low: float                 # lateral curvature on either side, rise / half-width^2 [1/m]
     side_high: float
-    upright_a: float                # upright ellipse with the strips of a yawed wheel's tilted one: its A and B over the
-    upright_b: float                # real ones, and its penetration over the real one [-]
-    upright_share: float
-    slant: float                    # of the line along which the gap is smallest, dx/ds [-]; of a yawed wheel only
+    upright_a: float                # upright ellipse with the strips of a yawed wheel's tilted one:
+    upright_b: float                # its A and B over the real ones, and
+    upright_share: float            # its penetration over the real one [-]
+    slant: float                    # dx/ds of the line of smallest gap [-]; of a yawed wheel only
     own: bool                       # 1 if it has a plane of its own, else 0
-    alignment: float                # cosine between its normal and the contact point's: share of the penetration that it gets
+    alignment: float                # cosine between its normal and the contact point's [-]
     offset: float                   # from its own stations to those of the outputs [m]
-    cos: float                      # of the angle along which its force acts: the rail's at its minimum, or the mean over it
+    cos: float                      # of the angle of its force: the rail's at its minimum, or a mean
     sin: float
     share: float                    # of its load that counts for the prescribed force
     moment: float                   # of the load that it carries, over the stations of the outputs [N m]
     carried: float                  # that load [N]
     inclination: float              # slope of the rail at its minimum [-]
-    x_track: float                  # track coordinate x of the minimum [m], where regions have planes of their own
+    x_track: float                  # track coordinate x of the minimum [m]
     strip: int                      # the strip of the solved patches at its minimum
 
 

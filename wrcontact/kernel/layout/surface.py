@@ -1,4 +1,5 @@
-"""Records of surfaces: the table of a profile, the table of its lateral curvature, and where a wheel is placed."""
+"""Records of surfaces: the table of a profile, the table of its lateral curvature, and where a wheel is
+placed."""
 
 from typing import Final
 
@@ -30,7 +31,7 @@ class Profile:
     bins_per_metre: float
     bin_count: float
     pieces: To(Piece)               # the first of them
-    bins: Float * OPEN              # of each bin: how far from here the first piece begins that reaches into it; then the pieces
+    bins: Float * OPEN              # how far from here the first piece begins that reaches into a bin
 
 
 #: Numbers of a profile's table before its bins.
@@ -39,7 +40,8 @@ PROFILE_HEAD: Final[int] = Profile.bins.offset // WIDTH
 
 @record
 class CurvatureTable:
-    """Lateral curvature along a profile at even distances, positive where the profile bulges towards the other body."""
+    """Lateral curvature along a profile at even distances, positive where the profile bulges towards the
+    other body."""
 
     count: float
     start: float                    # abscissa of the first value [m]

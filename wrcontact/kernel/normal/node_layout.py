@@ -5,7 +5,7 @@ from typing import Final
 
 from ..contact.contact_plane import is_yawed
 from ..contact.planes import enter_plane, leave_plane
-from ..contact.regions import FAR
+from ..contact.regions import BEYOND
 from ..layout import (
     LATERAL_ADAPTIVE,
     LOAD_VERTICAL,
@@ -107,12 +107,12 @@ def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int):
         if frame.pressed:
             # its bounds may be the rail's ends, far away
             if low < region.station + region.spacing * region.first:
-                low = -FAR
+                low = -BEYOND
             if high > region.station + region.spacing * region.last:
-                high = FAR
+                high = BEYOND
         ends = nodes[i]
-        if region.level > ends.rise[region.last] and high >= FAR:
+        if region.level > ends.rise[region.last] and high >= BEYOND:
             result = 0
-        if region.level > ends.rise[region.first] and low <= -FAR:
+        if region.level > ends.rise[region.first] and low <= -BEYOND:
             result = 0
     return result

@@ -1,7 +1,8 @@
 """The vertical gap between a placed right wheel and its rail, along the contact locus.
 
-gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the rail.  The
-wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift is that gap.
+gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the
+rail.  The wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift
+is that gap.
 """
 
 from typing import Final
@@ -24,10 +25,11 @@ def above_rail(tables: Tables, abscissa: float):
 
 
 def vertical_gap(tables: Tables, place: Place, y: float):
-    """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
+    """Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y``
+    [m].
 
-    Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
-    difference reads FOLDED.
+    Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of
+    contact: its slope difference reads FOLDED.
     """
     z, slope, bend = height_slope_bend(tables.wheel, y)
     y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)
@@ -41,8 +43,8 @@ def vertical_gap(tables: Tables, place: Place, y: float):
 def gap_per_roll(tables: Tables, place: Place, y: float):
     """Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
 
-    At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel point,
-    z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
+    At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel
+    point, z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
     dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
     """
     z, slope = height_slope(tables.wheel, y)
@@ -59,10 +61,11 @@ def gap_per_roll(tables: Tables, place: Place, y: float):
 
 
 def gap_jet(tables: Tables, place: Place, y: float):
-    """``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed wheel point, and
-    the rail abscissa [m].
+    """``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed
+    wheel point, and the rail abscissa [m].
 
-    The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
+    The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges,
+    not where.
     """
     z, slope, bend = height_slope_bend(tables.wheel, y)
     y_track, z_track, outline_slope, stretch, outline_rate = outline_jet(place, y, z, slope, bend)

@@ -1,10 +1,12 @@
-"""Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along them."""
+"""Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along
+them."""
 
 from ..layout import CurvatureTable, Tables
 
 
 def profile_curvature(table: CurvatureTable, y: float):
-    """Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at that end."""
+    """Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
+    that end."""
     u = (y - table.start) * table.per_metre
     last = table.count - 1.0
     if not u > 0.0:
@@ -19,8 +21,8 @@ def profile_curvature(table: CurvatureTable, y: float):
 
 
 def relative_curvature(tables: Tables, y: float, abscissa: float):
-    """B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m], the source's
-    eq. (6.5)."""
+    """B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
+    the source's eq. (6.5)."""
     wheel = profile_curvature(tables.wheel_curvature, y)
     rail = profile_curvature(tables.rail_curvature, abscissa)
     return 0.5 * (wheel + rail)

@@ -1,12 +1,12 @@
 """The contact locus: where a yawed wheel can touch a rail that is the same all along the track.
 
-The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.  That
-leaves one angle around the wheel for every profile point (Wang 1984; closed form in docs/method.md):
+The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.
+That leaves one angle around the wheel for every profile point (Wang 1984; closed form in docs/method.md):
 
     phi(y) = -atan t - asin w,   t = tan(yaw) sin(roll),   w = tan(yaw) cos(roll) r'(y) / sqrt(1 + t^2)
 
-Seen along the track the locus is the wheel's outline, and wheel against rail becomes a problem in the (y, z) plane.
-Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
+Seen along the track the locus is the wheel's outline, and wheel against rail becomes a problem in the (y, z)
+plane. Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
 """
 
 from math import cos, sin, sqrt
@@ -16,7 +16,8 @@ from .profile_table import height_slope
 
 
 def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, arm: float):
-    """Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles [m]."""
+    """Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles
+    [m]."""
     place.shift = lateral_shift
     place.sin_yaw = 0.0
     place.cos_yaw = 1.0
@@ -52,7 +53,8 @@ def turn_wheelset(place: Place, roll: float):
 
 
 def mirror_place(place: Place, mirrored: Place):
-    """The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll change sign."""
+    """The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll
+    change sign."""
     mirrored.shift = -place.shift
     mirrored.sin_yaw = -place.sin_yaw
     mirrored.cos_yaw = place.cos_yaw
@@ -74,7 +76,8 @@ def mirror_roll(place: Place, mirrored: Place):
 
 
 def around_wheel(place: Place, slope: float):
-    """sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x component.
+    """sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x
+    component.
 
     Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
     """
@@ -90,7 +93,8 @@ def around_wheel(place: Place, slope: float):
 
 
 def outline_point(place: Place, y: float, z: float, slope: float):
-    """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y, z).
+    """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y,
+    z).
 
     The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
     """
@@ -116,7 +120,8 @@ def outline_point(place: Place, y: float, z: float, slope: float):
 
 
 def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
-    """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]."""
+    """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
+    slope [1/m]."""
     sin_roll = place.sin_roll
     cos_roll = place.cos_roll
     arm = place.arm + y
@@ -142,7 +147,8 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
                    + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)))
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
-        normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll)
+        normal_y_rate = (sin_yaw * cos_phi * phi_rate
+                         - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll))
         normal_z_rate = -sin_phi * phi_rate * cos_roll - bend * sin_roll
         outline_slope = -normal_y / normal_z
         slope_rate = -(normal_y_rate * normal_z - normal_y * normal_z_rate) / (normal_z * normal_z)

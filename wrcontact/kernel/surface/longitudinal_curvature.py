@@ -6,18 +6,18 @@ from typing import Final
 from ..layout import LONGITUDINAL_BASIC, Place, Tables
 from .locus import around_wheel
 
-#: Smallest share of the wheel's own 1/r that is left for the longitudinal curvature of a strongly yawed flange root [-].
+#: Smallest share of the wheel's own 1/r that is left for the longitudinal curvature of a strongly yawed
+#: flange root [-].
 CURVATURE_FLOOR: Final[float] = 0.05
 
 
 def longitudinal_curvature(tables: Tables, place: Place, z: float, slope: float, bend: float):
-    """Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m], ``slope`` [-] and
-    second derivative ``bend`` [1/m].
+    """Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m],
+    ``slope`` [-] and second derivative ``bend`` [1/m].
 
-    effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x in the
-    wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw cos(delta) / r, the
-    source's eq. (6.1).
-    basic: 1/r.
+    effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x
+    in the wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw
+    cos(delta) / r, the source's eq. (6.1). basic: 1/r.
     """
     r = place.radius + z
     curvature = 1.0 / r

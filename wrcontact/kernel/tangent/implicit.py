@@ -18,7 +18,7 @@ from ..contact.curves import curve_jet, curve_speed
 from ..contact.moves import move_across, move_arc, move_chord
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed import normal_line
-from ..contact.regions import FAR, PLACE_SHARP, TRACE, find_saddle, open_region
+from ..contact.regions import BEYOND, PLACE_SHARP, PLACE_TRACE, find_saddle, open_region
 from ..contact.separation import separation
 from ..contact.touching import touching_pair
 from ..contact.traces import start_traces
@@ -196,10 +196,10 @@ def differentiate(tables: Tables, work: Work, state: State):
 def minimum_rule(tables: Tables, frame: Frame, region: Region, state: State, station: float):
     """``open_region``: at the minimum the gap's rate is zero."""
     found = open_region(tables, frame, region, state, station)
-    if found < FAR:
+    if found < BEYOND:
         place = held(region.station)
         start_traces(frame, place, held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
-        gap, rate, bend, curvature = normal_gap(tables, frame, state, place, TRACE)
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, place, PLACE_TRACE)
         place = moving(place, -rate / held(bend))
         found = differentiated(open_region(tables, frame, region, state, place))
     return found
@@ -212,7 +212,7 @@ def saddle_rule(tables: Tables, frame: Frame, low: Region, high: Region, state: 
     place = low.station + way * held((station - low.station) / way)
     if frame.station == station:
         start_traces(frame, held(station), held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
-        saddle, rate, bend, curvature = normal_gap(tables, frame, state, held(station), TRACE)
+        saddle, rate, bend, curvature = normal_gap(tables, frame, state, held(station), PLACE_TRACE)
         if bend < 0.0 and fabs(rate) < -10.0 * PLACE_SHARP * bend:
             place = -rate / held(bend)
     station = moving(station, place)

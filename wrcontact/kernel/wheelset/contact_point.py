@@ -1,4 +1,5 @@
-"""The contact of one side, described: where it is on wheel, rail and track, its angle, radius and curvatures."""
+"""The contact of one side, described: where it is on wheel, rail and track, its angle, radius and
+curvatures."""
 
 from math import atan, fabs
 from typing import Final
@@ -9,8 +10,8 @@ from ..layout import LATERAL_ADAPTIVE, Profile, State, Tables, Work
 from ..surface.lateral_curvature import relative_curvature
 from ..surface.locus import around_wheel
 
-#: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is none.  Within
-#: a profile they may differ by CORNER, as at the last digits of printed joints.
+#: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is
+#: none.  Within a profile they may differ by CORNER, as at the last digits of printed joints.
 PARALLEL: Final[float] = 1e-6
 CORNER: Final[float] = 1e-3
 #: A place this close to a profile's end is there [m]; the rail's is located to 1e-9 m.
@@ -19,10 +20,11 @@ AT_END: Final[float] = 1e-8
 
 def describe_contact(tables: Tables, work: Work, state: State, index: int, y: float, aside: float,
                      shift: float):
-    """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
-    ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
+    """Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
+    with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
 
-    1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
+    1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is
+    folded.
     """
     place = work.sides[index].place
     frame = work.frame
