@@ -18,7 +18,7 @@ from scipy.interpolate import CubicSpline, make_smoothing_spline
 import wrcontact
 from tests.reference import halfspace_reference
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import contact_plane
+from wrcontact.kernel.contact import contact_plane, traces
 from wrcontact.kernel.binding.library import default_kernel
 from wrcontact.profiles.placement import readable_wheel
 
@@ -87,9 +87,9 @@ def normal_gaps(tables, work, state, s):
     g, A = np.full(len(s), contact_plane.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
-        contact_plane.start_tracer(work, 0.0, work.frame.abscissa, work.frame.y)
+        traces.start_traces(work.frame, 0.0, work.frame.rail.y, work.frame.wheel.y)
         for j in stations:
-            gap, _, _, curvature = contact_plane.normal_gap(tables, work, state, float(s[j]), 1e-10)
+            gap, _, _, curvature = contact_plane.normal_gap(tables, work.frame, state, float(s[j]), 1e-10)
             if gap >= contact_plane.NO_GAP:
                 break
             g[j], A[j] = gap, curvature / 2

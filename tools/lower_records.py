@@ -4,7 +4,7 @@
     region.first                  int(work[region + REGION_FIRST])             where the field is an int
     work.regions[i].low           work[WORK_REGIONS + REGION_SIZE * i + REGION_LOW]
     region = work.regions[i]      region = WORK_REGIONS + REGION_SIZE * i
-    frame.cos                     work[WORK_FRAME + FRAME_COS]                 there is one Frame: nothing to hand on
+    frame.raised                  work[WORK_FRAME + FRAME_RAISED]              there is one Frame: nothing to hand on
     def f(frame: Frame, region: Region, x: float)     def f(work: 'float[:]', region: int, x: float)
     def f(...) -> Region                              def f(...) -> int
     f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)

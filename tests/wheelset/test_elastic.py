@@ -18,7 +18,6 @@ import wrcontact
 from tests.binding.test_native_library import bits, needs_library, run_steps
 from tests.helpers.constant_curvatures import MODULUS, hertz
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import overlaps
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail
@@ -308,18 +307,17 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
     stepper, track = compliant().stepper(), brute_force.track()
     stepper.inputs[:] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
     assert stepper.step() == 0
-    work = stepper._workspace
-    count = int(work[overlaps.DEEP_COUNT])
-    regions = work[overlaps.DEEP_FIRST:][:overlaps.DEEP_SIZE * count].reshape(-1, overlaps.DEEP_SIZE)
+    overlap = layout.Work.at(stepper._workspace).overlap
+    points = overlap.points[:overlap.count]
     pose = brute_force.Pose(shift, yaw, stand.roll, stand.vertical_shift)
-    for region in regions:    # of the right wheel, which came last
-        depth, _, abscissa = deepest(track, pose, region[overlaps.DEEP_RAIL])
-        assert region[overlaps.DEEP_DEPTH] == pytest.approx(depth, abs=1e-11)      # [m]; measured 5e-13
-        assert region[overlaps.DEEP_RAIL] == pytest.approx(abscissa, abs=1e-7)
+    for point in points:      # of the right wheel, which came last
+        depth, _, abscissa = deepest(track, pose, point.rail)
+        assert point.depth == pytest.approx(depth, abs=1e-11)      # [m]; measured 5e-13
+        assert point.rail == pytest.approx(abscissa, abs=1e-7)
     state = compliant().evaluate(shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
-    assert state.right.penetration == max(regions[:, overlaps.DEEP_DEPTH])
+    assert state.right.penetration == max(point.depth for point in points)
     assert deepest(track, pose.mirrored(), state.left.contact.y_rail)[0] == pytest.approx(state.left.penetration, abs=1e-11)
-    assert len(regions) == (2 if shift in (4.95e-3, 5.2e-3, 6.15e-3) else 1)
+    assert len(points) == (2 if shift in (4.95e-3, 5.2e-3, 6.15e-3) else 1)
 
 
 # --------------------------------------------------------------------------------------------------- Hertz, pressed down
