@@ -1,16 +1,17 @@
 """ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
 
-Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded
+where
 
     d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E*/pi) d / (n r a)
 
 (the source's eq. 2.25 prints E*/(2 pi), which integrates to a quarter of the force), so the line load
 (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
 
-Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
-of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
-have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
-the angle between the two.
+Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what
+the loads of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq;
+docs/method.md).  Where regions have planes of their own (:mod:`planes`), the penetration counts by its share
+along each normal, and a push by the cosine of the angle between the two.
 """
 
 from math import fabs
@@ -87,7 +88,8 @@ def region_load(region: Region, nodes: Nodes, local_penetration: float):
 
 
 def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
-    """Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the prescribed force [N]."""
+    """Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the
+    prescribed force [N]."""
     total = 0.0
     for i in range(count):
         region = regions[i]
@@ -98,10 +100,11 @@ def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
     return total
 
 
-def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int, force: float,
-                 penetration: float, prescribed: int):
-    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton's method on all
-    local penetrations together; these and the loads stay in the regions.  Second value: 1 when the force is satisfied, else 0.
+def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int,
+                 force: float, penetration: float, prescribed: int):
+    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
+    Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
+    value: 1 when the force is satisfied, else 0.
     """
     for i in range(count):
         region = regions[i]
@@ -116,7 +119,8 @@ def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state:
         total = load_regions(regions, nodes, count)
         residual, slope, rest = level_residuals(tables, regions, count, penetration)
         if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
-            # the change of the load that the slopes of both ends predict for the last move, against the real one
+            # the change of the load that the slopes of both ends predict for the last move, against the real
+            # one
             share = (total - total_before) / (0.5 * (slope_before + slope) * move)
             if fabs(share - 1.0) < SLOPE_ERROR:
                 slope *= share
@@ -141,8 +145,10 @@ def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state:
     return penetration, 0
 
 
-def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float, high: float):
-    """Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry now [N].
+def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float,
+                     high: float):
+    """Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry
+    now [N].
 
     slope : rate of the total load [N/m], once the local penetrations have closed their residuals.
     rest : load that closing them adds [N].
@@ -161,11 +167,11 @@ def penetration_move(force: float, total: float, slope: float, rest: float, pene
 
 
 def level_residuals(tables: Tables, regions: Regions, count: int, penetration: float):
-    """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
-    level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+    """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that
+    closes level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
 
-    Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
-    Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
+    Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves
+    add [N]. Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
     """
     largest = 0.0
     for i in range(count):

@@ -1,4 +1,5 @@
-"""First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the result."""
+"""First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the
+result."""
 
 from typing import Final
 
@@ -10,7 +11,8 @@ from .widths import measure_widths
 
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
-#: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no curvature.
+#: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no
+#: curvature.
 CEILING: Final[float] = 1e3
 #: A region begins with no less than this share of the penetration.
 LEAST_SHARE: Final[float] = 0.1
@@ -23,7 +25,8 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
 
 
 def estimate_penetration(tables: Tables, work: Work, state: State, force: float):
-    """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed penetration.
+    """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
+    penetration.
 
     Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
     """
@@ -50,8 +53,8 @@ def first_penetration(tables: Tables, work: Work, state: State, force: float):
 
 
 def start_penetrations(regions: Regions, count: int, penetration: float):
-    """Local penetrations before any interaction is known; a region that is hardly reached still gets nodes for LEAST_SHARE of
-    the penetration."""
+    """Local penetrations before any interaction is known; a region that is hardly reached still gets nodes
+    for LEAST_SHARE of the penetration."""
     for i in range(count):
         region = regions[i]
         local = region.turn * penetration - region.gap

@@ -1,6 +1,7 @@
 """Hertz's coefficients and closed-form contact, through a table of exact values.
 
-With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1 - q^2),
+With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
+- q^2),
 
     A > B (long across):  m = L q, n = L, r = 2 K / (pi L);   A < B: m = L, n = L q, r the same;   L^3 = 2 E / (pi q^2)
 
@@ -30,7 +31,8 @@ RATIO_SHARP: Final[float] = 1e-10
 
 
 def table_value(tables: 'float[:]', base: int, column: int, abscissa: float):
-    """Value of table column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range."""
+    """Value of table column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's
+    range."""
     u = (abscissa - tables[base + TABLE_START]) * tables[base + TABLE_CELLS_PER_UNIT]
     last = tables[base + TABLE_COUNT]
     if not u > 0.0:
@@ -56,12 +58,13 @@ def hertz_coefficients(tables: 'float[:]', base: int, A: float, B: float):
 def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant: float):
     """1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
 
-    Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
-    again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
-    half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+    Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an
+    upright one again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the
+    penetration, and at s = 0 a half-length a with (1 + alpha) A a^2 the penetration and n r for its
+    pressure.  Exact for constant curvatures.
 
-    Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is a patch's edge:
-    A slant^2 counts as STEEPEST B at most.
+    Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
+    a patch's edge: A slant^2 counts as STEEPEST B at most.
     """
     if A * slant * slant > STEEPEST * B:
         slant = sqrt(STEEPEST * B / A)
@@ -86,8 +89,8 @@ def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant
 def upright_coefficients(tables: 'float[:]', base: int, length: float, width: float, nr: float):
     """A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
 
-    Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows from that of
-    the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
+    Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows
+    from that of the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
     """
     target = log(width / length)
     before = 0.0
@@ -114,8 +117,8 @@ def upright_coefficients(tables: 'float[:]', base: int, length: float, width: fl
 def hertz_stiffness(tables: 'float[:]', base: int, A: float, B: float, contact_modulus: float):
     """N / penetration^(3/2) [N/m^1.5].
 
-    N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's closed
-    form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
+    N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
+    closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
     """
     one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B))

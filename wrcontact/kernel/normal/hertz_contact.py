@@ -10,15 +10,17 @@ from .node_coefficients import FLOOR
 
 
 def hertz_contact(tables: Tables, work: Work, point: SideOutputs, force: float, prescribed: float):
-    """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and 1: the force is satisfied."""
+    """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and 1: the force is
+    satisfied."""
     line_up(tables, work, 1)
     penetration = solve_hertz(tables, point, work.regions[0], work.solved, force, prescribed)
     return penetration, 1, 1
 
 
-def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float, prescribed: float):
-    """Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration [m] if that is a
-    number; the penetration [m].
+def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float,
+                prescribed: float):
+    """Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration
+    [m] if that is a number; the penetration [m].
 
     point : the outputs of the side, which describe its contact point.
     region : the region at this point.

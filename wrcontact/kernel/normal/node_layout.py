@@ -1,4 +1,5 @@
-"""Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that strips are loaded."""
+"""Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
+strips are loaded."""
 
 from math import log, sqrt
 from typing import Final
@@ -25,23 +26,26 @@ from .node_coefficients import FLOOR, weigh_nodes
 from .nodes import lay_nodes, node_stride, window_nodes
 from .widths import measure_widths
 
-#: Half-widths are measured at this share of the local penetration: at all of it a flat end of the profile would count as all of
-#: its width.
+#: Half-widths are measured at this share of the local penetration: at all of it a flat end of the profile
+#: would count as all of its width.
 MEASURED: Final[float] = 0.9
-#: Nodes are laid until the gap has risen to this share of the local penetration, or before it where (1 + beta) g has risen to
+#: Nodes are laid until the gap has risen to this share of the local penetration, or before it where (1 +
+#: beta) g has risen to
 COVER: Final[float] = 1.1
 #: this share; the estimate of the local penetration is within 12 % for nine of ten poses.
 SPREAD: Final[float] = 1.25
 #: The same where strips follow, which lie beyond ANALYN's patch too (strip_placement.BEYOND).
 STRIP_SPREAD: Final[float] = 3.0
-#: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end nearly closes.
+#: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end
+#: nearly closes.
 NARROWEST: Final[float] = 0.01
 WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
 
 
 def zone_share(tables: Tables, A: float, side: float):
-    """Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
-    are loaded while (1 + beta) g is below the local penetration.  With prepared curvatures 1 + beta may fall to 1."""
+    """Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
+    ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
+    curvatures 1 + beta may fall to 1."""
     if side < FLOOR * A:
         side = FLOOR * A
     spread = SPREAD
@@ -54,7 +58,8 @@ def zone_share(tables: Tables, A: float, side: float):
 
 
 def node_spacing(tables: Tables, region: Region, enlarge: float):
-    """Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room for so many."""
+    """Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
+    for so many."""
     mean = 0.5 * (region.width_low + region.width_high)
     widest = region.width_low
     if region.width_high > widest:
@@ -81,7 +86,8 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
 
 
 def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, enlarge: float):
-    """Nodes and coefficients of a region whose frame is open, up to its local penetration times ``enlarge``."""
+    """Nodes and coefficients of a region whose frame is open, up to its local penetration times
+    ``enlarge``."""
     yawed = is_yawed(work)
     reach = region.level * enlarge
     A = 0.5 * region.curvature

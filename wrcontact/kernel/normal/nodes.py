@@ -1,7 +1,7 @@
 """Nodes across a region: gap, longitudinal curvature, and a prepared lateral curvature.
 
-Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the interpenetration.
-So a result depends on the pose alone and is smooth in it.
+Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
+interpenetration. So a result depends on the pose alone and is smooth in it.
 """
 
 from typing import Final
@@ -52,8 +52,9 @@ def window_nodes(tables: Tables):
 def node_stride(tables: Tables):
     """Every so many of the nodes are traced on the profiles.
 
-    All of them are traced where curvatures are read there, where chords lead to them, and for vertical distances: on a steep
-    side these rise too fast for a cubic over several nodes, which falls below zero before.
+    All of them are traced where curvatures are read there, where chords lead to them, and for vertical
+    distances: on a steep side these rise too fast for a cubic over several nodes, which falls below zero
+    before.
     """
     stride = int(tables.stride)
     kind = int(tables.separation)
@@ -70,15 +71,19 @@ def trace_tolerance(spacing: float):
     return tolerance
 
 
-def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, low_reach: float, high_reach: float):
-    """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m] on that side or the
-    bound is passed, and so many nodes further as the window of the lateral curvature needs.
+def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, low_reach: float,
+              high_reach: float):
+    """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
+    on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
+    needs.
 
-    Where the lateral curvature is a prepared one, it is kept in nodes.B for :func:`node_coefficients.weigh_nodes`.
+    Where the lateral curvature is a prepared one, it is kept in nodes.B for
+    :func:`node_coefficients.weigh_nodes`.
     """
     start_tracer(work, region.station, region.rail, region.wheel)
     open_origin(tables, work, region.station, region.gap, region.rail, region.wheel, region.spacing)
-    gap, rate, bend, curvature = separation(tables, work, state, region.station, trace_tolerance(region.spacing))
+    tolerance = trace_tolerance(region.spacing)
+    gap, rate, bend, curvature = separation(tables, work, state, region.station, tolerance)
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
     if int(tables.lateral) != LATERAL_ADAPTIVE:
@@ -91,7 +96,8 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
 
 
 def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, at: int):
-    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-]."""
+    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
+    [-]."""
     station = region.station + region.spacing * float(at)
     gap, rate, bend, curvature = separation(tables, work, state, station, trace_tolerance(region.spacing))
     if gap < NO_GAP:
@@ -102,12 +108,13 @@ def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: 
     return gap, rate
 
 
-def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, direction: int, reach: float,
-                   rate: float):
-    """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has risen above ``reach``
-    [m] or the bound is passed.
+def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, direction: int,
+                   reach: float, rate: float):
+    """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
+    risen above ``reach`` [m] or the bound is passed.
 
-    Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and slope there.
+    Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
+    slope there.
     """
     start_tracer(work, region.station, region.rail, region.wheel)
     stride = node_stride(tables)
@@ -130,7 +137,8 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
                 ended = 1
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
             else:
-                fill_between(nodes, direction * traced, direction * (traced + step), step, region.spacing, rate, next_rate)
+                start = direction * traced
+                fill_between(nodes, start, start + direction * step, step, region.spacing, rate, next_rate)
                 rate = next_rate
                 traced += step
         k += 1
@@ -162,12 +170,13 @@ def fill_straight(values: NodeRun, start: int, stop: int, count: int):
     return 0
 
 
-def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float, stop_rate: float):
-    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and ``stop``, with their
-    slopes.
+def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float,
+                 stop_rate: float):
+    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+    ``stop``, with their slopes.
 
-    Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of a region is
-    smaller than that at its minimum.
+    Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
+    a region is smaller than that at its minimum.
     """
     low = nodes.gap[start]
     rise = nodes.gap[stop] - low
@@ -189,8 +198,8 @@ def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float
 
 
 def end_region(region: Region, direction: int, station: float):
-    """Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel folds back.  A bound
-    that is known to lie before the next node stays."""
+    """Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel
+    folds back.  A bound that is known to lie before the next node stays."""
     if direction > 0:
         if station + region.spacing < region.high:
             region.high = station
@@ -203,7 +212,8 @@ def extrapolate_node(nodes: Nodes, at: int, direction: int):
     """Continue gap and A past an end, so that windows over it see the curvature before it."""
     one = at - direction
     if at * direction > 2:
-        nodes.gap[at] = 3.0 * nodes.gap[one] - 3.0 * nodes.gap[one - direction] + nodes.gap[one - 2 * direction]
+        two = one - direction
+        nodes.gap[at] = 3.0 * nodes.gap[one] - 3.0 * nodes.gap[two] + nodes.gap[two - direction]
     else:
         # next to the minimum: take the other side's, or nothing if that is not known yet
         nodes.gap[at] = nodes.gap[one]

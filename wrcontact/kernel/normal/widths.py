@@ -15,8 +15,8 @@ MOST_BEND: Final[float] = 100.0
 
 
 def measure_widths(tables: Tables, work: Work, state: State, region: Region, local_penetration: float):
-    """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on both sides that follow
-    from them, and the station its load is thought to act at."""
+    """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
+    both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
     bend = region.bend
     if bend < LEAST_BEND * region.curvature:
@@ -53,8 +53,8 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
 
 
 def side_curvature(reached: float, own: float, mean: float):
-    """g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m], enlarged where that side is
-    the narrower, up to NARROWER times."""
+    """g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m],
+    enlarged where that side is the narrower, up to NARROWER times."""
     curvature = 0.0
     if own > 0.0:
         ratio = mean / own
