@@ -40,7 +40,7 @@ def estimate_penetration(tables: Tables, work: Work, state: State, force: float)
         B = CEILING * A
     elif guess > B * width * width:
         B = guess / (width * width)
-    stiffness = hertz_stiffness(tables.raw, int(tables.hertz), A, B, tables.contact_modulus)
+    stiffness = hertz_stiffness(tables.hertz, A, B, tables.contact_modulus)
     return (force / stiffness) ** (2.0 / 3.0)
 
 

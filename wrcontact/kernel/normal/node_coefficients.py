@@ -82,7 +82,7 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     """ANALYN's coefficients at the nodes of a region: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its
     own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
     0."""
-    base = int(tables.hertz)
+    table = tables.hertz
     prepared = 0
     if int(tables.lateral) != LATERAL_ADAPTIVE:
         prepared = 1
@@ -109,9 +109,9 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
             side = B
         else:
             secant, side, B = adaptive_curvatures(region, nodes.gap, k, window, middle, mean, least)
-        alpha = table_value(tables.raw, base, 0, log(secant / A))
-        beta = table_value(tables.raw, base, 0, log(A / side))
-        nr = table_value(tables.raw, base, 6, log(B / A))
+        alpha = table_value(table, 0, log(secant / A))
+        beta = table_value(table, 0, log(A / side))
+        nr = table_value(table, 6, log(B / A))
         if yawed == 1:
             alpha *= alpha_factor
             beta *= beta_factor
@@ -127,16 +127,16 @@ def skew_factors(tables: Tables, region: Region, A: float):
     """Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
     ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright
     ellipse that cuts into the same ones."""
-    base = int(tables.hertz)
+    table = tables.hertz
     B = 0.5 * (region.side_low + region.side_high)
     if B < FLOOR * A:
         B = FLOOR * A
-    alpha, beta, nr = hertz_coefficients(tables.raw, base, A, B)
-    skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(tables.raw, base, A, B, region.slant)
+    alpha, beta, nr = hertz_coefficients(table, A, B)
+    skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(table, A, B, region.slant)
     if int(tables.normal_model) == MODEL_ANALYN_STRIP:
         length = skewed_alpha * A
         width = skewed_beta * B
-        upright_A, upright_B, share = upright_coefficients(tables.raw, base, length, width, skewed_nr)
+        upright_A, upright_B, share = upright_coefficients(table, length, width, skewed_nr)
         region.upright_a = upright_A / A
         region.upright_b = upright_B / B
         region.upright_share = share

@@ -51,7 +51,7 @@ def zone_share(tables: Tables, A: float, side: float):
     spread = SPREAD
     if int(tables.normal_model) == MODEL_ANALYN_STRIP:
         spread = STRIP_SPREAD
-    share = spread / table_value(tables.raw, int(tables.hertz), 0, log(A / side))
+    share = spread / table_value(tables.hertz, 0, log(A / side))
     if share > COVER or int(tables.lateral) != LATERAL_ADAPTIVE:
         share = COVER
     return share

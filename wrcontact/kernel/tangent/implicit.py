@@ -48,6 +48,7 @@ from ..layout import (
     MODE_COMPLIANT,
     MODE_ELASTIC,
     MODE_RIGID,
+    HertzTable,
     Place,
     Region,
     SideSearch,
@@ -364,16 +365,16 @@ def pair_rule(tables: Tables, work: Work, at: Place, y: float, abscissa: float, 
     return y, abscissa, depth, aside, back_shift, found
 
 
-def upright_rule(tables: 'float[:]', base: int, length: float, width: float, nr: float):
+def upright_rule(table: HertzTable, length: float, width: float, nr: float):
     """``upright_coefficients``: ratio + log((1 + beta)/(1 + alpha)) = log(width / length), over ratio = log(B/A)."""
-    A, B, share = upright_coefficients(tables, base, length, width, nr)
+    A, B, share = upright_coefficients(table, length, width, nr)
     ratio = seeded(log(held(B) / held(A)), 1.0)
-    change = log(table_value(tables, base, 0, -ratio) / table_value(tables, base, 0, ratio))
+    change = log(table_value(table, 0, -ratio) / table_value(table, 0, ratio))
     slope = 1.0 + rate_of(change)
     ratio = moving(ratio, log(width / length) / slope)
-    alpha = table_value(tables, base, 0, ratio)
-    beta = table_value(tables, base, 0, -ratio)
-    share = moving(share, table_value(tables, base, 6, ratio) / nr)
+    alpha = table_value(table, 0, ratio)
+    beta = table_value(table, 0, -ratio)
+    share = moving(share, table_value(table, 6, ratio) / nr)
     A = moving(A, share * length / alpha)
     B = moving(B, share * width / beta)
     return A, B, share
