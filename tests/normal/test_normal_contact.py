@@ -48,7 +48,7 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved patches, outputs of the
     side."""
     tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, satisfied = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * penetration, 0)
+    found, satisfied = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force, 0.7 * penetration, 0)
     assert satisfied == 1
     fill_from_nodes(work.regions, work.nodes, work.solved, 1)
     side = work.outputs.left[0]

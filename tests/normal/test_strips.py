@@ -140,7 +140,7 @@ def test_elimination(size):
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
     """The strip correction on the gap B s^2 and constant A: relative errors in penetration, area and pressure (3,)."""
     tables, work, state, hertzian = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
-    predicted, met = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * hertzian, 0)
+    predicted, met = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force, 0.7 * hertzian, 0)
     assert met == 1
     problem = work.strip_problem
     place_strips(problem, work.regions, work.nodes, 1, tables.strips, predicted)

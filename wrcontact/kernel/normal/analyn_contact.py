@@ -15,7 +15,7 @@ from ..contact.overlaps import gather_overlaps, keep_deepest
 from ..contact.planes import give_planes, line_up
 from ..contact.regions import bound_regions, find_regions, open_contact_region
 from ..layout import REGION_LIMIT, SideSearch, State, Tables, Work
-from .analyn import solve_levels
+from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
 from .node_layout import covered, prepare_regions
 from .node_patches import fill_from_nodes
@@ -87,7 +87,7 @@ def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, p
     """Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
     their number."""
     for i in range(REGION_LIMIT):
-        work.regions[i].width_level = 0.0
+        work.regions[i].width_penetration = 0.0
         work.regions[i].slant = 0.0
     count = 1
     if work.frame.pressed:
@@ -110,8 +110,8 @@ def solve_fine(tables: Tables, work: Work, state: State, count: int, force: floa
     satisfied = 0
     for repeat in range(COVER_REPEATS):
         prepare_regions(tables, work, state, count, enlarge)
-        penetration, satisfied = solve_levels(tables, work.regions, work.nodes, state, count, force, start,
-                                              by_penetration)
+        penetration, satisfied = solve_penetrations(tables, work.regions, work.nodes, state, count, force,
+                                                    start, by_penetration)
         if satisfied == 0:
             return start, satisfied
         if covered(work.frame, work.regions, work.nodes, count) == 1:

@@ -48,7 +48,7 @@ def first_penetration(tables: Tables, work: Work, state: State, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
     open_contact_region(tables, work, state)
     region = work.regions[0]
-    region.width_level = 0.0
+    region.width_penetration = 0.0
     return estimate_penetration(tables, work, state, force / region.share)
 
 
@@ -60,5 +60,5 @@ def start_penetrations(regions: Regions, count: int, penetration: float):
         local = region.turn * penetration - region.gap
         if local < LEAST_SHARE * penetration:
             local = LEAST_SHARE * penetration
-        region.level = local
+        region.local_penetration = local
     return 0

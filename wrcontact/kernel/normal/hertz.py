@@ -40,8 +40,8 @@ def table_value(table: HertzTable, column: int, abscissa: float):
         cell = int(last) - 1
     u -= float(cell)
     at = HERTZ_ROW * cell + column
-    return table.rows[at] + u * (table.rows[at + 1] + u * (table.rows[at + 2] + u * (table.rows[at + 3] + u * (
-        table.rows[at + 4] + u * table.rows[at + 5]))))
+    high = table.rows[at + 3] + u * (table.rows[at + 4] + u * table.rows[at + 5])
+    return table.rows[at] + u * (table.rows[at + 1] + u * (table.rows[at + 2] + u * high))
 
 
 def hertz_coefficients(table: HertzTable, A: float, B: float):

@@ -41,7 +41,7 @@ def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: Solv
     region.carried = load
     region.moment = 0.0
     region.slant = 0.0
-    region.level = penetration
+    region.local_penetration = penetration
     one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))

@@ -64,7 +64,7 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     widest = region.width_low
     if region.width_high > widest:
         widest = region.width_high
-    least = NARROWEST * sqrt(region.level / region.curvature)
+    least = NARROWEST * sqrt(region.local_penetration / region.curvature)
     if mean < least:
         mean = least
     spacing = mean / tables.nodes
@@ -78,7 +78,7 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
     for i in range(count):
         region = work.regions[i]
         enter_plane(work, i)
-        measure_widths(tables, work, state, region, MEASURED * region.level)
+        measure_widths(tables, work, state, region, MEASURED * region.local_penetration)
         region.spacing = node_spacing(tables, region, enlarge)
         prepare_nodes(tables, work, state, region, work.nodes[i], enlarge)
         leave_plane(work, i)
@@ -89,7 +89,7 @@ def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, node
     """Nodes and coefficients of a region whose frame is open, up to its local penetration times
     ``enlarge``."""
     yawed = is_yawed(work)
-    reach = region.level * enlarge
+    reach = region.local_penetration * enlarge
     A = 0.5 * region.curvature
     low_reach = reach * zone_share(tables, A, region.side_low)
     high_reach = reach * zone_share(tables, A, region.side_high)
@@ -98,8 +98,8 @@ def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, node
     lay_nodes(tables, work, state, region, nodes, low_reach, high_reach)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
     if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:
-        mean_normal(tables, work.frame, region, nodes, region.level)
-    region.square = region.level / nodes.length[0]
+        mean_normal(tables, work.frame, region, nodes, region.local_penetration)
+    region.square = region.local_penetration / nodes.length[0]
     return 0
 
 
@@ -117,8 +117,8 @@ def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int):
             if high > region.station + region.spacing * region.last:
                 high = FAR
         ends = nodes[i]
-        if region.level > ends.rise[region.last] and high >= FAR:
+        if region.local_penetration > ends.rise[region.last] and high >= FAR:
             result = 0
-        if region.level > ends.rise[region.first] and low <= -FAR:
+        if region.local_penetration > ends.rise[region.first] and low <= -FAR:
             result = 0
     return result

@@ -35,7 +35,7 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
         region = regions[index]
         region.carried = 0.0
         region.moment = 0.0
-        if region.level > 0.0:
+        if region.local_penetration > 0.0:
             region.strip = strips - region.first
             fill_strips(region, nodes[index], solved.strips)
             strips += region.last - region.first + 1
@@ -53,7 +53,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
 
     The pressure on x = 0 is p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
     """
-    level = region.level
+    deepest = region.local_penetration
     middle = region.strip
     spacing = region.spacing
     origin = region.offset + region.station
@@ -61,7 +61,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
     slant = region.slant
     for k in range(region.first, region.last + 1):
         strip = strips[middle + k]
-        d = level - nodes.rise[k]
+        d = deepest - nodes.rise[k]
         load = nodes.line[k] * d
         strip.line_load = load
         strip.half_length_square = d / nodes.length[k]
@@ -79,7 +79,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
 def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contact_angle: float):
     """Add the cell between nodes ``k`` and ``k`` + 1 to the last patch, or to a new one that begins in it."""
     spacing = region.spacing
-    level = region.level
+    deepest = region.local_penetration
     outward = 1
     low = k
     if k < 0:
@@ -87,7 +87,8 @@ def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contac
         low = k + 1
     before = low - outward
     high = low + outward
-    start, stop = cell_part(level - nodes.rise[before], level - nodes.rise[low], level - nodes.rise[high])
+    start, stop = cell_part(deepest - nodes.rise[before], deepest - nodes.rise[low],
+                            deepest - nodes.rise[high])
     if k == region.first or k == region.last - 1:
         stop = clip_to_bound(region, low, outward, stop)
     strip = region.strip

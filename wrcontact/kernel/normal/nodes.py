@@ -58,7 +58,9 @@ def node_stride(tables: Tables):
     """
     stride = int(tables.stride)
     kind = int(tables.separation)
-    if int(tables.lateral) != LATERAL_ADAPTIVE or kind == SEPARATION_EQUIDISTANT_CHORD or kind == SEPARATION_VERTICAL:
+    if kind == SEPARATION_EQUIDISTANT_CHORD or kind == SEPARATION_VERTICAL:
+        stride = 1
+    if int(tables.lateral) != LATERAL_ADAPTIVE:
         stride = 1
     return stride
 

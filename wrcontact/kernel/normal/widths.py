@@ -25,8 +25,8 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
         bend = MOST_BEND * region.curvature
     low = sqrt(2.0 * local_penetration / bend)
     high = low
-    if region.width_level > 0.0:
-        grown = sqrt(local_penetration / region.width_level)
+    if region.width_penetration > 0.0:
+        grown = sqrt(local_penetration / region.width_penetration)
         low = region.width_low * grown
         high = region.width_high * grown
     high = zone_width(tables, work, state, region, 1.0, local_penetration, high)
@@ -36,7 +36,7 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
     yawed = is_yawed(work)
     if yawed == 1:
         slant = ridge_place(tables, work, work.frame.tracer_wheel)
-    if not region.width_level > 0.0:
+    if not region.width_penetration > 0.0:
         low = high
     low = zone_width(tables, work, state, region, -1.0, local_penetration, low)
     if yawed == 1:
@@ -47,7 +47,7 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
     region.side_low = side_curvature(region.reached, low, 0.5 * (low + high))
     region.width_high = high
     region.width_low = low
-    region.width_level = local_penetration
+    region.width_penetration = local_penetration
     region.middle = region.station + 0.5 * (high - low)
     return 0
 

@@ -57,7 +57,7 @@ def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, conta
     patch.station = region.offset + region.station
     patch.x = region.along
     patch.slant = region.slant
-    patch.local_penetration = region.level
+    patch.local_penetration = region.local_penetration
     patch.rule = rule
     patch.first = first
     patch.last = first - 1

@@ -30,7 +30,7 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
     pressure = 0.0
     u = (own - region.station) / region.spacing
     inside = u > region.first and u < region.last
-    if region.level > 0.0 and inside:
+    if region.local_penetration > 0.0 and inside:
         outward = 1
         if u < 0.0:
             outward = -1

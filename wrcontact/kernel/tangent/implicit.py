@@ -56,7 +56,7 @@ from ..layout import (
     Tables,
     Work,
 )
-from ..normal.analyn import load_regions, region_load, solve_levels
+from ..normal.analyn import load_regions, region_load, solve_penetrations
 from ..normal.interaction import region_influence
 from ..normal.hertz import table_value, upright_coefficients
 from ..normal.elimination import eliminate
@@ -282,8 +282,8 @@ def width_jet(tables: Tables, work: Work, state: State, block: Region, direction
     return gap, rate
 
 
-def levels_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float, prescribed: int):
-    """``solve_levels`` as it is lowered: of each region local penetration = turn penetration - gap - sum of pushes, and of all the
+def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float, prescribed: int):
+    """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap - sum of pushes, and of all the
     load is the force.
 
     Linear equations for the rates of the penetrations, from how loads follow the local ones and move at fixed ones.
@@ -291,14 +291,14 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
     regions = work.regions
     nodes = work.nodes
     given = penetration
-    penetration, met = solve_levels(tables, regions, nodes, state, count, force, penetration, prescribed)
+    penetration, met = solve_penetrations(tables, regions, nodes, state, count, force, penetration, prescribed)
     if met == 0:
         return penetration, met
     size = count + 1
     equations = work.equations
     for i in range(count):
         region = regions[i]
-        region.level = held(region.level)
+        region.local_penetration = held(region.local_penetration)
     total = load_regions(regions, nodes, count)
     last = equations[count]
     for i in range(count):
@@ -317,7 +317,7 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
         row[size + 1] = 0.0
     for j in range(count):
         block = regions[j]
-        load, stiffness = region_load(block, nodes[j], seeded(block.level, 1.0))
+        load, stiffness = region_load(block, nodes[j], seeded(block.local_penetration, 1.0))
         per_level = rate_of(load) - rate_of(block.load)
         for i in range(count):
             equations[i][j] = held(equations[i][j]) * per_level
@@ -334,7 +334,7 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
     eliminate(equations, size)
     for i in range(count):
         region = regions[i]
-        region.level = seeded(region.level, equations[i][size])
+        region.local_penetration = seeded(region.local_penetration, equations[i][size])
     load_regions(regions, nodes, count)
     penetration = seeded(penetration, last[size])
     return penetration, met
