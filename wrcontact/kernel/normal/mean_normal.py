@@ -46,6 +46,6 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
     if total > 0.0:
         region.cos = cosines / total
         region.sin = sines / total
-        if int(tables.load) == LOAD_VERTICAL:
+        if tables.load == LOAD_VERTICAL:
             region.share = region.cos
     return 0

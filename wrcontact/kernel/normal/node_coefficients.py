@@ -84,7 +84,7 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
     0."""
     table = tables.hertz
     prepared = 0
-    if int(tables.lateral) != LATERAL_ADAPTIVE:
+    if tables.lateral != LATERAL_ADAPTIVE:
         prepared = 1
     alpha_factor = 1.0
     beta_factor = 1.0
@@ -133,7 +133,7 @@ def skew_factors(tables: Tables, region: Region, A: float):
         B = FLOOR * A
     alpha, beta, nr = hertz_coefficients(table, A, B)
     skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(table, A, B, region.slant)
-    if int(tables.normal_model) == MODEL_ANALYN_STRIP:
+    if tables.normal_model == MODEL_ANALYN_STRIP:
         length = skewed_alpha * A
         width = skewed_beta * B
         upright_A, upright_B, share = upright_coefficients(table, length, width, skewed_nr)

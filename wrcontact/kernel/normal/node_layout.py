@@ -49,10 +49,10 @@ def zone_share(tables: Tables, A: float, side: float):
     if side < FLOOR * A:
         side = FLOOR * A
     spread = SPREAD
-    if int(tables.normal_model) == MODEL_ANALYN_STRIP:
+    if tables.normal_model == MODEL_ANALYN_STRIP:
         spread = STRIP_SPREAD
     share = spread / table_value(tables.hertz, 0, log(A / side))
-    if share > COVER or int(tables.lateral) != LATERAL_ADAPTIVE:
+    if share > COVER or tables.lateral != LATERAL_ADAPTIVE:
         share = COVER
     return share
 
@@ -97,7 +97,7 @@ def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, node
         work.frame.blur = region.spacing * float(node_stride(tables)) * work.frame.wheel_cos
     lay_nodes(tables, work, state, region, nodes, low_reach, high_reach)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
-    if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:
+    if work.frame.pressed or tables.load == LOAD_VERTICAL:
         mean_normal(tables, work.frame, region, nodes, region.local_penetration)
     region.square = region.local_penetration / nodes.length[0]
     return 0

@@ -56,11 +56,11 @@ def node_stride(tables: Tables):
     distances: on a steep side these rise too fast for a cubic over several nodes, which falls below zero
     before.
     """
-    stride = int(tables.stride)
-    kind = int(tables.separation)
+    stride = tables.stride
+    kind = tables.separation
     if kind == SEPARATION_EQUIDISTANT_CHORD or kind == SEPARATION_VERTICAL:
         stride = 1
-    if int(tables.lateral) != LATERAL_ADAPTIVE:
+    if tables.lateral != LATERAL_ADAPTIVE:
         stride = 1
     return stride
 
@@ -88,7 +88,7 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
     gap, rate, bend, curvature = separation(tables, work, state, region.station, tolerance)
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
-    if int(tables.lateral) != LATERAL_ADAPTIVE:
+    if tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(tables, work.frame.tracer_wheel, work.frame.tracer_rail)
     before = lay_side_nodes(tables, work, state, region, nodes, -1, low_reach, rate)
     region.first = -before
@@ -105,7 +105,7 @@ def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: 
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
-        if int(tables.lateral) != LATERAL_ADAPTIVE:
+        if tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(tables, work.frame.tracer_wheel, work.frame.tracer_rail)
     return gap, rate
 
@@ -148,7 +148,7 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
         station = region.station + region.spacing * float(at)
         if ended == 1:
             extrapolate_node(nodes, at, direction)
-            if int(tables.lateral) != LATERAL_ADAPTIVE:
+            if tables.lateral != LATERAL_ADAPTIVE:
                 nodes.B[at] = nodes.B[at - direction]
         if passed > 0:
             left -= 1

@@ -17,7 +17,7 @@ def solve_normal(tables: Tables, work: Work, state: State, side: SideSearch, poi
 
     Returns the penetration [m], the number of regions, and 1 when the force is satisfied, else 0.
     """
-    model = int(tables.normal_model)
+    model = tables.normal_model
     if model == MODEL_HERTZ:
         penetration, count, satisfied = hertz_contact(tables, work, point, force, prescribed)
     elif model == MODEL_ANALYN:

@@ -24,7 +24,7 @@ from .interpolation import quadratic_at, straight_at
 
 def row_size(tables: Tables):
     """How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them."""
-    stations = int(tables.stations)
+    stations = tables.stations
     size = OUTPUT_COUNT
     if stations != STATION_COUNT:
         size += 2 * RUN_COUNT * stations
