@@ -21,12 +21,13 @@ from wrcontact.kernel.patch.totals import write_patches
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
+TABLE = layout.HertzTable.at(hertz_table())
 CURVATURES = [(1.087, 1.087 * ratio) for ratio in (0.03, 0.2, 0.7, 1.3, 5.0, 60.0)]
 
 
 @pytest.mark.parametrize("ratio", np.exp(np.linspace(-15, 15, 31)))
 def test_hertz_table_holds_the_elliptic_integrals(ratio):
-    one_alpha, one_beta, nr = hertz_coefficients(hertz_table(), 0, 1.0, ratio)
+    one_alpha, one_beta, nr = hertz_coefficients(TABLE, 1.0, ratio)
     exact_alpha, exact_nr = coefficients(np.log(ratio))
     assert (one_alpha, nr) == pytest.approx((float(exact_alpha), float(exact_nr)), rel=1e-11)
     assert one_beta == pytest.approx(float(coefficients(-np.log(ratio))[0]), rel=1e-11)
@@ -40,14 +41,14 @@ def test_hertz_table_holds_the_elliptic_integrals(ratio):
 @pytest.mark.parametrize("A, B", CURVATURES)
 def test_hertz_stiffness(A, B):
     penetration = hertz(A, B, 78.5e3)[0]
-    assert hertz_stiffness(hertz_table(), 0, A, B, MODULUS) * penetration**1.5 == pytest.approx(78.5e3, rel=1e-8)
+    assert hertz_stiffness(TABLE, A, B, MODULUS) * penetration**1.5 == pytest.approx(78.5e3, rel=1e-8)
 
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved patches, outputs of the
     side."""
     tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, satisfied = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * penetration, 0)
+    found, satisfied = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force, 0.7 * penetration, 0)
     assert satisfied == 1
     fill_from_nodes(work.regions, work.nodes, work.solved, 1)
     side = work.outputs.left[0]

@@ -31,6 +31,7 @@ from wrcontact.kernel.normal.strips import solve_strips
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
 
+TABLE = layout.HertzTable.at(hertz_table())
 NAMES = ("penetration", "area", "max_pressure")
 EXTENT = (*NAMES, "patch_length", "patch_width")
 POSE = [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]     # what random poses differ in
@@ -139,7 +140,7 @@ def test_elimination(size):
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
     """The strip correction on the gap B s^2 and constant A: relative errors in penetration, area and pressure (3,)."""
     tables, work, state, hertzian = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
-    predicted, met = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * hertzian, 0)
+    predicted, met = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force, 0.7 * hertzian, 0)
     assert met == 1
     problem = work.strip_problem
     place_strips(problem, work.regions, work.nodes, 1, tables.strips, predicted)
@@ -189,7 +190,7 @@ def skewed_hertz(A, B, slant):
     line s = 0, half-width of its shadow on s, and pressure, of the ellipse that Hertz finds for the eigenvalues."""
     form = np.array([[A, -A * slant], [-A * slant, A * slant**2 + B]])
     (small, large), axes = np.linalg.eigh(form)
-    along, across, nr = hertz_coefficients(hertz_table(), 0, small, large)
+    along, across, nr = hertz_coefficients(TABLE, small, large)
     # the ellipse x^T E x = penetration, with its axes along the eigenvectors
     ellipse = axes @ np.diag([along * small, across * large]) @ axes.T
     length = ellipse[0, 0]                                   # penetration / a^2 on s = 0
@@ -204,29 +205,29 @@ SKEWED = [(A, B, slant) for A, B in ((1.0, 0.2), (1.0, 1.0), (0.7, 5.0), (0.3, 6
 
 @pytest.mark.parametrize("A, B, slant", SKEWED)
 def test_skewed_coefficients_are_those_of_the_principal_axes(A, B, slant):
-    found = skewed_coefficients(hertz_table(), 0, A, B, slant)
+    found = skewed_coefficients(TABLE, A, B, slant)
     np.testing.assert_allclose(found, skewed_hertz(A, B, slant), rtol=1e-9)
-    np.testing.assert_allclose(skewed_coefficients(hertz_table(), 0, A, B, -slant), found, rtol=1e-13)
+    np.testing.assert_allclose(skewed_coefficients(TABLE, A, B, -slant), found, rtol=1e-13)
 
 
 @pytest.mark.parametrize("A, B", [(1.0, 0.05), (1.0, 1.0), (1.0, 60.0)])
 def test_no_slant_is_upright(A, B):
-    upright = hertz_coefficients(hertz_table(), 0, A, B)
-    np.testing.assert_allclose(skewed_coefficients(hertz_table(), 0, A, B, 0.0), upright, rtol=1e-12)
-    np.testing.assert_allclose(skewed_coefficients(hertz_table(), 0, A, B, 1e-9), upright, rtol=1e-8)
+    upright = hertz_coefficients(TABLE, A, B)
+    np.testing.assert_allclose(skewed_coefficients(TABLE, A, B, 0.0), upright, rtol=1e-12)
+    np.testing.assert_allclose(skewed_coefficients(TABLE, A, B, 1e-9), upright, rtol=1e-8)
 
 
 def test_a_steep_slant_counts_as_the_steepest_permitted():
-    at_limit = skewed_coefficients(hertz_table(), 0, 1.0, 0.02, math.sqrt(STEEPEST * 0.02))
-    np.testing.assert_allclose(skewed_coefficients(hertz_table(), 0, 1.0, 0.02, 3.0), at_limit, rtol=1e-12)
+    at_limit = skewed_coefficients(TABLE, 1.0, 0.02, math.sqrt(STEEPEST * 0.02))
+    np.testing.assert_allclose(skewed_coefficients(TABLE, 1.0, 0.02, 3.0), at_limit, rtol=1e-12)
 
 
 @pytest.mark.parametrize("A, B, slant", SKEWED)
 def test_upright_coefficients_give_the_same_axes_and_pressure(A, B, slant):
     """The upright ellipse of penetration share d has the half-length, half-width and pressure of the tilted one of d."""
-    alpha, beta, nr = skewed_coefficients(hertz_table(), 0, A, B, slant)
-    upright_A, upright_B, share = upright_coefficients(hertz_table(), 0, alpha * A, beta * B, nr)
-    one_alpha, one_beta, one_nr = hertz_coefficients(hertz_table(), 0, upright_A, upright_B)
+    alpha, beta, nr = skewed_coefficients(TABLE, A, B, slant)
+    upright_A, upright_B, share = upright_coefficients(TABLE, alpha * A, beta * B, nr)
+    one_alpha, one_beta, one_nr = hertz_coefficients(TABLE, upright_A, upright_B)
     # with penetration share * d: a^2 = share d / ((1 + alpha) A), likewise b; p_0 goes with d / (n r a)
     assert one_alpha * upright_A / share == pytest.approx(alpha * A, rel=1e-9)
     assert one_beta * upright_B / share == pytest.approx(beta * B, rel=1e-9)
@@ -234,8 +235,8 @@ def test_upright_coefficients_give_the_same_axes_and_pressure(A, B, slant):
 
 
 def test_upright_coefficients_of_an_upright_ellipse_are_its_own():
-    alpha, beta, nr = hertz_coefficients(hertz_table(), 0, 1.3, 4.0)
-    np.testing.assert_allclose(upright_coefficients(hertz_table(), 0, alpha * 1.3, beta * 4.0, nr), (1.3, 4.0, 1.0), rtol=1e-9)
+    alpha, beta, nr = hertz_coefficients(TABLE, 1.3, 4.0)
+    np.testing.assert_allclose(upright_coefficients(TABLE, alpha * 1.3, beta * 4.0, nr), (1.3, 4.0, 1.0), rtol=1e-9)
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.01, 0.035])

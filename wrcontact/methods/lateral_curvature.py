@@ -6,7 +6,7 @@ from .numbers import frozen, number
 
 @frozen
 class Adaptive(Method):
-    """Averaged over a window in proportion to the patch (wrcontact/kernel/normal/nodes.py)."""
+    """Averaged over a window in proportion to the patch (wrcontact/kernel/normal/node_coefficients.py)."""
 
     parameter = "lateral_curvature"
     name = "adaptive"

@@ -16,8 +16,8 @@ MIRRORED_RESULTANT = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 
 
 def write_side(side, plane, contact, outline=None):
-    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into ``outline``
-    (3, stations), if that is wanted."""
+    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into
+    ``outline`` (3, stations), if that is wanted."""
     lengths, low, high = extents(contact)
     write_patches(solved_patches(plane, contact), layout.SideOutputs.at(side))
     side[layout.SIDE_PENETRATION] = contact.penetration
@@ -35,17 +35,17 @@ def extents(contact):
 def solved_patches(plane, contact):
     """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`.
 
-    A strip is a column of loaded cells.  What the half-space does not know is not a number: the curvature of the strips, and the
-    wheel's abscissa, slant and local penetration of a patch.
+    A strip is a column of loaded cells.  What the half-space does not know is not a number: the curvature of
+    the strips, and the wheel's abscissa, slant and local penetration of a patch.
     """
     solved = layout.SolvedPatches()
-    found = [describe_patch(layout.SolvedPatch(), plane, contact, pressure) for pressure in split_patches(contact)]
-    found = found[:layout.SOLVED_PATCH_LIMIT]
+    found = [describe_patch(layout.SolvedPatch(), plane, contact, pressure)
+             for pressure in split_patches(contact)[:layout.SOLVED_PATCH_LIMIT]]
     solved.count = len(found)
     lengths, low, high = extents(contact)
     line = contact.pressure.sum(axis=0)
-    fill_totals(solved.totals, contact.force, contact.area, line @ contact.s / line.sum(), contact.max_pressure,
-                lengths.max(), (low, high), high - low)
+    fill_totals(solved.totals, contact.force, contact.area, line @ contact.s / line.sum(),
+                contact.max_pressure, lengths.max(), (low, high), high - low)
     for rank, (patch, _) in enumerate(found, 1):
         patch.rank = rank
     first = 0
@@ -59,7 +59,8 @@ def solved_patches(plane, contact):
 
 
 def describe_patch(patch, plane, contact, pressure):
-    """The record ``patch`` of the patch with these pressures (n, m), and its strips, an array of the record SolvedStrip.
+    """The record ``patch`` of the patch with these pressures (n, m), and its strips, an array of the record
+    SolvedStrip.
 
     Its contact angle is the rail's at its centroid.
     """
@@ -104,7 +105,8 @@ def split_patches(contact):
 
 
 def write_outline(outline, contact, lengths, low, high):
-    """Stations from ``low`` to ``high`` [m], half the loaded length and the largest pressure there, into ``outline``."""
+    """Stations from ``low`` to ``high`` [m], half the loaded length and the largest pressure there, into
+    ``outline``."""
     station = np.linspace(low, high, outline.shape[1])
     # both are roots at the ends of a Hertzian patch: their squares are straight there
     half = np.sqrt(np.interp(station, contact.s, (0.5 * lengths) ** 2))
@@ -120,9 +122,11 @@ def _station(contact, place):
 
 
 def resultant(plane, contact, index):
-    """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the track's axes.
+    """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the
+    track's axes.
 
-    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its pressure.
+    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its
+    pressure.
     """
     total = np.zeros(6)
     for pressure in split_patches(contact):

@@ -1,4 +1,4 @@
-"""The kernel's table of Hertz coefficients from elliptic integrals; layout in wrcontact/kernel/normal/hertz.py.
+"""The kernel's table of Hertz coefficients from elliptic integrals; its record is HertzTable.
 
 numpy alone, because an FMU makes this table on a machine that may have nothing else: K and E come from the
 arithmetic-geometric mean, which gives K - E and E - q^2 K without cancellation.  Witness in tests: scipy.special.
@@ -8,7 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..normal import hertz as layout
+from .. import layout
 
 LIMIT = 18.0  #: table range of |ln(B/A)|; curvatures that differ more than 6e7-fold count as differing by that
 CELLS_PER_UNIT = 8
@@ -70,6 +70,6 @@ def hertz_table():
     cells = -LIMIT + (np.arange(count)[:, None] + nodes) / CELLS_PER_UNIT
     columns = [sum(value[:, None] * row for value, row in zip(values.reshape(count, -1).T, basis(nodes)))
                for values in coefficients(cells.ravel())]
-    head = np.array([count, -LIMIT, CELLS_PER_UNIT, 0.0])
-    assert len(head) == layout.TABLE_CELLS and 2 * (DEGREE + 1) == layout.TABLE_ROW
+    head = np.array([count, -LIMIT, CELLS_PER_UNIT])
+    assert 2 * (DEGREE + 1) == layout.HERTZ_ROW
     return np.concatenate([head, np.hstack(columns).ravel()])

@@ -1,18 +1,19 @@
 /* Generated from normal/analyn.py by tools/transpile_kernel.py; change that one.
  *
- * ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
+ * ANALYN on the nodes of up to three regions: from local penetrations
+ * to loads, and from a force to penetrations.
  *
- * Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+ * Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
  *
  *     d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E* /pi) d / (n r a)
  *
  * (the source's eq. 2.25 prints E* /(2 pi), which integrates to a quarter of the force), so the line load
  * (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
  *
- * Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
- * of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
- * have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
- * the angle between the two.
+ * Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
+ * minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
+ * interaction.py, docs/method.md).  Where regions have planes of their own (:mod:`planes`), the penetration
+ * counts by its share along each normal, and a displacement by the cosine of the angle between the two.
  */
 
 #include "analyn.h"
@@ -109,7 +110,9 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
     return 0;
 }
 
-/* Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the prescribed force [N]. */
+/* Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the
+ * prescribed force [N].
+ */
 static inline double analyn__load_regions(array_double_1d work, int64_t count)
 {
     int64_t i;
@@ -121,7 +124,7 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        analyn__region_load(&load, &stiffness, work, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LEVEL)));
+        analyn__region_load(&load, &stiffness, work, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
         (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
         total += (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
@@ -129,10 +132,11 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count)
     return total;
 }
 
-/* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton's method on all
- * local penetrations together; these and the loads stay in the regions.  Second value: 1 when the force is satisfied, else 0.
+/* Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
+ * Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
+ * value: 1 when the force is satisfied, else 0.
  */
-static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed)
+static inline int64_t analyn__solve_penetrations(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, int64_t prescribed)
 {
     int64_t i;
     int64_t region;
@@ -151,7 +155,7 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work, region + layout__REGION_LEVEL)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
@@ -162,10 +166,11 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     {
         (*cspan_at(&state, layout__STATE_SOLVE_COUNT)) += 1.0;
         total = analyn__load_regions(work, count);
-        analyn__level_residuals(&residual, &slope, &rest, work, tables, count, penetration);
+        analyn__penetration_residuals(&residual, &slope, &rest, work, tables, count, penetration);
         if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__ROUNDING * force))
         {
-            /* the change of the load that the slopes of both ends predict for the last move, against the real one */
+            /* the change of the load that the slopes of both ends predict for the last move, against the real */
+            /* one */
             share = (total - total_before) / (0.5 * (slope_before + slope) * move);
             if (fabs(share - 1.0) < analyn__SLOPE_ERROR)
             {
@@ -212,7 +217,8 @@ static inline int64_t analyn__solve_levels(double* result_0_0001, int64_t* resul
     return 0;
 }
 
-/* Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry now [N].
+/* Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry
+ * now [N].
  *
  * slope : rate of the total load [N/m], once the local penetrations have closed their residuals.
  * rest : load that closing them adds [N].
@@ -240,13 +246,14 @@ static inline double analyn__penetration_move(double force, double total, double
     return following - penetration;
 }
 
-/* Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
- * level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+/* Linearise the local penetrations D_i: for each region its change per unit of penetration (region.slope)
+ * and the change that closes D_i = turn_i penetration - gap_i - sum_j c_ij N_j (region.move).
  *
- * Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
- * Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
+ * Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves
+ * add [N]. Solved by Gauss-Seidel: the coupling of the regions is weak (c N / D < 0.2), three of them at
+ * most.
  */
-static inline int64_t analyn__level_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration)
+static inline int64_t analyn__penetration_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration)
 {
     int64_t i;
     int64_t region;
@@ -273,7 +280,7 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
             }
         }
         turn = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
-        residual = turn * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - pushed - (*cspan_at(&work, region + layout__REGION_LEVEL));
+        residual = turn * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - pushed - (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
         (*cspan_at(&work, region + layout__REGION_RESIDUAL)) = residual;
         (*cspan_at(&work, region + layout__REGION_SLOPE)) = turn;
         (*cspan_at(&work, region + layout__REGION_MOVE)) = residual;
@@ -320,7 +327,7 @@ static inline int64_t analyn__level_residuals(double* largest, double* slope, do
     return 0;
 }
 
-/* Move the levels with the penetration by ``move`` [m] and close their residuals. */
+/* Move the local penetrations with the penetration, by ``move`` [m], and close their residuals. */
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move)
 {
     int64_t i;
@@ -328,7 +335,7 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work, region + layout__REGION_LEVEL)) += (*cspan_at(&work, region + layout__REGION_MOVE)) + (*cspan_at(&work, region + layout__REGION_SLOPE)) * move;
+        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) += (*cspan_at(&work, region + layout__REGION_MOVE)) + (*cspan_at(&work, region + layout__REGION_SLOPE)) * move;
     }
     return INT64_C(0);
 }

@@ -12,7 +12,9 @@
 
 #include "analyn_contact.h"
 
-/* Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is satisfied, else 0. */
+/* Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is
+ * satisfied, else 0.
+ */
 static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
 {
     analyn_contact__solve_analyn(penetration, count, satisfied, tables, work, state, side, force, prescribed);
@@ -24,8 +26,9 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
     return 0;
 }
 
-/* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a number; third
- * value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it stands.
+/* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
+ * is a number; third value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it
+ * stands.
  */
 static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
 {
@@ -61,8 +64,8 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     return 0;
 }
 
-/* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third value 1 when the force
- * is satisfied, else 0.
+/* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
+ * value 1 when the force is satisfied, else 0.
  */
 static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration)
 {
@@ -87,14 +90,16 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
     return 0;
 }
 
-/* Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations; their number. */
+/* Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
+ * their number.
+ */
 static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration)
 {
     int64_t i;
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_LEVEL)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = INT64_C(1);
@@ -113,8 +118,8 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     return count;
 }
 
-/* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when the force is satisfied,
- * else 0.
+/* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when
+ * the force is satisfied, else 0.
  */
 static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration)
 {
@@ -129,7 +134,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t*
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
         node_layout__prepare_regions(tables, work, state, count, enlarge);
-        analyn__solve_levels(&penetration, &satisfied, work, tables, state, count, force, start, by_penetration);
+        analyn__solve_penetrations(&penetration, &satisfied, work, tables, state, count, force, start, by_penetration);
         if (satisfied == INT64_C(0))
         {
             (*result_0_0001) = start;

@@ -2,15 +2,17 @@
  *
  * Arc lengths of the curves across the track, in two ways for two purposes.
  *
- * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are compared
- *           on wheel and rail to 1e-13 m and must not depend on where a piece ends.
- * Simpson   an evaluation for each half millimetre: the stations of a pressed wheel along its rail, for which any
- *           coordinate will do that is smooth, the same at every use, and cheap.
+ * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
+ *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
+ * Simpson   an evaluation for each half millimetre: the stations of a pressed wheel along its rail; any
+ *           coordinate is suitable for them that is smooth, the same at every use, and cheap.
  */
 
 #include "arc_length.h"
 
-/* Arc length [m] between abscissae within one piece of the profile, by Gauss's formula with six points. */
+/* Arc length [m] between abscissae within one piece of the profile, by Gauss's
+ * formula with six points.
+ */
 static OUT_OF_LINE double arc_length__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high)
 {
     double middle;
@@ -47,7 +49,8 @@ static OUT_OF_LINE double arc_length__panel_length(array_double_1d work, array_d
     return half * total;
 }
 
-/* Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where ``stop`` is the smaller one.
+/* Arc length [m] of a curve from abscissa ``start`` to ``stop``, negative where
+ * ``stop`` is the smaller one.
  *
  * Piece by piece: within one the curve has all derivatives, at the ends its curvature may jump.
  */
@@ -94,7 +97,9 @@ static OUT_OF_LINE double arc_length__rail_speed(array_double_1d tables, double 
     return sqrt(1.0 + slope * slope);
 }
 
-/* Length of the rail profile between two abscissae [m] by Simpson's rule, negative where ``stop`` is the smaller one. */
+/* Length of the rail profile between two abscissae [m] by Simpson's rule, negative where ``stop`` is the
+ * smaller one.
+ */
 static OUT_OF_LINE double arc_length__rail_length(array_double_1d tables, double start, double stop)
 {
     int64_t cells;
@@ -120,8 +125,8 @@ static OUT_OF_LINE double arc_length__rail_length(array_double_1d tables, double
     return total * step / 6.0;
 }
 
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, in steps of no more than SIMPSON_STEP: a parabola gives
- * a first estimate, and Newton's method on Simpson's rule the result.
+/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``, in steps of no more than
+ * SIMPSON_STEP: a parabola gives a first estimate, and Newton's method on Simpson's rule the result.
  */
 static OUT_OF_LINE double arc_length__rail_abscissa(array_double_1d tables, double start, double length)
 {
@@ -148,13 +153,13 @@ static OUT_OF_LINE double arc_length__rail_abscissa(array_double_1d tables, doub
         before = sqrt(1.0 + slope * slope);
         cosine = 1.0 / before;
         following = x + way * cosine * (1.0 - 0.5 * way * slope * bend * cosine * cosine * cosine);
-        for (i = INT64_C(0); i < arc_length__ARC_ITERATIONS; i += INT64_C(1))
+        for (i = INT64_C(0); i < arc_length__SIMPSON_ITERATIONS; i += INT64_C(1))
         {
             middle = arc_length__rail_speed(tables, 0.5 * (x + following));
             after = arc_length__rail_speed(tables, following);
             move = (way - (following - x) * (before + 4.0 * middle + after) / 6.0) / after;
             following += move;
-            if (fabs(move) < arc_length__ARC_SHARP)
+            if (fabs(move) < arc_length__SIMPSON_SHARP)
             {
                 break;
             }

@@ -2,10 +2,10 @@
  *
  * Arc lengths of the curves across the track, in two ways for two purposes.
  *
- * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are compared
- *           on wheel and rail to 1e-13 m and must not depend on where a piece ends.
- * Simpson   an evaluation for each half millimetre: the stations of a pressed wheel along its rail, for which any
- *           coordinate will do that is smooth, the same at every use, and cheap.
+ * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
+ *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
+ * Simpson   an evaluation for each half millimetre: the stations of a pressed wheel along its rail; any
+ *           coordinate is suitable for them that is smooth, the same at every use, and cheap.
  */
 
 #ifndef WRCONTACT_KERNEL_ARC_LENGTH_H
@@ -23,8 +23,8 @@ static const double arc_length__WEIGHT_1 = 0.467913934572691;
 static const double arc_length__WEIGHT_2 = 0.3607615730481386;
 static const double arc_length__WEIGHT_3 = 0.1713244923791704;
 static const double arc_length__SIMPSON_STEP = 0.001;
-static const double arc_length__ARC_SHARP = 1e-09;
-static const int64_t arc_length__ARC_ITERATIONS = INT64_C(20);
+static const double arc_length__SIMPSON_SHARP = 1e-09;
+static const int64_t arc_length__SIMPSON_ITERATIONS = INT64_C(20);
 
 static OUT_OF_LINE double arc_length__panel_length(array_double_1d work, array_double_1d tables, int64_t curve, double low, double high);
 static OUT_OF_LINE double arc_length__arc_length(array_double_1d work, array_double_1d tables, int64_t curve, double start, double stop);

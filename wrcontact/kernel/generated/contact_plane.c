@@ -5,12 +5,13 @@
 
 #include "contact_plane.h"
 
-/* Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's there.
+/* Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
+ * there.
  *
  * aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
  *
- * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope [-], and how
- * much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
+ * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
+ * [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
  */
 static inline int64_t contact_plane__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d work, array_double_1d tables, int64_t place, double y, double aside, double shift)
 {
@@ -57,7 +58,8 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     return 0;
 }
 
-/* Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m].
+/* Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
+ * [m].
  *
  * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */

@@ -1,14 +1,16 @@
 /* Generated from wheelset/contact_point.py by tools/transpile_kernel.py; change that one.
  *
- * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and curvatures.
+ * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and
+ * curvatures.
  */
 
 #include "contact_point.h"
 
-/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches with abscissa
- * ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
+/* Positions, angle, radius and curvatures of side ``index`` (0 left, 1 right) where its wheel touches
+ * with abscissa ``y`` when moved by ``aside`` and ``shift`` [m]; opens its contact plane.
  *
- * 1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is folded.
+ * 1 if this is a contact, else 0: the smallest gap at the end of a profile, or where a yawed outline is
+ * folded.
  */
 static inline int64_t contact_point__describe_contact(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double y, double aside, double shift)
 {

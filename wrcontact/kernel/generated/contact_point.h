@@ -1,6 +1,7 @@
 /* Generated from wheelset/contact_point.py by tools/transpile_kernel.py; change that one.
  *
- * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and curvatures.
+ * The contact of one side, described: where it is on wheel, rail and track, its angle, radius and
+ * curvatures.
  */
 
 #ifndef WRCONTACT_KERNEL_CONTACT_POINT_H

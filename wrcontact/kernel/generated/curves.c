@@ -1,9 +1,11 @@
 /* Generated from contact/curves.py by tools/transpile_kernel.py; change that one.
  *
- * Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured along them.
+ * Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured
+ * along them.
  *
- * The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.  ``curve`` is RAIL or
- * WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from the origin of the region.
+ * The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.
+ * ``curve`` is RAIL or WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from
+ * the origin of the region.
  */
 
 #include "curves.h"
@@ -20,8 +22,8 @@ static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t
     return profile;
 }
 
-/* Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa ``u`` the
- * derivatives of the lateral coordinate [-] and of the slope [1/m].
+/* Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa
+ * ``u`` the derivatives of the lateral coordinate [-] and of the slope [1/m].
  */
 static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d work, array_double_1d tables, int64_t curve, double u)
 {
@@ -41,7 +43,9 @@ static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, doubl
     return 0;
 }
 
-/* Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not change it. */
+/* Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not
+ * change it.
+ */
 static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double_1d tables, int64_t curve, double u)
 {
     double z;
@@ -81,7 +85,9 @@ static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t curve, 
     return u;
 }
 
-/* Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where that is 0. */
+/* Measure from the minimum of ``region``; chords, if any, are as long as ``spacing`` [m], or arcs where
+ * that is 0.
+ */
 static OUT_OF_LINE int64_t curves__open_origin(array_double_1d work, array_double_1d tables, int64_t region, double spacing)
 {
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)

@@ -1,9 +1,11 @@
 /* Generated from contact/curves.py by tools/transpile_kernel.py; change that one.
  *
- * Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured along them.
+ * Rail and wheel as two curves across the track, each over its profile's abscissa, for separations measured
+ * along them.
  *
- * The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.  ``curve`` is RAIL or
- * WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from the origin of the region.
+ * The wheel's curve is its outline (:mod:`locus`); without yaw that is the profile, turned by the roll.
+ * ``curve`` is RAIL or WHEEL, and its present abscissa is that of the frame's trace.  Coordinates are those from
+ * the origin of the region.
  */
 
 #ifndef WRCONTACT_KERNEL_CURVES_H

@@ -66,7 +66,7 @@ static OUT_OF_LINE int64_t deep_points__is_listed(array_double_1d work, double x
     entry = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
     if (entry >= INT64_C(0))
     {
-        if (x < (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL)) + deep_points__SAME)
+        if (x < (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL)) + deep_points__SAME_POINT)
         {
             listed = INT64_C(1);
         }

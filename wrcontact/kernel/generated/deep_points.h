@@ -10,7 +10,7 @@
 #include "layout.h"
 #include "regions.h"
 
-static const double deep_points__SAME = 1e-06;
+static const double deep_points__SAME_POINT = 1e-06;
 
 static OUT_OF_LINE int64_t deep_points__copy_point(array_double_1d work, int64_t point, int64_t copy);
 static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, double wheel, double depth);

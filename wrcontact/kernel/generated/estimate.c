@@ -1,6 +1,7 @@
 /* Generated from normal/estimate.py by tools/transpile_kernel.py; change that one.
  *
- * First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the result.
+ * First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the
+ * result.
  */
 
 #include "estimate.h"
@@ -13,7 +14,8 @@ static inline double estimate__guess_penetration(double force, double A, double 
     return pow((share * share * (1.0 + estimate__TYPICAL_RATIO) * A), (1.0 / 3.0));
 }
 
-/* Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed penetration.
+/* Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
+ * penetration.
  *
  * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
  */
@@ -46,13 +48,13 @@ static inline double estimate__first_penetration(array_double_1d tables, array_d
 {
     double result;
     regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     result = estimate__estimate_penetration(tables, work, state, force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
     return result;
 }
 
-/* Local penetrations before any interaction is known; a region that is hardly reached still gets nodes for LEAST_SHARE of
- * the penetration.
+/* Local penetrations before any interaction is known; a region that is hardly reached still gets nodes
+ * for LEAST_SHARE of the penetration.
  */
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration)
 {
@@ -67,7 +69,7 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
         {
             local = estimate__LEAST_SHARE * penetration;
         }
-        (*cspan_at(&work, region + layout__REGION_LEVEL)) = local;
+        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
 }

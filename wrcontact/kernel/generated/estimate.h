@@ -1,6 +1,7 @@
 /* Generated from normal/estimate.py by tools/transpile_kernel.py; change that one.
  *
- * First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the result.
+ * First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the
+ * result.
  */
 
 #ifndef WRCONTACT_KERNEL_ESTIMATE_H

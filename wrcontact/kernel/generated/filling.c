@@ -1,6 +1,7 @@
 /* Generated from patch/filling.py by tools/transpile_kernel.py; change that one.
  *
- * How a model of normal contact fills the solved patches: one after the other by rising station, then totals and ranks.
+ * How a model of normal contact fills the solved patches: one after the other by rising station, then totals
+ * and ranks.
  */
 
 #include "filling.h"
@@ -28,7 +29,8 @@ static inline int64_t filling__clear_patches(array_double_1d work)
     return INT64_C(0);
 }
 
-/* Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its index.
+/* Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its
+ * index.
  *
  * Where there is no room for another patch, the last one goes on.
  */
@@ -50,7 +52,9 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t region,
     return index;
 }
 
-/* Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first`` yet. */
+/* Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first``
+ * yet.
+ */
 static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle)
 {
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = contact_angle;
@@ -61,7 +65,7 @@ static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, 
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE)) = (double)(rule);
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)) = (double)(first);
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(first - INT64_C(1));
@@ -158,7 +162,9 @@ static inline int64_t filling__finish_patches(array_double_1d work)
     return INT64_C(0);
 }
 
-/* Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is none. */
+/* Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is
+ * none.
+ */
 static inline int64_t filling__heaviest_patch(array_double_1d work)
 {
     double load;

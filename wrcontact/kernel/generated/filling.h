@@ -1,6 +1,7 @@
 /* Generated from patch/filling.py by tools/transpile_kernel.py; change that one.
  *
- * How a model of normal contact fills the solved patches: one after the other by rising station, then totals and ranks.
+ * How a model of normal contact fills the solved patches: one after the other by rising station, then totals
+ * and ranks.
  */
 
 #ifndef WRCONTACT_KERNEL_FILLING_H

@@ -2,8 +2,9 @@
  *
  * The vertical gap between a placed right wheel and its rail, along the contact locus.
  *
- * gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the rail.  The
- * wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift is that gap.
+ * gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the
+ * rail.  The wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift
+ * is that gap.
  */
 
 #include "gap.h"
@@ -22,10 +23,11 @@ static inline int64_t gap__above_rail(array_double_1d tables, double abscissa)
     return inside;
 }
 
-/* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y`` [m].
+/* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y``
+ * [m].
  *
- * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of contact: its slope
- * difference reads FOLDED.
+ * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of
+ * contact: its slope difference reads FOLDED.
  */
 static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d work, array_double_1d tables, int64_t place, double y)
 {
@@ -55,8 +57,8 @@ static inline int64_t gap__vertical_gap(double* result_0, double* mismatch, doub
 
 /* Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
  *
- * At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel point,
- * z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
+ * At a minimum the place does not count (envelope theorem): it is the partial derivative at a fixed wheel
+ * point, z'_rail dY/droll - dZ/droll, with dY/droll = -cos(yaw) (arm sin(roll) + r cos(phi) cos(roll)) and
  * dZ/droll = arm cos(roll) - r cos(phi) sin(roll).
  */
 static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tables, int64_t place, double y)
@@ -89,10 +91,11 @@ static inline double gap__gap_per_roll(array_double_1d work, array_double_1d tab
     return rail_slope * lateral - vertical;
 }
 
-/* ``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed wheel point, and
- * the rail abscissa [m].
+/* ``vertical_gap``, its and the slope difference's derivatives with respect to roll [m, 1] at a fixed
+ * wheel point, and the rail abscissa [m].
  *
- * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges, not where.
+ * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges,
+ * not where.
  */
 static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, double y)
 {

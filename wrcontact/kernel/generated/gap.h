@@ -2,8 +2,9 @@
  *
  * The vertical gap between a placed right wheel and its rail, along the contact locus.
  *
- * gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the rail.  The
- * wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift is that gap.
+ * gap(y) = z_rail(Y(y)) - Z(y), with the outline (Y, Z) of :mod:`locus`; positive where the wheel is above the
+ * rail.  The wheelset stands at vertical shift zero, so contact lies at the smallest gap and the vertical shift
+ * is that gap.
  */
 
 #ifndef WRCONTACT_KERNEL_GAP_H

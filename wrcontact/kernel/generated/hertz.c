@@ -2,7 +2,8 @@
  *
  * Hertz's coefficients and closed-form contact, through a table of exact values.
  *
- * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1 - q^2),
+ * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
+ * - q^2),
  *
  *     A > B (long across):  m = L q, n = L, r = 2 K / (pi L);   A < B: m = L, n = L q, r the same;   L^3 = 2 E / (pi q^2)
  *
@@ -11,21 +12,22 @@
  *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
  *
  * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
- * (wrcontact/profiles is not involved; see wrcontact/hertz_table.py).
+ * (kernel/binding/hertz_table.py).
  */
 
 #include "hertz.h"
 
-/* Value of table column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
-static inline double hertz__table_value(array_double_1d tables, int64_t base, int64_t column, double abscissa)
+/* Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
+static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa)
 {
     double u;
     double last;
     int64_t cell;
     int64_t at;
+    double high;
     double result;
-    u = (abscissa - (*cspan_at(&tables, base + hertz__TABLE_START))) * (*cspan_at(&tables, base + hertz__TABLE_CELLS_PER_UNIT));
-    last = (*cspan_at(&tables, base + hertz__TABLE_COUNT));
+    u = (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT));
+    last = (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT));
     if (!(u > 0.0))
     {
         u = 0.0;
@@ -40,32 +42,34 @@ static inline double hertz__table_value(array_double_1d tables, int64_t base, in
         cell = (int64_t)(last) - INT64_C(1);
     }
     u -= (double)(cell);
-    at = base + hertz__TABLE_CELLS + hertz__TABLE_ROW * cell + column;
-    result = (*cspan_at(&tables, at)) + u * ((*cspan_at(&tables, at + INT64_C(1))) + u * ((*cspan_at(&tables, at + INT64_C(2))) + u * ((*cspan_at(&tables, at + INT64_C(3))) + u * ((*cspan_at(&tables, at + INT64_C(4))) + u * (*cspan_at(&tables, at + INT64_C(5)))))));
+    at = layout__HERTZ_ROW * cell + column;
+    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));
     return result;
 }
 
 /* 1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive. */
-static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B)
+static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B)
 {
     double ratio;
     ratio = log(B / A);
-    (*result_0) = hertz__table_value(tables, base, INT64_C(0), ratio);
-    (*result_1) = hertz__table_value(tables, base, INT64_C(0), -ratio);
-    (*result_2) = hertz__table_value(tables, base, INT64_C(6), ratio);
+    (*result_0) = hertz__table_value(tables, table, INT64_C(0), ratio);
+    (*result_1) = hertz__table_value(tables, table, INT64_C(0), -ratio);
+    (*result_2) = hertz__table_value(tables, table, INT64_C(6), ratio);
     return 0;
 }
 
 /* 1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
  *
- * Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
- * again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
- * half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+ * Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an
+ * upright one again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the
+ * penetration, and at s = 0 a half-length a with (1 + alpha) A a^2 the penetration and n r for its
+ * pressure.  Exact for constant curvatures.
  *
- * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is a patch's edge:
- * A slant^2 counts as STEEPEST B at most.
+ * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
+ * a patch's edge: A slant^2 counts as STEEPEST B at most.
  */
-static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B, double slant)
+static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant)
 {
     double cross;
     double diagonal;
@@ -89,7 +93,7 @@ static inline int64_t hertz__skewed_coefficients(double* result_0, double* resul
     spread = sqrt(half * half + cross * cross);
     large = 0.5 * (A + diagonal) + spread;
     small = A * B / large;
-    hertz__hertz_coefficients(&along, &across, &nr, tables, base, small, large);
+    hertz__hertz_coefficients(&along, &across, &nr, tables, table, small, large);
     along *= small;
     across *= large;
     /* the square of the cosine of the long axis' angle to x; a circle has no long axis */
@@ -108,10 +112,10 @@ static inline int64_t hertz__skewed_coefficients(double* result_0, double* resul
 
 /* A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
  *
- * Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows from that of
- * the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
+ * Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows
+ * from that of the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
  */
-static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t base, double length, double width, double nr)
+static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t table, double length, double width, double nr)
 {
     double target;
     double before;
@@ -130,8 +134,8 @@ static inline int64_t hertz__upright_coefficients(double* result_0, double* resu
     beta = 1.0;
     for (i = INT64_C(0); i < hertz__RATIO_ITERATIONS; i += INT64_C(1))
     {
-        alpha = hertz__table_value(tables, base, INT64_C(0), ratio);
-        beta = hertz__table_value(tables, base, INT64_C(0), -ratio);
+        alpha = hertz__table_value(tables, table, INT64_C(0), ratio);
+        beta = hertz__table_value(tables, table, INT64_C(0), -ratio);
         missed = ratio + log(beta / alpha) - target;
         if (fabs(missed) < hertz__RATIO_SHARP)
         {
@@ -146,7 +150,7 @@ static inline int64_t hertz__upright_coefficients(double* result_0, double* resu
         missed_before = missed;
         ratio -= missed / slope;
     }
-    (*share) = hertz__table_value(tables, base, INT64_C(6), ratio) / nr;
+    (*share) = hertz__table_value(tables, table, INT64_C(6), ratio) / nr;
     (*result_0) = (*share) * length / alpha;
     (*result_1) = (*share) * width / beta;
     return 0;
@@ -154,14 +158,14 @@ static inline int64_t hertz__upright_coefficients(double* result_0, double* resu
 
 /* N / penetration^(3/2) [N/m^1.5].
  *
- * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's closed
- * form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
+ * N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
+ * closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
  */
-static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t base, double A, double B, double contact_modulus)
+static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus)
 {
     double one_alpha;
     double one_beta;
     double nr;
-    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
+    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B));
 }

@@ -2,7 +2,8 @@
  *
  * Hertz's coefficients and closed-form contact, through a table of exact values.
  *
- * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1 - q^2),
+ * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
+ * - q^2),
  *
  *     A > B (long across):  m = L q, n = L, r = 2 K / (pi L);   A < B: m = L, n = L q, r the same;   L^3 = 2 E / (pi q^2)
  *
@@ -11,29 +12,25 @@
  *     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
  *
  * and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
- * (wrcontact/profiles is not involved; see wrcontact/hertz_table.py).
+ * (kernel/binding/hertz_table.py).
  */
 
 #ifndef WRCONTACT_KERNEL_HERTZ_H
 #define WRCONTACT_KERNEL_HERTZ_H
 
 #include "../native/spans.h"
+#include "layout.h"
 
-static const int64_t hertz__TABLE_COUNT = INT64_C(0);
-static const int64_t hertz__TABLE_START = INT64_C(1);
-static const int64_t hertz__TABLE_CELLS_PER_UNIT = INT64_C(2);
-static const int64_t hertz__TABLE_CELLS = INT64_C(4);
-static const int64_t hertz__TABLE_ROW = INT64_C(12);
 static const double hertz__TILTED = 1e-12;
 static const double hertz__STEEPEST = 0.3;
 static const double hertz__TYPICAL_SLOPE = 1.3;
 static const int64_t hertz__RATIO_ITERATIONS = INT64_C(12);
 static const double hertz__RATIO_SHARP = 1e-10;
 
-static inline double hertz__table_value(array_double_1d tables, int64_t base, int64_t column, double abscissa);
-static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B);
-static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t base, double A, double B, double slant);
-static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t base, double length, double width, double nr);
-static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t base, double A, double B, double contact_modulus);
+static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa);
+static inline int64_t hertz__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
+static inline int64_t hertz__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline int64_t hertz__upright_coefficients(double* result_0, double* result_1, double* share, array_double_1d tables, int64_t table, double length, double width, double nr);
+static inline double hertz__hertz_stiffness(array_double_1d tables, int64_t table, double A, double B, double contact_modulus);
 
 #endif

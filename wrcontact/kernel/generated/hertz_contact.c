@@ -15,8 +15,8 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     return 0;
 }
 
-/* Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration [m] if that is a
- * number; the penetration [m].
+/* Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration
+ * [m] if that is a number; the penetration [m].
  *
  * point : the outputs of the side, which describe its contact point.
  * region : the region at this point.
@@ -25,7 +25,7 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
  */
 static inline double hertz_contact__solve_hertz(array_double_1d work, array_double_1d tables, int64_t point, int64_t region, double force, double prescribed)
 {
-    int64_t base;
+    int64_t table;
     double A;
     double B;
     double stiffness;
@@ -37,14 +37,14 @@ static inline double hertz_contact__solve_hertz(array_double_1d work, array_doub
     double half_width;
     double area;
     double penetration;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A = 0.5 * (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CURVATURE_X));
     B = 0.5 * (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CURVATURE_Y));
     if (!(B > node_coefficients__FLOOR * A))
     {
         B = node_coefficients__FLOOR * A;
     }
-    stiffness = hertz__hertz_stiffness(tables, base, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    stiffness = hertz__hertz_stiffness(tables, table, A, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
     penetration = prescribed;
     if (!isfinite(prescribed))
     {
@@ -55,8 +55,8 @@ static inline double hertz_contact__solve_hertz(array_double_1d work, array_doub
     (*cspan_at(&work, region + layout__REGION_CARRIED)) = load;
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_LEVEL)) = penetration;
-    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, base, A, B);
+    (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = penetration;
+    hertz__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, table, A, B);
     half_length = sqrt(penetration / (one_alpha * A));
     half_width = sqrt(penetration / (one_beta * B));
     area = M_PI * half_length * half_width;

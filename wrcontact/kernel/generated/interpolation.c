@@ -5,11 +5,11 @@
 
 #include "interpolation.h"
 
-/* Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count`` regions; zeros where
- * nothing is loaded.
+/* Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``
+ * regions; zeros where nothing is loaded.
  *
- * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch they can be
- * positive.
+ * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch
+ * they can be positive.
  */
 static inline int64_t interpolation__quadratic_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
 {
@@ -30,8 +30,8 @@ static inline int64_t interpolation__quadratic_at(double* half_length, double* p
     return 0;
 }
 
-/* Half-length [m] and pressure [Pa] at station ``own`` [m] of the region's own ones, from the three strips that the cell's
- * quadratic goes through; zeros where the region is not loaded.
+/* Half-length [m] and pressure [Pa] at station ``own`` [m] of the region's own ones, from the three
+ * strips that the cell's quadratic goes through; zeros where the region is not loaded.
  */
 static inline int64_t interpolation__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own)
 {
@@ -50,7 +50,7 @@ static inline int64_t interpolation__between_strips(double* half_length, double*
     (*pressure) = 0.0;
     u = (own - (*cspan_at(&work, region + layout__REGION_STATION))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     inside = (u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))));
-    if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0) && inside)
+    if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0) && inside)
     {
         outward = INT64_C(1);
         if (u < 0.0)
@@ -75,8 +75,8 @@ static inline int64_t interpolation__between_strips(double* half_length, double*
     return 0;
 }
 
-/* Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT; ``after`` is its
- * first strip beyond the station, or the one after its last.
+/* Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT;
+ * ``after`` is its first strip beyond the station, or the one after its last.
  */
 static inline int64_t interpolation__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station)
 {

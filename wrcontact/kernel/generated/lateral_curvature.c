@@ -1,11 +1,14 @@
 /* Generated from surface/lateral_curvature.py by tools/transpile_kernel.py; change that one.
  *
- * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along them.
+ * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along
+ * them.
  */
 
 #include "lateral_curvature.h"
 
-/* Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at that end. */
+/* Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
+ * that end.
+ */
 static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t table, double y)
 {
     double u;
@@ -33,8 +36,8 @@ static inline double lateral_curvature__profile_curvature(array_double_1d tables
     return result;
 }
 
-/* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m], the source's
- * eq. (6.5).
+/* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
+ * the source's eq. (6.5).
  */
 static inline double lateral_curvature__relative_curvature(array_double_1d tables, double y, double abscissa)
 {

@@ -1,6 +1,7 @@
 /* Generated from surface/lateral_curvature.py by tools/transpile_kernel.py; change that one.
  *
- * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along them.
+ * Lateral curvatures of wheel and rail profile, prepared once (prepare/curvatures.py) and read off along
+ * them.
  */
 
 #ifndef WRCONTACT_KERNEL_LATERAL_CURVATURE_H

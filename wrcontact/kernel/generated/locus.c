@@ -2,18 +2,20 @@
  *
  * The contact locus: where a yawed wheel can touch a rail that is the same all along the track.
  *
- * The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.  That
- * leaves one angle around the wheel for every profile point (Wang 1984; closed form in docs/method.md):
+ * The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.
+ * That leaves one angle around the wheel for every profile point (Wang 1984; closed form in docs/method.md):
  *
  *     phi(y) = -atan t - asin w,   t = tan(yaw) sin(roll),   w = tan(yaw) cos(roll) r'(y) / sqrt(1 + t^2)
  *
- * Seen along the track the locus is the wheel's outline, and wheel against rail becomes a problem in the (y, z) plane.
- * Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
+ * Seen along the track the locus is the wheel's outline, and wheel against rail becomes a problem in the (y, z)
+ * plane. Everything here is for a right wheel; the left one comes in mirrored (conventions.MIRROR).
  */
 
 #include "locus.h"
 
-/* Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles [m]. */
+/* Write the pose of a right wheel to ``place``; ``arm`` is half the distance of the running circles
+ * [m].
+ */
 static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double arm)
 {
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
@@ -61,7 +63,9 @@ static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, 
     return INT64_C(0);
 }
 
-/* The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll change sign. */
+/* The left wheel of the wheelset at ``place`` as a right wheel at ``mirrored``: shift, yaw and roll
+ * change sign.
+ */
 static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored)
 {
     (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
@@ -85,7 +89,8 @@ static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, in
     return INT64_C(0);
 }
 
-/* sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x component.
+/* sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x
+ * component.
  *
  * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
  */
@@ -112,7 +117,8 @@ static inline int64_t locus__around_wheel(double* result_0, double* result_1, ar
     return 0;
 }
 
-/* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y, z).
+/* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y,
+ * z).
  *
  * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
  */
@@ -152,7 +158,9 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
     return 0;
 }
 
-/* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and slope [1/m]. */
+/* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
+ * slope [1/m].
+ */
 static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
 {
     double sin_roll;

@@ -5,13 +5,12 @@
 
 #include "longitudinal_curvature.h"
 
-/* Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m], ``slope`` [-] and
- * second derivative ``bend`` [1/m].
+/* Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m],
+ * ``slope`` [-] and second derivative ``bend`` [1/m].
  *
- * effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x in the
- * wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw cos(delta) / r, the
- * source's eq. (6.1).
- * basic: 1/r.
+ * effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x
+ * in the wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw
+ * cos(delta) / r, the source's eq. (6.1). basic: 1/r.
  */
 static inline double longitudinal_curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend)
 {

@@ -20,9 +20,11 @@ static inline double mean_normal__rail_per_station(array_double_1d work, array_d
     return 1.0 / along;
 }
 
-/* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a local penetration [m].
+/* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
+ * local penetration [m].
  *
- * The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others in the plane.
+ * The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others
+ * in the plane.
  */
 static inline int64_t mean_normal__mean_normal(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, double local_penetration)
 {
@@ -73,7 +75,7 @@ static inline int64_t mean_normal__mean_normal(array_double_1d work, array_doubl
     {
         (*cspan_at(&work, region + layout__REGION_COS)) = cosines / total;
         (*cspan_at(&work, region + layout__REGION_SIN)) = sines / total;
-        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
             (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));
         }

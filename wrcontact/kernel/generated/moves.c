@@ -7,7 +7,9 @@
 
 #include "moves.h"
 
-/* Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; 1 if the curve is that long, else 0. */
+/* Move a curve's abscissa by ``length`` [m] of arc, by Newton's method; 1 if the curve is
+ * that long, else 0.
+ */
 static OUT_OF_LINE int64_t moves__move_arc(array_double_1d work, array_double_1d tables, int64_t curve, double length)
 {
     double u;
@@ -40,8 +42,8 @@ static OUT_OF_LINE int64_t moves__move_arc(array_double_1d work, array_double_1d
     return INT64_C(0);
 }
 
-/* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve, forward where
- * ``chord`` is positive; 1 if it does, else 0.
+/* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
+ * forward where ``chord`` is positive; 1 if it does, else 0.
  */
 static OUT_OF_LINE int64_t moves__move_chord(array_double_1d work, array_double_1d tables, int64_t curve, double chord)
 {
@@ -91,7 +93,9 @@ static OUT_OF_LINE int64_t moves__move_chord(array_double_1d work, array_double_
     return INT64_C(0);
 }
 
-/* Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; 1 if there is one. */
+/* Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; 1 if
+ * there is one.
+ */
 static OUT_OF_LINE int64_t moves__move_to_station(array_double_1d work, array_double_1d tables, int64_t curve, double station)
 {
     double way;
@@ -124,8 +128,8 @@ static OUT_OF_LINE int64_t moves__move_to_station(array_double_1d work, array_do
     return exists;
 }
 
-/* Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method; 1 if there is
- * such a place, else 0.
+/* Move the wheel's abscissa to where its outline is ``lateral`` [m] from the origin, by Newton's method;
+ * 1 if there is such a place, else 0.
  */
 static OUT_OF_LINE int64_t moves__move_across(array_double_1d work, array_double_1d tables, double lateral)
 {

@@ -2,8 +2,9 @@
  *
  * ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
  *
- * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
- * blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t and B_s these two,
+ * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width
+ * w) are smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags
+ * behind.  With B_t and B_s these two,
  *
  *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
  *
@@ -15,7 +16,9 @@
 
 #include "node_coefficients.h"
 
-/* Half the second derivative [1/m] of the values at node ``k``, averaged with a triangle of half-width window h. */
+/* Half the second derivative [1/m] of the values at node ``k``, averaged with a triangle of half-width
+ * window h.
+ */
 static inline double node_coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window)
 {
     double width;
@@ -63,8 +66,8 @@ static inline double node_coefficients__windowed_curvature(double averaged, doub
     return sqrt(averaged * grown);
 }
 
-/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none
- * below ``least``.
+/* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
+ * window; none below ``least``.
  */
 static inline int64_t node_coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least)
 {
@@ -98,12 +101,13 @@ static inline int64_t node_coefficients__adaptive_curvatures(double* secant, dou
     return 0;
 }
 
-/* ANALYN's coefficients at the nodes of a region: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its own B, or all
- * with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or 0.
+/* ANALYN's coefficients at the nodes of a region: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its
+ * own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
+ * 0.
  */
 static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, int64_t yawed)
 {
-    int64_t base;
+    int64_t table;
     int64_t prepared;
     double alpha_factor;
     double beta_factor;
@@ -120,9 +124,9 @@ static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array
     double alpha;
     double beta;
     double nr;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = INT64_C(0);
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
@@ -161,9 +165,9 @@ static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array
         {
             node_coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
         }
-        alpha = hertz__table_value(tables, base, INT64_C(0), log(secant / A));
-        beta = hertz__table_value(tables, base, INT64_C(0), log(A / side));
-        nr = hertz__table_value(tables, base, INT64_C(6), log(B / A));
+        alpha = hertz__table_value(tables, table, INT64_C(0), log(secant / A));
+        beta = hertz__table_value(tables, table, INT64_C(0), log(A / side));
+        nr = hertz__table_value(tables, table, INT64_C(6), log(B / A));
         if (yawed == INT64_C(1))
         {
             alpha *= alpha_factor;
@@ -178,12 +182,13 @@ static inline int64_t node_coefficients__weigh_nodes(array_double_1d work, array
     return INT64_C(0);
 }
 
-/* Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's ridge: its mean slant and
- * curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright ellipse that cuts into the same ones.
+/* Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
+ * ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright
+ * ellipse that cuts into the same ones.
  */
 static inline int64_t node_coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A)
 {
-    int64_t base;
+    int64_t table;
     double B;
     double alpha;
     double beta;
@@ -191,20 +196,24 @@ static inline int64_t node_coefficients__skew_factors(double* result_0, double* 
     double skewed_alpha;
     double skewed_beta;
     double skewed_nr;
+    double length;
+    double width;
     double upright_A;
     double upright_B;
     double share;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     B = 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
     if (B < node_coefficients__FLOOR * A)
     {
         B = node_coefficients__FLOOR * A;
     }
-    hertz__hertz_coefficients(&alpha, &beta, &nr, tables, base, A, B);
-    hertz__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, base, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
+    hertz__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
+    hertz__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
-        hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, base, skewed_alpha * A, skewed_beta * B, skewed_nr);
+        length = skewed_alpha * A;
+        width = skewed_beta * B;
+        hertz__upright_coefficients(&upright_A, &upright_B, &share, tables, table, length, width, skewed_nr);
         (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = upright_A / A;
         (*cspan_at(&work, region + layout__REGION_UPRIGHT_B)) = upright_B / B;
         (*cspan_at(&work, region + layout__REGION_UPRIGHT_SHARE)) = share;

@@ -2,8 +2,9 @@
  *
  * ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
  *
- * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
- * blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t and B_s these two,
+ * Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width
+ * w) are smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags
+ * behind.  With B_t and B_s these two,
  *
  *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
  *

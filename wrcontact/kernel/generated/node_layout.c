@@ -1,12 +1,14 @@
 /* Generated from normal/node_layout.py by tools/transpile_kernel.py; change that one.
  *
- * Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that strips are loaded.
+ * Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
+ * strips are loaded.
  */
 
 #include "node_layout.h"
 
-/* Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
- * are loaded while (1 + beta) g is below the local penetration.  With prepared curvatures 1 + beta may fall to 1.
+/* Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
+ * ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
+ * curvatures 1 + beta may fall to 1.
  */
 static inline double node_layout__zone_share(array_double_1d tables, double A, double side)
 {
@@ -17,19 +19,21 @@ static inline double node_layout__zone_share(array_double_1d tables, double A, d
         side = node_coefficients__FLOOR * A;
     }
     spread = node_layout__SPREAD;
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         spread = node_layout__STRIP_SPREAD;
     }
     share = spread / hertz__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), log(A / side));
-    if ((share > node_layout__COVER) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE))
+    if ((share > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         share = node_layout__COVER;
     }
     return share;
 }
 
-/* Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room for so many. */
+/* Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
+ * for so many.
+ */
 static inline double node_layout__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge)
 {
     double mean;
@@ -42,7 +46,7 @@ static inline double node_layout__node_spacing(array_double_1d work, array_doubl
     {
         widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
     }
-    least = node_layout__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LEVEL)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    least = node_layout__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     if (mean < least)
     {
         mean = least;
@@ -64,7 +68,7 @@ static inline int64_t node_layout__prepare_regions(array_double_1d tables, array
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         planes__enter_plane(work, layout__WORK_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(tables, work, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LEVEL)));
+        widths__measure_widths(tables, work, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_SPACING)) = node_layout__node_spacing(work, tables, region, enlarge);
         node_layout__prepare_nodes(tables, work, state, region, layout__WORK_NODES + layout__NODES_SIZE * i, enlarge);
         planes__leave_plane(work, layout__WORK_REGIONS + layout__REGION_SIZE * i);
@@ -81,7 +85,7 @@ static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_d
     double low_reach;
     double high_reach;
     yawed = contact_plane__is_yawed(work);
-    reach = (*cspan_at(&work, region + layout__REGION_LEVEL)) * enlarge;
+    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
     A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
     low_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)));
     high_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
@@ -91,11 +95,11 @@ static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_d
     }
     nodes__lay_nodes(tables, work, state, region, nodes, low_reach, high_reach);
     node_coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL))
+    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        mean_normal__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LEVEL)));
+        mean_normal__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
     }
-    (*cspan_at(&work, region + layout__REGION_SQUARE)) = (*cspan_at(&work, region + layout__REGION_LEVEL)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    (*cspan_at(&work, region + layout__REGION_SQUARE)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
     return INT64_C(0);
 }
 
@@ -119,19 +123,19 @@ static inline int64_t node_layout__covered(array_double_1d work, int64_t count)
             /* its bounds may be the rail's ends, far away */
             if (low < (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
             {
-                low = -regions__FAR;
+                low = -regions__BEYOND;
             }
             if (high > (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))))
             {
-                high = regions__FAR;
+                high = regions__BEYOND;
             }
         }
         ends = layout__WORK_NODES + layout__NODES_SIZE * i;
-        if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))) && (high >= regions__FAR))
+        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))) && (high >= regions__BEYOND))
         {
             result = INT64_C(0);
         }
-        if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))))) && (low <= -regions__FAR))
+        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))))) && (low <= -regions__BEYOND))
         {
             result = INT64_C(0);
         }

@@ -1,6 +1,7 @@
 /* Generated from normal/node_layout.py by tools/transpile_kernel.py; change that one.
  *
- * Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that strips are loaded.
+ * Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
+ * strips are loaded.
  */
 
 #ifndef WRCONTACT_KERNEL_NODE_LAYOUT_H

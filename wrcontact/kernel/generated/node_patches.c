@@ -2,8 +2,9 @@
  *
  * From ANALYN's regions to solved patches: every node becomes a strip, every run of loaded cells a patch.
  *
- * Between the strips the line load and the squares of half-length and pressure follow quadratics (:mod:`quadrature`), so that an
- * ellipse comes out exactly.  A patch may reach over the bound between two regions, and a region may hold two patches.
+ * Between the strips the line load and the squares of half-length and pressure follow quadratics
+ * (:mod:`quadrature`), so that an ellipse comes out exactly.  A patch may reach over the bound between two
+ * regions, and a region may hold two patches.
  */
 
 #include "node_patches.h"
@@ -24,7 +25,7 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
         region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
         (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
         (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
-        if ((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0)
+        if ((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0)
         {
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             node_patches__fill_strips(work, region, layout__WORK_NODES + layout__NODES_SIZE * index);
@@ -42,14 +43,14 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
     return INT64_C(0);
 }
 
-/* The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing, the outermost ones
- * half of it; :func:`add_cell` takes away what is not loaded.
+/* The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing,
+ * the outermost ones half of it; :func:`add_cell` takes away what is not loaded.
  *
  * The pressure on x = 0 is p0 = (2/pi) (E* /(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
  */
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes)
 {
-    double level;
+    double deepest;
     int64_t middle;
     double spacing;
     double origin;
@@ -61,7 +62,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
     double d;
     double load;
     double away;
-    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
@@ -71,7 +72,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
-        d = level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
         load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
@@ -91,7 +92,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
 static inline int64_t node_patches__add_cell(array_double_1d work, int64_t region, int64_t nodes, int64_t k, double contact_angle)
 {
     double spacing;
-    double level;
+    double deepest;
     int64_t outward;
     int64_t low;
     int64_t before;
@@ -106,7 +107,7 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
     int64_t index;
     int64_t patch;
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     outward = INT64_C(1);
     low = k;
     if (k < INT64_C(0))
@@ -116,7 +117,7 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
     }
     before = low - outward;
     high = low + outward;
-    quadrature__cell_part(&start, &stop, level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    quadrature__cell_part(&start, &stop, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)));
     if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
     {
         stop = analyn__clip_to_bound(work, region, low, outward, stop);
@@ -147,8 +148,9 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
     return INT64_C(0);
 }
 
-/* Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's strips add up to its
- * own: the loaded part [start, stop] belongs to the strip that is inside the patch, which has half the cell so far.
+/* Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's
+ * strips add up to its own: the loaded part [start, stop] belongs to the strip that is inside the patch,
+ * which has half the cell so far.
  */
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing)
 {
@@ -172,8 +174,8 @@ static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t 
     return INT64_C(0);
 }
 
-/* Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs to: the last one if
- * that ends there, else a new one.
+/* Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
+ * to: the last one if that ends there, else a new one.
  */
 static inline int64_t node_patches__patch_from(array_double_1d work, int64_t region, double start, int64_t strip, double contact_angle)
 {
@@ -200,8 +202,8 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t reg
 
 /* Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
  *
- * ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and ``before`` the next one
- * further in.
+ * ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and
+ * ``before`` the next one further in.
  */
 static inline int64_t node_patches__add_load(array_double_1d work, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
 {
@@ -228,7 +230,9 @@ static inline int64_t node_patches__add_load(array_double_1d work, int64_t total
     return INT64_C(0);
 }
 
-/* Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest ones so far. */
+/* Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest
+ * ones so far.
+ */
 static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t strip)
 {
     int64_t low;
@@ -248,8 +252,8 @@ static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t s
     return INT64_C(0);
 }
 
-/* Square of the largest value of the parabola through the roots of three squares, where the middle one is a peak and both
- * others are loaded; else the middle one.
+/* Square of the largest value of the parabola through the roots of three squares, where the middle one is
+ * a peak and both others are loaded; else the middle one.
  */
 static inline double node_patches__peak_square(double before, double square, double after)
 {

@@ -2,8 +2,9 @@
  *
  * From ANALYN's regions to solved patches: every node becomes a strip, every run of loaded cells a patch.
  *
- * Between the strips the line load and the squares of half-length and pressure follow quadratics (:mod:`quadrature`), so that an
- * ellipse comes out exactly.  A patch may reach over the bound between two regions, and a region may hold two patches.
+ * Between the strips the line load and the squares of half-length and pressure follow quadratics
+ * (:mod:`quadrature`), so that an ellipse comes out exactly.  A patch may reach over the bound between two
+ * regions, and a region may hold two patches.
  */
 
 #ifndef WRCONTACT_KERNEL_NODE_PATCHES_H

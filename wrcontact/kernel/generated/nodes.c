@@ -2,8 +2,8 @@
  *
  * Nodes across a region: gap, longitudinal curvature, and a prepared lateral curvature.
  *
- * Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the interpenetration.
- * So a result depends on the pose alone and is smooth in it.
+ * Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
+ * interpenetration. So a result depends on the pose alone and is smooth in it.
  */
 
 #include "nodes.h"
@@ -24,16 +24,21 @@ static inline int64_t nodes__window_nodes(array_double_1d tables)
 
 /* Every so many of the nodes are traced on the profiles.
  *
- * All of them are traced where curvatures are read there, where chords lead to them, and for vertical distances: on a steep
- * side these rise too fast for a cubic over several nodes, which falls below zero before.
+ * All of them are traced where curvatures are read there, where chords lead to them, and for vertical
+ * distances: on a steep side these rise too fast for a cubic over several nodes, which falls below zero
+ * before.
  */
 static inline int64_t nodes__node_stride(array_double_1d tables)
 {
     int64_t kind;
     int64_t stride;
-    stride = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIDE))));
-    kind = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))));
-    if (((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE) || (kind == layout__SEPARATION_EQUIDISTANT_CHORD) || (kind == layout__SEPARATION_VERTICAL))
+    stride = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIDE)));
+    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
+    if ((kind == layout__SEPARATION_EQUIDISTANT_CHORD) || (kind == layout__SEPARATION_VERTICAL))
+    {
+        stride = INT64_C(1);
+    }
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         stride = INT64_C(1);
     }
@@ -52,10 +57,12 @@ static inline double nodes__trace_tolerance(double spacing)
     return tolerance;
 }
 
-/* Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m] on that side or the
- * bound is passed, and so many nodes further as the window of the lateral curvature needs.
+/* Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
+ * on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
+ * needs.
  *
- * Where the lateral curvature is a prepared one, it is kept in nodes.B for :func:`node_coefficients.weigh_nodes`.
+ * Where the lateral curvature is a prepared one, it is kept in nodes.B for
+ * :func:`node_coefficients.weigh_nodes`.
  */
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
@@ -70,7 +77,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     separation__separation(&gap, &rate, &bend, &curvature, work, tables, state, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
@@ -81,7 +88,9 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     return INT64_C(0);
 }
 
-/* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-]. */
+/* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
+ * [-].
+ */
 static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
 {
     double station;
@@ -93,7 +102,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
     {
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
-        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         }
@@ -101,10 +110,11 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
     return 0;
 }
 
-/* Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has risen above ``reach``
- * [m] or the bound is passed.
+/* Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
+ * risen above ``reach`` [m] or the bound is passed.
  *
- * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and slope there.
+ * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
+ * slope there.
  */
 static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
@@ -117,6 +127,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
     int64_t ended;
     double gap;
     double next_rate;
+    int64_t start;
     int64_t at;
     double station;
     int64_t passed;
@@ -148,7 +159,8 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             }
             else
             {
-                nodes__fill_between(work, nodes, direction * traced, direction * (traced + step), step, (*cspan_at(&work, region + layout__REGION_SPACING)), rate, next_rate);
+                start = direction * traced;
+                nodes__fill_between(work, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), rate, next_rate);
                 rate = next_rate;
                 traced += step;
             }
@@ -159,7 +171,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
         if (ended == INT64_C(1))
         {
             nodes__extrapolate_node(work, nodes, at, direction);
-            if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+            if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
             {
                 (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
             }
@@ -203,11 +215,11 @@ static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values,
     return INT64_C(0);
 }
 
-/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and ``stop``, with their
- * slopes.
+/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+ * ``stop``, with their slopes.
  *
- * Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of a region is
- * smaller than that at its minimum.
+ * Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
+ * a region is smaller than that at its minimum.
  */
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
 {
@@ -246,8 +258,8 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
     return INT64_C(0);
 }
 
-/* Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel folds back.  A bound
- * that is known to lie before the next node stays.
+/* Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel
+ * folds back.  A bound that is known to lie before the next node stays.
  */
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station)
 {
@@ -269,10 +281,12 @@ static inline int64_t nodes__end_region(array_double_1d work, int64_t region, in
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t nodes, int64_t at, int64_t direction)
 {
     int64_t one;
+    int64_t two;
     one = at - direction;
     if (at * direction > INT64_C(2))
     {
-        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (one - direction))) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (one - INT64_C(2) * direction)));
+        two = one - direction;
+        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
     }
     else
     {

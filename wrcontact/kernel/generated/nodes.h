@@ -2,8 +2,8 @@
  *
  * Nodes across a region: gap, longitudinal curvature, and a prepared lateral curvature.
  *
- * Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the interpenetration.
- * So a result depends on the pose alone and is smooth in it.
+ * Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
+ * interpenetration. So a result depends on the pose alone and is smooth in it.
  */
 
 #ifndef WRCONTACT_KERNEL_NODES_H

@@ -7,15 +7,16 @@
 
 #include "normal_contact.h"
 
-/* Fill the solved patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration [m] if that is
- * a number.  ``point`` : the outputs of the side, which describe its contact point.
+/* Fill the solved patches of the side whose frame is open, under ``force`` [N], or at ``prescribed``
+ * penetration [m] if that is a number.  ``point`` : the outputs of the side, which describe its contact
+ * point.
  *
  * Returns the penetration [m], the number of regions, and 1 when the force is satisfied, else 0.
  */
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t point, double force, double prescribed)
 {
     int64_t model;
-    model = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))));
+    model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
         hertz_contact__hertz_contact(penetration, count, satisfied, tables, work, point, force, prescribed);

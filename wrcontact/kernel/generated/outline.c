@@ -1,9 +1,10 @@
 /* Generated from patch/outline.py by tools/transpile_kernel.py; change that one.
  *
- * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge to the last.
+ * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge
+ * to the last.
  *
- * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both sides, left then
- * right, follow all outputs, and the places for it among the outputs of the side stay zero.
+ * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
+ * sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
  */
 
 #include "outline.h"
@@ -13,7 +14,7 @@ static inline int64_t outline__row_size(array_double_1d tables)
 {
     int64_t stations;
     int64_t size;
-    stations = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     size = layout__OUTPUT_COUNT;
     if (stations != layout__STATION_COUNT)
     {
@@ -79,8 +80,8 @@ static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outli
     return INT64_C(0);
 }
 
-/* The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the surfaces have a
- * kink; they are cut there.
+/* The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the
+ * surfaces have a kink; they are cut there.
  */
 static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t count)
 {

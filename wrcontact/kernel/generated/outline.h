@@ -1,9 +1,10 @@
 /* Generated from patch/outline.py by tools/transpile_kernel.py; change that one.
  *
- * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge to the last.
+ * The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge
+ * to the last.
  *
- * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both sides, left then
- * right, follow all outputs, and the places for it among the outputs of the side stay zero.
+ * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
+ * sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
  */
 
 #ifndef WRCONTACT_KERNEL_OUTLINE_H

@@ -7,7 +7,9 @@
 
 #include "overlap_samples.h"
 
-/* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail abscissa [m]. */
+/* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
+ * abscissa [m].
+ */
 static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d work, array_double_1d tables, int64_t place, int64_t node, double height, int64_t entry)
 {
     int64_t point;
@@ -29,7 +31,8 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     square = 1.0 / (1.0 + m * m);
     (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*abscissa);
     (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) = y;
-    /* of (height - gap) cos, but for a factor cos; where they are apart and the rail's normals say little, of height - gap */
+    /* the slope of (height - gap) cos, divided by cos; where wheel and rail are apart, and the rail's normals */
+    /* mean little, that of height - gap */
     rise = outline_slope - m;
     if (height > (*gap))
     {
@@ -40,9 +43,11 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     return 0;
 }
 
-/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be searched.
+/* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
+ * searched.
  *
- * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not sampled yet.
+ * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
+ * sampled yet.
  */
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, array_double_1d tables, int64_t direction, int64_t entry)
 {
@@ -56,8 +61,8 @@ static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, arr
     return INT64_C(0);
 }
 
-/* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is above the rail;
- * the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
+/* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
+ * above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
  */
 static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, array_double_1d tables, int64_t place, array_double_1d state, int64_t node, int64_t direction, double height, int64_t first)
 {

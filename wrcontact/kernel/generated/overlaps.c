@@ -2,14 +2,16 @@
  *
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
  *
- * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest point, which is
- * located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle between them are one region
- * (regions.MERGE).
+ * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
+ * point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle
+ * between them are one region (regions.MERGE).
  */
 
 #include "overlaps.h"
 
-/* List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their number. */
+/* List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
+ * number.
+ */
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double height)
 {
     int64_t place;
@@ -48,8 +50,9 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     return result;
 }
 
-/* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other side: the samples
- * are straight down, and their slope may change its sign a little before the overlap along the normal has its maximum.
+/* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
+ * side: the samples are straight down, and their slope may change its sign a little before the overlap along
+ * the normal has its maximum.
  */
 static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_double_1d tables, int64_t place, double x, double step, double y, double height)
 {
@@ -84,8 +87,9 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d work, array_doub
     return x;
 }
 
-/* List the deepest points between two rail abscissae from where the overlap rises towards each other: on nearly conformal
- * profiles the joints of their arcs leave several, of which a bracket by itself would end at either.
+/* List the deepest points between two rail abscissae from where the overlap rises towards each other: on
+ * nearly conformal profiles the joints of their arcs leave several, of which a bracket by itself would end
+ * at either.
  */
 static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height)
 {
@@ -105,15 +109,15 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
     double rail;
     double wheel;
     int64_t turned;
-    step = (high - low) / (double)(overlaps__PARTS);
+    step = (high - low) / (double)(overlaps__OVERLAP_PARTS);
     start = low;
     rising = INT64_C(1);
     estimate = y;
-    for (i = INT64_C(1); i < overlaps__PARTS + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < overlaps__OVERLAP_PARTS + INT64_C(1); i += INT64_C(1))
     {
         stop = low + step * (double)(i);
         falls = INT64_C(1);
-        if (i < overlaps__PARTS)
+        if (i < overlaps__OVERLAP_PARTS)
         {
             pressed__normal_line(&near, &depth, &rise, &bend, &curvature, &found, work, tables, place, stop, estimate, height);
             if (found == INT64_C(1))
@@ -139,8 +143,9 @@ static OUT_OF_LINE int64_t overlaps__list_between(array_double_1d work, array_do
     return INT64_C(0);
 }
 
-/* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there: between two
- * scan nodes on nearly conformal profiles the slope of the overlap can change its sign three times.
+/* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:
+ * between two scan nodes on nearly conformal profiles the slope of the overlap can change its sign three
+ * times.
  */
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d work, array_double_1d tables, int64_t side, double height)
 {

@@ -2,9 +2,9 @@
  *
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
  *
- * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest point, which is
- * located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle between them are one region
- * (regions.MERGE).
+ * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
+ * point, which is located along the rail's normals (:mod:`pressed`, :mod:`touching`).  Two with a low saddle
+ * between them are one region (regions.MERGE).
  */
 
 #ifndef WRCONTACT_KERNEL_OVERLAPS_H
@@ -20,7 +20,7 @@
 #include "raster.h"
 #include "touching.h"
 
-static const int64_t overlaps__PARTS = INT64_C(4);
+static const int64_t overlaps__OVERLAP_PARTS = INT64_C(4);
 static const double overlaps__FIRST_STEP = 1e-07;
 static const double overlaps__FAR_STEP = 0.001;
 static const int64_t overlaps__WIDENINGS = INT64_C(6);

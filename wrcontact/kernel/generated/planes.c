@@ -1,10 +1,12 @@
 /* Generated from contact/planes.py by tools/transpile_kernel.py; change that one.
  *
- * Planes of their own for regions of a rigid contact whose normal differs from the contact point's: a flange beside a tread.
+ * Planes of their own for regions of a rigid contact whose normal differs from the contact point's: a flange
+ * beside a tread.
  *
- * One contact plane serves all regions whose normals differ little.  A region whose normal differs by more than SPLIT has its own
- * frame, in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run
- * in its own plane, and of the wheel's approach it gets the share that comes along its normal,
+ * One contact plane serves all regions whose normals differ little.  A region whose normal differs by more than
+ * SPLIT has its own frame, in the pair of points where it would touch (:mod:`touching`): its gap is measured
+ * along its own normal, its stations run in its own plane, and of the wheel's approach it gets the share that
+ * comes along its normal,
  *
  *     level_i = cos(angle_i - angle_0) penetration - gap_i
  *
@@ -39,7 +41,9 @@ static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot)
     return INT64_C(0);
 }
 
-/* Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; FAR beyond any rail if it has none. */
+/* Rail abscissa [m] of a region's ``bound``, a station in the contact point's plane; BEYOND if it has
+ * none.
+ */
 static OUT_OF_LINE double planes__bound_abscissa(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double bound)
 {
     double gap;
@@ -48,23 +52,23 @@ static OUT_OF_LINE double planes__bound_abscissa(array_double_1d work, array_dou
     double curvature;
     double abscissa;
     abscissa = bound;
-    if (fabs(bound) < regions__FAR)
+    if (fabs(bound) < regions__BEYOND)
     {
         traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, bound, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, bound, regions__PLACE_TRACE);
         abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
     return abscissa;
 }
 
-/* Station [m] in the open frame of the rail's point at ``abscissa``; FAR stays FAR. */
+/* Station [m] in the open frame of the rail's point at ``abscissa``; BEYOND stays BEYOND. */
 static OUT_OF_LINE double planes__bound_station(array_double_1d work, array_double_1d tables, double abscissa)
 {
     double height;
     double slope;
     double station;
     station = abscissa;
-    if (fabs(abscissa) < regions__FAR)
+    if (fabs(abscissa) < regions__BEYOND)
     {
         profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
         station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
@@ -86,7 +90,9 @@ static OUT_OF_LINE int64_t planes__needs_own_plane(array_double_1d work, int64_t
     return needed;
 }
 
-/* Give a region its own frame, kept in ``slot``; the contact point's frame stays open.  1 if it has one, else 0. */
+/* Give a region its own frame, kept in ``slot``; the contact point's frame stays open.  1 if it has one,
+ * else 0.
+ */
 static OUT_OF_LINE int64_t planes__own_plane(array_double_1d work, array_double_1d tables, int64_t region, int64_t slot, array_double_1d state)
 {
     double y;
@@ -128,7 +134,7 @@ static OUT_OF_LINE int64_t planes__own_plane(array_double_1d work, array_double_
         (*cspan_at(&work, region + layout__REGION_GAP)) = -depth;
         contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), y, aside, shift);
         (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__PLACE_TRACE);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
         (*cspan_at(&work, region + layout__REGION_LOW)) = planes__bound_station(work, tables, low);
@@ -161,7 +167,9 @@ static OUT_OF_LINE int64_t planes__give_planes(array_double_1d work, array_doubl
     return INT64_C(0);
 }
 
-/* Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the flange root. */
+/* Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
+ * flange root.
+ */
 static OUT_OF_LINE int64_t planes__locate_along_track(array_double_1d work, array_double_1d tables, int64_t count)
 {
     int64_t index;

@@ -1,10 +1,12 @@
 /* Generated from contact/planes.py by tools/transpile_kernel.py; change that one.
  *
- * Planes of their own for regions of a rigid contact whose normal differs from the contact point's: a flange beside a tread.
+ * Planes of their own for regions of a rigid contact whose normal differs from the contact point's: a flange
+ * beside a tread.
  *
- * One contact plane serves all regions whose normals differ little.  A region whose normal differs by more than SPLIT has its own
- * frame, in the pair of points where it would touch (:mod:`touching`): its gap is measured along its own normal, its stations run
- * in its own plane, and of the wheel's approach it gets the share that comes along its normal,
+ * One contact plane serves all regions whose normals differ little.  A region whose normal differs by more than
+ * SPLIT has its own frame, in the pair of points where it would touch (:mod:`touching`): its gap is measured
+ * along its own normal, its stations run in its own plane, and of the wheel's approach it gets the share that
+ * comes along its normal,
  *
  *     level_i = cos(angle_i - angle_0) penetration - gap_i
  *

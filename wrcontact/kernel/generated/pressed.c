@@ -2,9 +2,9 @@
  *
  * The overlap of a wheel that is pressed into its rail, along the rail's own normals.
  *
- * A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a corner one plane
- * cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each rail point x, to where that line
- * meets the wheel's outline (Y, Z) as it stands,
+ * A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a
+ * corner one plane cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each
+ * rail point x, to where that line meets the wheel's outline (Y, Z) as it stands,
  *
  *     Y - x + (Z - z_rail(x)) m = 0,   o = (Z - z_rail - m (Y - x)) / sqrt(1 + m^2),   m = z_rail'(x)
  *
@@ -12,15 +12,16 @@
  *
  *     do/ds = (m_w - m) / (1 + m m_w)
  *
- * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
- * deepest point of a region is a pair of points with one normal, and o does not depend on where stations begin.
+ * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must
+ * not.  The deepest point of a region is a pair of points with one normal, and o does not depend on where
+ * stations begin.
  */
 
 #include "pressed.h"
 
-/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
- * ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's arc, the wheel's 1/R_x [1/m];
- * and 1 if there is such a point, else 0.
+/* Wheel abscissa [m] where the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and
+ * moved down by ``height``, sought from ``y``; the overlap [m], its derivatives [-, 1/m] along the rail's
+ * arc, the wheel's 1/R_x [1/m]; and 1 if there is such a point, else 0.
  */
 static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* result_1, double* result_2, double* result_3_0001, double* result_4, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double abscissa, double y, double height)
 {
@@ -137,9 +138,11 @@ static OUT_OF_LINE int64_t pressed__normal_line(double* result_0_0001, double* r
     return 0;
 }
 
-/* Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side where that is set.
+/* Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side
+ * where that is set.
  *
- * With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint passes a node.
+ * With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint
+ * passes a node.
  */
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_1d tables, double y, double bend)
 {
@@ -171,8 +174,9 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
     return bend;
 }
 
-/* How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap [m], with its
- * derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a pressed wheel.
+/* How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
+ * [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
+ * pressed wheel.
  */
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station)
 {
@@ -180,6 +184,7 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     double way;
     double abscissa;
     int64_t trace;
+    double estimate;
     double y;
     double overlap;
     double rise;
@@ -197,7 +202,8 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
         trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
+        estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
+        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
         if (found == INT64_C(1))
         {
             (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;

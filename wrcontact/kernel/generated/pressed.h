@@ -2,9 +2,9 @@
  *
  * The overlap of a wheel that is pressed into its rail, along the rail's own normals.
  *
- * A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a corner one plane
- * cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each rail point x, to where that line
- * meets the wheel's outline (Y, Z) as it stands,
+ * A wheel that comes down meets every part of the rail along another normal.  Where a patch reaches around a
+ * corner one plane cannot hold that; so the overlap o of a pressed wheel is measured along the normal of each
+ * rail point x, to where that line meets the wheel's outline (Y, Z) as it stands,
  *
  *     Y - x + (Z - z_rail(x)) m = 0,   o = (Z - z_rail - m (Y - x)) / sqrt(1 + m^2),   m = z_rail'(x)
  *
@@ -12,8 +12,9 @@
  *
  *     do/ds = (m_w - m) / (1 + m m_w)
  *
- * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must not.  The
- * deepest point of a region is a pair of points with one normal, and o does not depend on where stations begin.
+ * but for a factor 1 - kappa o, below 1 % and left out: kappa jumps where profiles are joined, and a slope must
+ * not.  The deepest point of a region is a pair of points with one normal, and o does not depend on where
+ * stations begin.
  */
 
 #ifndef WRCONTACT_KERNEL_PRESSED_H

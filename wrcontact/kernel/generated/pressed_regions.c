@@ -23,7 +23,9 @@ static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, dou
     return 0;
 }
 
-/* Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own gap is ``gap`` [m]. */
+/* Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own
+ * gap is ``gap`` [m].
+ */
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap)
 {
     (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height;
@@ -47,8 +49,8 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
     return INT64_C(0);
 }
 
-/* Open the frame of a region beside the contact point's, whose frame is open; what it gets of the approach follows from
- * both inclinations.
+/* Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
+ * approach follows from both inclinations.
  */
 static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work, array_double_1d tables, int64_t region, int64_t point)
 {
@@ -77,8 +79,8 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
     return INT64_C(0);
 }
 
-/* Open a region for every deepest point on the list, each with its own frame; their number.  The open frame is that of the
- * deepest, whose share of the approach counts as one.
+/* Open a region for every deepest point on the list, each with its own frame; their number.  The open
+ * frame is that of the deepest, whose share of the approach counts as one.
  */
 static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work, array_double_1d tables, array_double_1d state)
 {

@@ -2,7 +2,8 @@
  *
  * Heights, slopes and bends of a profile, from its table of quintic pieces (the record Profile).
  *
- * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the table is read.
+ * An abscissa that is not a number, infinite or far outside is read from a piece at an end: nothing outside the
+ * table is read.
  */
 
 #include "profile_table.h"

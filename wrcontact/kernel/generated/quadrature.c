@@ -2,16 +2,18 @@
  *
  * Integrals over the cells between the strips of a patch.
  *
- * A cell has a value at its inner end, one at its outer end, and the value one cell further in.  Between its ends the quadratic
- * through the three is taken, with a limited bend (:func:`bend_of`), so that an ellipse is integrated exactly.  A place in a cell
- * is its share of the cell, counted from the inner end.
+ * A cell has a value at its inner end, one at its outer end, and the value one cell further in.  Between its
+ * ends the quadratic through the three is taken, with a limited bend (:func:`bend_of`), so that an ellipse is
+ * integrated exactly.  A place in a cell is its share of the cell, counted from the inner end.
  */
 
 #include "quadrature.h"
 
-/* Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
+/* Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low|
+ * + |high|.
  *
- * Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
+ * Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data
+ * has kinks.
  */
 static inline double quadrature__bend_of(double before, double low, double high)
 {
@@ -97,10 +99,12 @@ static inline double quadrature__quadratic_moment(double before, double low, dou
     return stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0));
 }
 
-/* Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
+/* Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative
+ * there.
  *
- * In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values and the
- * width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q + q^2)/(p + q)^3].
+ * In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values
+ * and the width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q +
+ * q^2)/(p + q)^3].
  */
 static inline double quadrature__root_integral(double before, double low, double high, double start, double stop)
 {
@@ -113,6 +117,7 @@ static inline double quadrature__root_integral(double before, double low, double
     double total;
     double width;
     double chord;
+    double cube;
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
     if (bend < (-quadrature__STRAIGHT) * (fabs(low) + fabs(high)))
@@ -138,13 +143,14 @@ static inline double quadrature__root_integral(double before, double low, double
     }
     width = stop - start;
     chord = 2.0 / 3.0 * (first + p * q + last) / total;
-    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / (total * total * total));
+    cube = total * total * total;
+    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / cube);
 }
 
 /* Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
  *
- * The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of a loaded
- * stretch the rounding of root and angle then cancels.
+ * The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of
+ * a loaded stretch the rounding of root and angle then cancels.
  */
 static inline double quadrature__bent_integral(double low, double slope, double bend, double start, double stop)
 {

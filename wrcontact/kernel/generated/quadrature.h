@@ -2,9 +2,9 @@
  *
  * Integrals over the cells between the strips of a patch.
  *
- * A cell has a value at its inner end, one at its outer end, and the value one cell further in.  Between its ends the quadratic
- * through the three is taken, with a limited bend (:func:`bend_of`), so that an ellipse is integrated exactly.  A place in a cell
- * is its share of the cell, counted from the inner end.
+ * A cell has a value at its inner end, one at its outer end, and the value one cell further in.  Between its
+ * ends the quadratic through the three is taken, with a limited bend (:func:`bend_of`), so that an ellipse is
+ * integrated exactly.  A place in a cell is its share of the cell, counted from the inner end.
  */
 
 #ifndef WRCONTACT_KERNEL_QUADRATURE_H

@@ -2,13 +2,14 @@
  *
  * Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
  *
- * A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where the gap is
- * largest.  Both belong to one region while the saddle stays below MERGE of the penetration; otherwise it bounds both.
+ * A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where
+ * the gap is largest.  Both belong to one region while the saddle stays below MERGE of the penetration;
+ * otherwise it bounds both.
  */
 
 #include "regions.h"
 
-/* Start a region at the gap's local minimum near ``station``; its gap [m] (FAR if there is none). */
+/* Start a region at the gap's local minimum near ``station``; its gap [m] (BEYOND if there is none). */
 static inline double regions__open_region(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double station)
 {
     double start;
@@ -24,15 +25,15 @@ static inline double regions__open_region(array_double_1d work, array_double_1d 
     double slope;
     double found;
     start = station;
-    gap = regions__FAR;
-    found = regions__FAR;
+    gap = regions__BEYOND;
+    found = regions__BEYOND;
     bend = 0.0;
     curvature = 0.0;
     low = start - regions__WANDER;
     high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__PLACE_TRACE);
         /* downhill, until the gap bends upwards */
         move = -regions__DOWNHILL;
         if (rate < 0.0)
@@ -82,7 +83,9 @@ static inline double regions__open_region(array_double_1d work, array_double_1d 
     return found;
 }
 
-/* Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what follows from it. */
+/* Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what
+ * follows from it.
+ */
 static inline int64_t regions__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope)
 {
     double cosine;
@@ -108,15 +111,15 @@ static inline int64_t regions__open_contact_region(array_double_1d work, array_d
     double rate;
     double bend;
     double curvature;
-    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__TRACE);
+    contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__PLACE_TRACE);
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
     (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
     (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__FAR;
+    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
+    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
     regions__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     return INT64_C(0);
 }
@@ -171,7 +174,7 @@ static inline int64_t regions__is_new(array_double_1d work, int64_t count)
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         distance = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_STATION)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * count + layout__REGION_STATION));
-        if (fabs(distance) < regions__APART)
+        if (fabs(distance) < regions__SEPARATE)
         {
             new = INT64_C(0);
         }
@@ -179,7 +182,9 @@ static inline int64_t regions__is_new(array_double_1d work, int64_t count)
     return new;
 }
 
-/* Order the regions by station, set the saddles between them as bounds, and join those with a low saddle; the count. */
+/* Order the regions by station, set the saddles between them as bounds, and join those with a low saddle;
+ * the count.
+ */
 static inline int64_t regions__bound_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double level)
 {
     int64_t i;
@@ -199,8 +204,8 @@ static inline int64_t regions__bound_regions(array_double_1d work, array_double_
             }
         }
     }
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__BEYOND;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
     i = INT64_C(0);
     while(i < count - INT64_C(1))
     {
@@ -220,7 +225,7 @@ static inline int64_t regions__bound_regions(array_double_1d work, array_double_
                 regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
             count -= INT64_C(1);
-            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
+            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
         }
         else
         {
@@ -246,7 +251,9 @@ static inline int64_t regions__swap_regions(array_double_1d work, int64_t first,
     return INT64_C(0);
 }
 
-/* Station and gap [m] of the saddle between two regions: best of SADDLE_SAMPLES, then Newton on the rate. */
+/* Station and gap [m] of the saddle between two regions: best of SADDLE_SAMPLES, then
+ * Newton on the rate.
+ */
 static inline int64_t regions__find_saddle(double* result_0_0001, double* result_1_0001, array_double_1d work, array_double_1d tables, int64_t low, int64_t high, array_double_1d state)
 {
     double left;
@@ -266,11 +273,11 @@ static inline int64_t regions__find_saddle(double* result_0_0001, double* result
     traces__start_traces(work, left, (*cspan_at(&work, low + layout__REGION_RAIL)), (*cspan_at(&work, low + layout__REGION_WHEEL)));
     step = (right - left) / (double)(regions__SADDLE_SAMPLES + INT64_C(1));
     top = left;
-    largest = -regions__FAR;
+    largest = -regions__BEYOND;
     for (i = INT64_C(1); i < regions__SADDLE_SAMPLES + INT64_C(1); i += INT64_C(1))
     {
         station = left + step * (double)(i);
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__PLACE_TRACE);
         if (gap > largest)
         {
             largest = gap;
@@ -280,7 +287,7 @@ static inline int64_t regions__find_saddle(double* result_0_0001, double* result
     station = top;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
-        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__TRACE);
+        contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, station, regions__PLACE_TRACE);
         if ((!(bend < 0.0)) || (fabs(station - top) > step))
         {
             (*result_0_0001) = top;

@@ -2,8 +2,9 @@
  *
  * Where a wheel may carry load: the contact point's own region and others whose gap is small enough.
  *
- * A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where the gap is
- * largest.  Both belong to one region while the saddle stays below MERGE of the penetration; otherwise it bounds both.
+ * A region is the neighbourhood of a local minimum of the normal gap.  Between two minima lies a saddle, where
+ * the gap is largest.  Both belong to one region while the saddle stays below MERGE of the penetration;
+ * otherwise it bounds both.
  */
 
 #ifndef WRCONTACT_KERNEL_REGIONS_H
@@ -17,11 +18,11 @@
 #include "traces.h"
 
 static const double regions__MERGE = 0.3;
-static const double regions__APART = 0.0002;
+static const double regions__SEPARATE = 0.0002;
 static const double regions__WANDER = 0.005;
 static const double regions__DOWNHILL = 0.00025;
-static const double regions__FAR = 1.0;
-static const double regions__TRACE = 1e-12;
+static const double regions__BEYOND = 1.0;
+static const double regions__PLACE_TRACE = 1e-12;
 static const double regions__PLACE_SHARP = 1e-11;
 static const int64_t regions__SADDLE_SAMPLES = INT64_C(8);
 static const int64_t regions__MINIMUM_ITERATIONS = INT64_C(30);

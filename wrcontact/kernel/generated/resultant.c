@@ -2,9 +2,14 @@
  *
  * The resultant of the contact forces on the wheelset, in the track's axes.
  *
- * The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
- * acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
- * that about the wheelset's centre, which is the nominal radius above the running circles.
+ * The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left,
+ * where a region's load acts: the rail's normal there, or the mean over the region where that is known
+ * (mean_normal.py).  The moment is that about the wheelset's centre, which is the nominal radius above the
+ * running circles.
+ *
+ * Forces are summed over regions and not over patches: a patch that reaches over the bound between two regions
+ * has two normals and two points, one for each.  Load and moment of a region are those that its strips carry in
+ * the solved patches.
  */
 
 #include "resultant.h"
@@ -20,8 +25,8 @@ static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t r
     return INT64_C(0);
 }
 
-/* Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on the right, -1 on the
- * left.
+/* Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on
+ * the right, -1 on the left.
  */
 static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t resultant)
 {

@@ -2,18 +2,24 @@
  *
  * The undeformed distance over a region's stations, measured in one of four ways.
  *
- * normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the rail's, :mod:`pressed`;
+ * normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the
+ *               rail's, :mod:`pressed`;
  * vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
- * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of their normals;
- * chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the source).
+ * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
+ *               their normals;
+ * chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the
+ *               source).
  *
- * Except for the first, the wheel is moved so that its point at the region's minimum lies on the rail's, and the smallest gap
- * is added again: each region is a contact of its own, and only differences of coordinates count, not where the wheelset is.
+ * Except for the first, the wheel is moved so that its point at the region's minimum lies on the rail's, and the
+ * smallest gap is added again: each region is a contact of its own, and only differences of coordinates count,
+ * not where the wheelset is.
  */
 
 #include "separation.h"
 
-/* Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it exists. */
+/* Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and 1 if it
+ * exists.
+ */
 static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, int64_t* exists, array_double_1d work, array_double_1d tables, double station)
 {
     double per_station;
@@ -44,8 +50,8 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
     return 0;
 }
 
-/* Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed, its rate [-] and
- * bend [1/m] over the stations, and 1 if it exists.
+/* Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed,
+ * its rate [-] and bend [1/m] over the stations, and 1 if it exists.
  *
  * With angles theta of the tangents and n = (sin, -cos) of their mean, d = (p_w - p_r) n and
  *
@@ -102,8 +108,8 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
     return 0;
 }
 
-/* How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is pressed along the
- * region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-].
+/* How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is
+ * pressed along the region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-].
  */
 static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d work, array_double_1d tables)
 {
@@ -122,7 +128,9 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
     return 0;
 }
 
-/* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the region's minimum. */
+/* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
+ * region's minimum.
+ */
 static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d work, array_double_1d tables, array_double_1d state, double station, int64_t kind)
 {
     int64_t exists;
@@ -160,8 +168,8 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     return 0;
 }
 
-/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m], measured as chosen;
- * NO_GAP where a profile has ended.
+/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
+ * measured as chosen; NO_GAP where a profile has ended.
  *
  * ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
  */

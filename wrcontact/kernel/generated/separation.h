@@ -2,13 +2,17 @@
  *
  * The undeformed distance over a region's stations, measured in one of four ways.
  *
- * normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the rail's, :mod:`pressed`;
+ * normal        along the normal of the contact plane, :mod:`contact_plane`; of a pressed wheel, along the
+ *               rail's, :mod:`pressed`;
  * vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
- * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of their normals;
- * chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the source).
+ * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
+ *               their normals;
+ * chord         likewise, with points that a circle of radius h around the one before cuts out of the curve (the
+ *               source).
  *
- * Except for the first, the wheel is moved so that its point at the region's minimum lies on the rail's, and the smallest gap
- * is added again: each region is a contact of its own, and only differences of coordinates count, not where the wheelset is.
+ * Except for the first, the wheel is moved so that its point at the region's minimum lies on the rail's, and the
+ * smallest gap is added again: each region is a contact of its own, and only differences of coordinates count,
+ * not where the wheelset is.
  */
 
 #ifndef WRCONTACT_KERNEL_SEPARATION_H

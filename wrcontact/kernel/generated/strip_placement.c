@@ -73,7 +73,7 @@ static inline double strip_placement__zone_excess(array_double_1d work, int64_t 
     double beyond;
     double excess;
     excess = strip_placement__ZONE * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-    level = (*cspan_at(&work, region + layout__REGION_LEVEL)) - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
+    level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
     beyond = level + strip_placement__BEYOND * penetration;
     if (beyond < excess)
     {

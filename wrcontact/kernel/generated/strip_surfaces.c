@@ -76,7 +76,7 @@ static inline int64_t strip_surfaces__describe_strips(array_double_1d work)
         strip_surfaces__read_surfaces(work, strip, region, own, k, x);
         line = (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)));
         length = (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k)));
-        level = (*cspan_at(&work, region + layout__REGION_LEVEL)) - ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k))));
+        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k))));
         (*cspan_at(&work, strip + layout__STRIP_LOAD_PER_SQUARE)) = line * length;
         loaded = INT64_C(0);
         square = 0.0;

@@ -184,7 +184,7 @@ static inline int64_t tangent_analyn__load_regions_t(double* total, double* tota
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LEVEL)), (*cspan_at(&work_t, region + layout__REGION_LEVEL)));
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work_t, region + layout__REGION_LOAD)) = load_t;
         (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
         (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = stiffness_t;
@@ -195,8 +195,8 @@ static inline int64_t tangent_analyn__load_regions_t(double* total, double* tota
     return 0;
 }
 
-/* Tangent of ``levels_rule``. */
-static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed)
+/* Tangent of ``penetrations_rule``. */
+static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed)
 {
     double given_t;
     double given;
@@ -228,7 +228,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     double n4;
     given_t = penetration_t;
     given = penetration;
-    analyn__solve_levels(&penetration, met, work, tables, state, count, force, penetration, prescribed);
+    analyn__solve_penetrations(&penetration, met, work, tables, state, count, force, penetration, prescribed);
     penetration_t = 0.0;
     if ((*met) == INT64_C(0))
     {
@@ -240,7 +240,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = 0.0;
+        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = 0.0;
     }
     tangent_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
     total_t = v1_t;
@@ -279,7 +279,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         block = layout__WORK_REGIONS + layout__REGION_SIZE * j;
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LEVEL)), 1.0);
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), 1.0);
         per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
@@ -313,7 +313,7 @@ static inline int64_t tangent_analyn__levels_rule_t(double* result_0, double* re
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + size));
+        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + size));
     }
     tangent_analyn__load_regions_t(&n3, &n4, work, work_t, count);
     penetration_t = (*cspan_at(&work, last + size));

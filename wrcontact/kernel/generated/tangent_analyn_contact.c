@@ -94,8 +94,8 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d t
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_LEVEL)) = 0.0;
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_LEVEL)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
         (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
@@ -135,7 +135,7 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
         tangent_node_layout__prepare_regions_t(tables, work, work_t, state, count, enlarge, 0.0);
-        tangent_analyn__levels_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, start, start_t, by_penetration);
+        tangent_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, start, start_t, by_penetration);
         if (satisfied == INT64_C(0))
         {
             (*result_0_0001) = start;

@@ -258,7 +258,7 @@ static inline int64_t tangent_arc_length__rail_abscissa_t(double* x, double* x_t
         v11 = 1.0 - v10 * cosine;
         following_t = (*x_t) + ((way_t * cosine + way * cosine_t) * v11 + v5 * (-(((((0.5 * way_t * slope + v6 * slope_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t)));
         following = (*x) + v5 * v11;
-        for (i = INT64_C(0); i < arc_length__ARC_ITERATIONS; i += INT64_C(1))
+        for (i = INT64_C(0); i < arc_length__SIMPSON_ITERATIONS; i += INT64_C(1))
         {
             v13 = (*x) + following;
             tangent_arc_length__rail_speed_t(&v12, &v12_t, tables, 0.5 * v13, 0.5 * ((*x_t) + following_t));
@@ -276,7 +276,7 @@ static inline int64_t tangent_arc_length__rail_abscissa_t(double* x, double* x_t
             move = v19;
             following_t = following_t + move_t;
             following = following + move;
-            if (fabs(move) < arc_length__ARC_SHARP)
+            if (fabs(move) < arc_length__SIMPSON_SHARP)
             {
                 break;
             }

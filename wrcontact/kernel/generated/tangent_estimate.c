@@ -91,8 +91,8 @@ static inline int64_t tangent_estimate__first_penetration_t(double* v1, double* 
 {
     double v2;
     tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LEVEL)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE));
     tangent_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, state, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
     return 0;
@@ -115,8 +115,8 @@ static inline int64_t tangent_estimate__start_penetrations_t(array_double_1d wor
             local_t = estimate__LEAST_SHARE * penetration_t;
             local = estimate__LEAST_SHARE * penetration;
         }
-        (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = local_t;
-        (*cspan_at(&work, region + layout__REGION_LEVEL)) = local;
+        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = local_t;
+        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
 }

@@ -6,7 +6,7 @@
 #include "tangent_hertz.h"
 
 /* Tangent of ``table_value``. */
-static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t base, int64_t column, double abscissa, double abscissa_t)
+static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t)
 {
     double v1;
     double u_t;
@@ -15,13 +15,14 @@ static inline int64_t tangent_hertz__table_value_t(double* result_0, double* res
     int64_t cell;
     int64_t at;
     double v2;
+    double high_t;
+    double high;
     double v3;
     double v4;
-    double v5;
-    v1 = abscissa - (*cspan_at(&tables, base + hertz__TABLE_START));
-    u_t = abscissa_t * (*cspan_at(&tables, base + hertz__TABLE_CELLS_PER_UNIT));
-    u = v1 * (*cspan_at(&tables, base + hertz__TABLE_CELLS_PER_UNIT));
-    last = (*cspan_at(&tables, base + hertz__TABLE_COUNT));
+    v1 = abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START));
+    u_t = abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT));
+    u = v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT));
+    last = (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT));
     if (!(u > 0.0))
     {
         u_t = 0.0;
@@ -38,18 +39,19 @@ static inline int64_t tangent_hertz__table_value_t(double* result_0, double* res
         cell = (int64_t)(last) - INT64_C(1);
     }
     u = u - (double)(cell);
-    at = base + hertz__TABLE_CELLS + hertz__TABLE_ROW * cell + column;
-    v2 = (*cspan_at(&tables, at + INT64_C(4))) + u * (*cspan_at(&tables, at + INT64_C(5)));
-    v3 = (*cspan_at(&tables, at + INT64_C(3))) + u * v2;
-    v4 = (*cspan_at(&tables, at + INT64_C(2))) + u * v3;
-    v5 = (*cspan_at(&tables, at + INT64_C(1))) + u * v4;
-    (*result_0) = (*cspan_at(&tables, at)) + u * v5;
-    (*result_1) = u_t * v5 + u * (u_t * v4 + u * (u_t * v3 + u * (u_t * v2 + u * (u_t * (*cspan_at(&tables, at + INT64_C(5)))))));
+    at = layout__HERTZ_ROW * cell + column;
+    v2 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
+    high_t = u_t * v2 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v2;
+    v3 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
+    v4 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v3;
+    (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v4;
+    (*result_1) = u_t * v4 + u * (u_t * v3 + u * (u_t * high + u * high_t));
     return 0;
 }
 
 /* Tangent of ``hertz_coefficients``. */
-static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t base, double A, double A_t, double B, double B_t)
+static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
 {
     double v1;
     double ratio_t;
@@ -57,14 +59,14 @@ static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2
     v1 = B / A;
     ratio_t = (B_t - v1 * A_t) / A / v1;
     ratio = log(v1);
-    tangent_hertz__table_value_t(v2, v2_t, tables, base, INT64_C(0), ratio, ratio_t);
-    tangent_hertz__table_value_t(v3, v3_t, tables, base, INT64_C(0), -ratio, -ratio_t);
-    tangent_hertz__table_value_t(v4, v4_t, tables, base, INT64_C(6), ratio, ratio_t);
+    tangent_hertz__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
+    tangent_hertz__table_value_t(v3, v3_t, tables, table, INT64_C(0), -ratio, -ratio_t);
+    tangent_hertz__table_value_t(v4, v4_t, tables, table, INT64_C(6), ratio, ratio_t);
     return 0;
 }
 
 /* Tangent of ``skewed_coefficients``. */
-static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t base, double A, double A_t, double B, double B_t, double slant, double slant_t)
+static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
 {
     double v1;
     double v2;
@@ -134,7 +136,7 @@ static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* 
     v9 = v8 / large;
     small_t = (A_t * B + A * B_t - v9 * large_t) / large;
     small = v9;
-    tangent_hertz__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, base, small, small_t, large, large_t);
+    tangent_hertz__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
     along_t = along_t * small + along * small_t;
     along = along * small;
     across_t = across_t * large + across * large_t;
@@ -169,7 +171,7 @@ static inline int64_t tangent_hertz__skewed_coefficients_t(double* v17, double* 
 }
 
 /* Tangent of ``hertz_stiffness``. */
-static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t base, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
 {
     double one_alpha;
     double one_alpha_t;
@@ -182,7 +184,7 @@ static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* resul
     double v3;
     double v4;
     double v5;
-    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
+    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     v1 = 4.0 / 3.0;
     v2 = v1 * contact_modulus;
     v3 = one_beta * B;
@@ -194,7 +196,7 @@ static inline int64_t tangent_hertz__hertz_stiffness_t(double* v6, double* resul
 }
 
 /* Tangent of ``upright_rule``. */
-static inline int64_t tangent_hertz__upright_rule_t(double* A, double* A_t, double* B, double* B_t, double* share, double* share_t, array_double_1d tables, int64_t base, double length, double length_t, double width, double width_t, double nr, double nr_t)
+static inline int64_t tangent_hertz__upright_rule_t(double* A, double* A_t, double* B, double* B_t, double* share, double* share_t, array_double_1d tables, int64_t table, double length, double length_t, double width, double width_t, double nr, double nr_t)
 {
     double ratio_t;
     double ratio;
@@ -223,14 +225,14 @@ static inline int64_t tangent_hertz__upright_rule_t(double* A, double* A_t, doub
     double v11;
     double v12;
     double v13;
-    hertz__upright_coefficients(A, B, share, tables, base, length, width, nr);
+    hertz__upright_coefficients(A, B, share, tables, table, length, width, nr);
     (*A_t) = 0.0;
     (*B_t) = 0.0;
     (*share_t) = 0.0;
     ratio_t = 1.0;
     ratio = log((*B) / (*A));
-    tangent_hertz__table_value_t(&v1, &v1_t, tables, base, INT64_C(0), -ratio, -ratio_t);
-    tangent_hertz__table_value_t(&v2, &v2_t, tables, base, INT64_C(0), ratio, ratio_t);
+    tangent_hertz__table_value_t(&v1, &v1_t, tables, table, INT64_C(0), -ratio, -ratio_t);
+    tangent_hertz__table_value_t(&v2, &v2_t, tables, table, INT64_C(0), ratio, ratio_t);
     v3 = v1 / v2;
     change_t = (v1_t - v3 * v2_t) / v2 / v3;
     change = log(v3);
@@ -238,13 +240,13 @@ static inline int64_t tangent_hertz__upright_rule_t(double* A, double* A_t, doub
     v4 = width / length;
     v5 = log(v4);
     ratio_t = (width_t - v4 * length_t) / length / v4 / slope;
-    tangent_hertz__table_value_t(&v6, &v6_t, tables, base, INT64_C(0), ratio, ratio_t);
+    tangent_hertz__table_value_t(&v6, &v6_t, tables, table, INT64_C(0), ratio, ratio_t);
     alpha_t = v6_t;
     alpha = v6;
-    tangent_hertz__table_value_t(&v7, &v7_t, tables, base, INT64_C(0), -ratio, -ratio_t);
+    tangent_hertz__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), -ratio, -ratio_t);
     beta_t = v7_t;
     beta = v7;
-    tangent_hertz__table_value_t(&v8, &v8_t, tables, base, INT64_C(6), ratio, ratio_t);
+    tangent_hertz__table_value_t(&v8, &v8_t, tables, table, INT64_C(6), ratio, ratio_t);
     v9 = v8 / nr;
     (*share_t) = (v8_t - v9 * nr_t) / nr;
     v10 = (*share) * length;

@@ -22,7 +22,7 @@ static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration
 /* Tangent of ``solve_hertz``. */
 static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t point, int64_t region, double force, double force_t, double prescribed, double prescribed_t)
 {
-    int64_t base;
+    int64_t table;
     double A_t;
     double A;
     double B_t;
@@ -62,7 +62,7 @@ static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, 
     double area;
     double v17;
     double v18;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     A_t = 0.5 * (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CURVATURE_X));
     A = 0.5 * (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CURVATURE_X));
     B_t = 0.5 * (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CURVATURE_Y));
@@ -72,7 +72,7 @@ static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, 
         B_t = node_coefficients__FLOOR * A_t;
         B = node_coefficients__FLOOR * A;
     }
-    tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, base, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
+    tangent_hertz__hertz_stiffness_t(&v1, &v1_t, tables, table, A, A_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     stiffness_t = v1_t;
     stiffness = v1;
     (*penetration_t) = prescribed_t;
@@ -100,9 +100,9 @@ static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, 
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
     (*cspan_at(&work_t, region + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_LEVEL)) = (*penetration_t);
-    (*cspan_at(&work, region + layout__REGION_LEVEL)) = (*penetration);
-    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
+    (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
+    (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    tangent_hertz__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     v10 = one_alpha * A;
     v11 = (*penetration) / v10;
     v12 = sqrt(v11);

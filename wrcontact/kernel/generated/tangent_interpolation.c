@@ -64,7 +64,7 @@ static inline int64_t tangent_interpolation__between_strips_t(double* half_lengt
     u_t = (own_t - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     u = v2;
     inside = (u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))));
-    if (((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0) && inside)
+    if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0) && inside)
     {
         outward = INT64_C(1);
         if (u < 0.0)

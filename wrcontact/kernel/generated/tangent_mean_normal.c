@@ -128,7 +128,7 @@ static inline int64_t tangent_mean_normal__mean_normal_t(array_double_1d work, a
         v11 = sines / total;
         (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v11 * total_t) / total;
         (*cspan_at(&work, region + layout__REGION_SIN)) = v11;
-        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
             (*cspan_at(&work_t, region + layout__REGION_SHARE)) = (*cspan_at(&work_t, region + layout__REGION_COS));
             (*cspan_at(&work, region + layout__REGION_SHARE)) = (*cspan_at(&work, region + layout__REGION_COS));

@@ -169,7 +169,7 @@ static inline int64_t tangent_node_coefficients__adaptive_curvatures_t(double* s
 /* Tangent of ``weigh_nodes``. */
 static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, int64_t yawed)
 {
-    int64_t base;
+    int64_t table;
     int64_t prepared;
     double alpha_factor_t;
     double alpha_factor;
@@ -212,9 +212,9 @@ static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d w
     double nr_t;
     double nr;
     double v9;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = INT64_C(0);
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         prepared = INT64_C(1);
     }
@@ -271,15 +271,15 @@ static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d w
             tangent_node_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
         v4 = secant / A;
-        tangent_hertz__table_value_t(&v3, &v3_t, tables, base, INT64_C(0), log(v4), (secant_t - v4 * A_t) / A / v4);
+        tangent_hertz__table_value_t(&v3, &v3_t, tables, table, INT64_C(0), log(v4), (secant_t - v4 * A_t) / A / v4);
         alpha_t = v3_t;
         alpha = v3;
         v6 = A / side;
-        tangent_hertz__table_value_t(&v5, &v5_t, tables, base, INT64_C(0), log(v6), (A_t - v6 * side_t) / side / v6);
+        tangent_hertz__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), log(v6), (A_t - v6 * side_t) / side / v6);
         beta_t = v5_t;
         beta = v5;
         v8 = B / A;
-        tangent_hertz__table_value_t(&v7, &v7_t, tables, base, INT64_C(6), log(v8), (B_t - v8 * A_t) / A / v8);
+        tangent_hertz__table_value_t(&v7, &v7_t, tables, table, INT64_C(6), log(v8), (B_t - v8 * A_t) / A / v8);
         nr_t = v7_t;
         nr = v7;
         if (yawed == INT64_C(1))
@@ -307,7 +307,7 @@ static inline int64_t tangent_node_coefficients__weigh_nodes_t(array_double_1d w
 /* Tangent of ``skew_factors``. */
 static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
 {
-    int64_t base;
+    int64_t table;
     double v1;
     double B_t;
     double B;
@@ -323,6 +323,10 @@ static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, doub
     double skewed_beta_t;
     double skewed_nr;
     double skewed_nr_t;
+    double length_t;
+    double length;
+    double width_t;
+    double width;
     double upright_A;
     double upright_A_t;
     double upright_B;
@@ -331,7 +335,7 @@ static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, doub
     double share_t;
     double v2;
     double v3;
-    base = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
+    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     B_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
     B = 0.5 * v1;
@@ -340,11 +344,15 @@ static inline int64_t tangent_node_coefficients__skew_factors_t(double* v4, doub
         B_t = node_coefficients__FLOOR * A_t;
         B = node_coefficients__FLOOR * A;
     }
-    tangent_hertz__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, base, A, A_t, B, B_t);
-    tangent_hertz__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, base, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
+    tangent_hertz__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
+    tangent_hertz__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
-        tangent_hertz__upright_rule_t(&upright_A, &upright_A_t, &upright_B, &upright_B_t, &share, &share_t, tables, base, skewed_alpha * A, skewed_alpha_t * A + skewed_alpha * A_t, skewed_beta * B, skewed_beta_t * B + skewed_beta * B_t, skewed_nr, skewed_nr_t);
+        length_t = skewed_alpha_t * A + skewed_alpha * A_t;
+        length = skewed_alpha * A;
+        width_t = skewed_beta_t * B + skewed_beta * B_t;
+        width = skewed_beta * B;
+        tangent_hertz__upright_rule_t(&upright_A, &upright_A_t, &upright_B, &upright_B_t, &share, &share_t, tables, table, length, length_t, width, width_t, skewed_nr, skewed_nr_t);
         v2 = upright_A / A;
         (*cspan_at(&work_t, region + layout__REGION_UPRIGHT_A)) = (upright_A_t - v2 * A_t) / A;
         (*cspan_at(&work, region + layout__REGION_UPRIGHT_A)) = v2;

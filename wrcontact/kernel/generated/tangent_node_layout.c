@@ -19,7 +19,7 @@ static inline int64_t tangent_node_layout__zone_share_t(double* share, double* s
         side = node_coefficients__FLOOR * A;
     }
     spread = node_layout__SPREAD;
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
     {
         spread = node_layout__STRIP_SPREAD;
     }
@@ -28,7 +28,7 @@ static inline int64_t tangent_node_layout__zone_share_t(double* share, double* s
     v3 = spread / v1;
     (*share_t) = (-v3) * v1_t / v1;
     (*share) = v3;
-    if (((*share) > node_layout__COVER) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE))
+    if (((*share) > node_layout__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
         (*share_t) = 0.0;
         (*share) = node_layout__COVER;
@@ -60,9 +60,9 @@ static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, doubl
         widest_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
         widest = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
     }
-    v2 = (*cspan_at(&work, region + layout__REGION_LEVEL)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    v2 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
     v3 = sqrt(v2);
-    least_t = node_layout__NARROWEST * tangent_rates__root_rate(v3, ((*cspan_at(&work_t, region + layout__REGION_LEVEL)) - v2 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    least_t = node_layout__NARROWEST * tangent_rates__root_rate(v3, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     least = node_layout__NARROWEST * v3;
     if (mean < least)
     {
@@ -92,7 +92,7 @@ static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d tab
     {
         region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
         tangent_planes__enter_plane_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i, i);
-        tangent_widths__measure_widths_t(tables, work, work_t, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LEVEL)), node_layout__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LEVEL)));
+        tangent_widths__measure_widths_t(tables, work, work_t, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), node_layout__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         tangent_node_layout__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
         (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
@@ -122,8 +122,8 @@ static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d table
     double v4;
     double v5;
     yawed = contact_plane__is_yawed(work);
-    reach_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL)) * enlarge + (*cspan_at(&work, region + layout__REGION_LEVEL)) * enlarge_t;
-    reach = (*cspan_at(&work, region + layout__REGION_LEVEL)) * enlarge;
+    reach_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge_t;
+    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
     A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
     A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
     tangent_node_layout__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)));
@@ -141,12 +141,12 @@ static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d table
     }
     tangent_nodes__lay_nodes_t(tables, work, work_t, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     tangent_node_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD)))) == layout__LOAD_VERTICAL))
+    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        tangent_mean_normal__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LEVEL)), (*cspan_at(&work_t, region + layout__REGION_LEVEL)));
+        tangent_mean_normal__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     }
-    v5 = (*cspan_at(&work, region + layout__REGION_LEVEL)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LEVEL)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    v5 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
     (*cspan_at(&work, region + layout__REGION_SQUARE)) = v5;
     return INT64_C(0);
 }

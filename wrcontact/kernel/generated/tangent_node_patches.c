@@ -24,7 +24,7 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
         (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
         (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = 0.0;
         (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
-        if ((*cspan_at(&work, region + layout__REGION_LEVEL)) > 0.0)
+        if ((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0)
         {
             (*cspan_at(&work_t, region + layout__REGION_STRIP)) = 0.0;
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
@@ -47,8 +47,8 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
 /* Tangent of ``fill_strips``. */
 static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
 {
-    double level_t;
-    double level;
+    double deepest_t;
+    double deepest;
     int64_t middle;
     double spacing_t;
     double spacing;
@@ -74,8 +74,8 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
     double away;
     int64_t k6;
     int64_t k7;
-    level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL));
-    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
+    deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
     spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
@@ -89,8 +89,8 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
-        d_t = level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
-        d = level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        d_t = deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
         load_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d_t;
         load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
         (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load_t;
@@ -129,8 +129,8 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
 {
     double spacing_t;
     double spacing;
-    double level_t;
-    double level;
+    double deepest_t;
+    double deepest;
     int64_t outward;
     int64_t low;
     int64_t before;
@@ -154,8 +154,8 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
     double v3;
     spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL));
-    level = (*cspan_at(&work, region + layout__REGION_LEVEL));
+    deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
+    deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     outward = INT64_C(1);
     low = k;
     if (k < INT64_C(0))
@@ -165,7 +165,7 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
     }
     before = low - outward;
     high = low + outward;
-    tangent_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)), level - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), level_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    tangent_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
     if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
     {
         tangent_analyn__clip_to_bound_t(&v1, &v1_t, work, work_t, region, low, outward, stop, stop_t);

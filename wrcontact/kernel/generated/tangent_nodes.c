@@ -45,7 +45,7 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
     (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
-    if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
         tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2_t;
@@ -87,7 +87,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
         (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature_t;
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
-        if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
             tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
             (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v3_t;
@@ -112,6 +112,7 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, ar
     double next_rate;
     double next_rate_t;
     double v1;
+    int64_t start;
     int64_t at;
     double v2;
     double station_t;
@@ -145,7 +146,8 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, ar
             }
             else
             {
-                tangent_nodes__fill_between_t(work, work_t, nodes, direction * traced, direction * (traced + step), step, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), rate, rate_t, next_rate, next_rate_t);
+                start = direction * traced;
+                tangent_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), rate, rate_t, next_rate, next_rate_t);
                 rate_t = next_rate_t;
                 rate = next_rate;
                 traced = traced + step;
@@ -159,7 +161,7 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, ar
         if (ended == INT64_C(1))
         {
             tangent_nodes__extrapolate_node_t(work, work_t, nodes, at, direction);
-            if ((int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL)))) != layout__LATERAL_ADAPTIVE)
+            if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
             {
                 (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
                 (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
@@ -294,11 +296,13 @@ static inline int64_t tangent_nodes__end_region_t(array_double_1d work, array_do
 static inline int64_t tangent_nodes__extrapolate_node_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t at, int64_t direction)
 {
     int64_t one;
+    int64_t two;
     one = at - direction;
     if (at * direction > INT64_C(2))
     {
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (one - direction))) + (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (one - INT64_C(2) * direction)));
-        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (one - direction))) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (one - INT64_C(2) * direction)));
+        two = one - direction;
+        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
+        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
     }
     else
     {

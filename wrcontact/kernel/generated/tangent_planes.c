@@ -46,10 +46,10 @@ static inline int64_t tangent_planes__bound_abscissa_t(double* abscissa, double*
     double curvature_t;
     (*abscissa_t) = bound_t;
     (*abscissa) = bound;
-    if (fabs(bound) < regions__FAR)
+    if (fabs(bound) < regions__BEYOND)
     {
         tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, bound, bound_t, regions__TRACE, 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, bound, bound_t, regions__PLACE_TRACE, 0.0);
         (*abscissa_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         (*abscissa) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
@@ -67,7 +67,7 @@ static inline int64_t tangent_planes__bound_station_t(double* station, double* s
     double v2;
     (*station_t) = abscissa_t;
     (*station) = abscissa;
-    if (fabs(abscissa) < regions__FAR)
+    if (fabs(abscissa) < regions__BEYOND)
     {
         tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
         v1 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
@@ -164,7 +164,7 @@ static inline int64_t tangent_planes__own_plane_t(array_double_1d work, array_do
         tangent_contact_plane__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), y, y_t, aside, aside_t, shift, shift_t);
         (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work_t, region + layout__REGION_GAP));
         (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__TRACE, 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__PLACE_TRACE, 0.0);
         (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;

@@ -293,6 +293,8 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     double abscissa_t;
     double abscissa;
     int64_t trace;
+    double estimate_t;
+    double estimate;
     double y;
     double y_t;
     double overlap;
@@ -324,7 +326,9 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
         trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE)), (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
+        estimate_t = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
+        estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
+        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
         if (found == INT64_C(1))
         {
             (*gap_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap_t;

@@ -208,6 +208,8 @@ static inline int64_t tangent_quadrature__root_integral_t(double* v2, double* v2
     double chord_t;
     double chord;
     double v11;
+    double cube_t;
+    double cube;
     double v12;
     double v13;
     double v14;
@@ -217,7 +219,6 @@ static inline int64_t tangent_quadrature__root_integral_t(double* v2, double* v2
     double v18;
     double v19;
     double v20;
-    double v21;
     tangent_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
     bend_t = v1_t;
     bend = v1;
@@ -266,19 +267,20 @@ static inline int64_t tangent_quadrature__root_integral_t(double* v2, double* v2
     v10 = v9 / total;
     chord_t = (v7 * (first_t + (p_t * q + p * q_t) + last_t) - v10 * total_t) / total;
     chord = v10;
-    v11 = 2.0 / 15.0;
-    v12 = v11 * bend;
-    v13 = v12 * width;
+    v11 = total * total;
+    cube_t = (total_t * total + total * total_t) * total + v11 * total_t;
+    cube = v11 * total;
+    v12 = 2.0 / 15.0;
+    v13 = v12 * bend;
     v14 = v13 * width;
-    v15 = 3.0 * p;
-    v16 = first + v15 * q + last;
-    v17 = v14 * v16;
-    v18 = total * total;
-    v19 = v18 * total;
-    v20 = v17 / v19;
-    v21 = chord - v20;
-    (*v2) = width * v21;
-    (*v2_t) = width_t * v21 + width * (chord_t - (((v11 * bend_t * width + v12 * width_t) * width + v13 * width_t) * v16 + v14 * (first_t + (3.0 * p_t * q + v15 * q_t) + last_t) - v20 * ((total_t * total + total * total_t) * total + v18 * total_t)) / v19);
+    v15 = v14 * width;
+    v16 = 3.0 * p;
+    v17 = first + v16 * q + last;
+    v18 = v15 * v17;
+    v19 = v18 / cube;
+    v20 = chord - v19;
+    (*v2) = width * v20;
+    (*v2_t) = width_t * v20 + width * (chord_t - (((v12 * bend_t * width + v13 * width_t) * width + v14 * width_t) * v17 + v15 * (first_t + (3.0 * p_t * q + v16 * q_t) + last_t) - v19 * cube_t) / cube);
     return 0;
 }
 

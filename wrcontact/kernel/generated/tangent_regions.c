@@ -35,9 +35,9 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     start_t = station_t;
     start = station;
     gap_t = 0.0;
-    gap = regions__FAR;
+    gap = regions__BEYOND;
     (*found_t) = 0.0;
-    (*found) = regions__FAR;
+    (*found) = regions__BEYOND;
     bend_t = 0.0;
     bend = 0.0;
     curvature_t = 0.0;
@@ -48,7 +48,7 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     high = start + regions__WANDER;
     for (i = INT64_C(0); i < regions__MINIMUM_ITERATIONS; i += INT64_C(1))
     {
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, regions__TRACE, 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, station, station_t, regions__PLACE_TRACE, 0.0);
         move_t = 0.0;
         move = -regions__DOWNHILL;
         if (rate < 0.0)
@@ -162,7 +162,7 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d wor
     double curvature;
     double curvature_t;
     double v1;
-    tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__TRACE, 0.0);
+    tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, 0.0, 0.0, regions__PLACE_TRACE, 0.0);
     (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
@@ -176,9 +176,9 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d wor
     (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
     (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
     (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
     (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__FAR;
+    (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
     v1 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     tangent_regions__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     return INT64_C(0);
@@ -266,9 +266,9 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d work, arr
         }
     }
     (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_LOW)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__FAR;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__BEYOND;
     (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
+    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
     i = INT64_C(0);
     while(i < count - INT64_C(1))
     {
@@ -291,7 +291,7 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d work, arr
             }
             count = count - INT64_C(1);
             (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
-            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__FAR;
+            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
         }
         else
         {
@@ -343,12 +343,12 @@ static inline int64_t tangent_regions__minimum_rule_t(double* found, double* fou
     n1 = regions__open_region(work, tables, region, state, station);
     (*found_t) = 0.0;
     (*found) = n1;
-    if ((*found) < regions__FAR)
+    if ((*found) < regions__BEYOND)
     {
         place_t = 0.0;
         place = (*cspan_at(&work, region + layout__REGION_STATION));
         tangent_traces__start_traces_t(work, work_t, place, place_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
-        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, place, place_t, regions__TRACE, 0.0);
+        tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, place, place_t, regions__PLACE_TRACE, 0.0);
         v2 = -rate;
         place_t = (-rate_t) / bend;
         tangent_regions__open_region_t(&v3, &v3_t, work, work_t, tables, region, state, place, place_t);
@@ -385,7 +385,7 @@ static inline int64_t tangent_regions__saddle_rule_t(double* station, double* st
     if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) == (*station))
     {
         tangent_traces__start_traces_t(work, work_t, (*station), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
-        tangent_contact_plane__normal_gap_t(&saddle, &saddle_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*station), 0.0, regions__TRACE, 0.0);
+        tangent_contact_plane__normal_gap_t(&saddle, &saddle_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*station), 0.0, regions__PLACE_TRACE, 0.0);
         if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
         {
             v2 = -rate;

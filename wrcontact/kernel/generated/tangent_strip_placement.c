@@ -106,8 +106,8 @@ static inline int64_t tangent_strip_placement__zone_excess_t(double* excess, dou
     double beyond;
     (*excess_t) = strip_placement__ZONE * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP)) - (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
     (*excess) = strip_placement__ZONE * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-    level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL)) - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
-    level = (*cspan_at(&work, region + layout__REGION_LEVEL)) - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
+    level_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
+    level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
     beyond_t = level_t + strip_placement__BEYOND * penetration_t;
     beyond = level + strip_placement__BEYOND * penetration;
     if (beyond < (*excess))

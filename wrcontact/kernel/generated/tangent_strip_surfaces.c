@@ -112,8 +112,8 @@ static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d 
         length_t = (*cspan_at(&work_t, own + layout__NODES_LENGTH + INT64_C(128) + k)) + (x_t * v2 + x * ((*cspan_at(&work_t, own + layout__NODES_LENGTH + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, own + layout__NODES_LENGTH + INT64_C(128) + k))));
         length = (*cspan_at(&work, own + layout__NODES_LENGTH + INT64_C(128) + k)) + x * v2;
         v3 = (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k));
-        level_t = (*cspan_at(&work_t, region + layout__REGION_LEVEL)) - ((*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + k)) + (x_t * v3 + x * ((*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + k)))));
-        level = (*cspan_at(&work, region + layout__REGION_LEVEL)) - ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k)) + x * v3);
+        level_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - ((*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + k)) + (x_t * v3 + x * ((*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work_t, own + layout__NODES_RISE + INT64_C(128) + k)))));
+        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - ((*cspan_at(&work, own + layout__NODES_RISE + INT64_C(128) + k)) + x * v3);
         (*cspan_at(&work_t, strip + layout__STRIP_LOAD_PER_SQUARE)) = line_t * length + line * length_t;
         (*cspan_at(&work, strip + layout__STRIP_LOAD_PER_SQUARE)) = line * length;
         loaded = INT64_C(0);

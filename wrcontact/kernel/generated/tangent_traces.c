@@ -32,7 +32,7 @@ static inline int64_t tangent_traces__first_abscissa_t(double* u, double* u_t, a
     double v2;
     (*u_t) = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (away_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + away * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
     (*u) = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + away * (*cspan_at(&work, trace + layout__TRACE_RATE));
-    if (fabs(away) < traces__NEAR)
+    if (fabs(away) < traces__EXTRAPOLATED)
     {
         v1 = 0.5 * away;
         v2 = v1 * away;
@@ -164,6 +164,8 @@ static inline int64_t tangent_traces__trace_rail_t(double* ordinate, double* ord
 static inline int64_t tangent_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, int64_t* exists, array_double_1d work, array_double_1d work_t, array_double_1d tables, double station, double station_t, double tolerance, double tolerance_t)
 {
     int64_t place;
+    double lifted_t;
+    double lifted;
     double slope;
     double slope_t;
     double z;
@@ -173,7 +175,9 @@ static inline int64_t tangent_traces__trace_wheel_t(double* ordinate, double* or
     place = layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_FRAME + layout__FRAME_WHEEL, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)), station_t - ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))), tolerance, tolerance_t);
+        lifted_t = station_t - ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        lifted = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_FRAME + layout__FRAME_WHEEL, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
         (*ordinate_t) = (*ordinate_t) - ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
         (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         tangent_longitudinal_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));

@@ -64,11 +64,11 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
     low = v3;
     high_t = low_t;
     high = low;
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) > 0.0)
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
     {
-        v4 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL));
+        v4 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
         v5 = sqrt(v4);
-        grown_t = tangent_rates__root_rate(v5, (local_penetration_t - v4 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_LEVEL))) / (*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)));
+        grown_t = tangent_rates__root_rate(v5, (local_penetration_t - v4 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
         grown = v5;
         low_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown_t;
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
@@ -91,7 +91,7 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
         slant_t = v7_t;
         slant = v7;
     }
-    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) > 0.0))
+    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
     {
         low_t = high_t;
         low = high;
@@ -124,8 +124,8 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
     (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
     (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
     (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_LEVEL)) = local_penetration_t;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) = local_penetration;
+    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration_t;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
     v16 = high - low;
     (*cspan_at(&work_t, region + layout__REGION_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_STATION)) + 0.5 * (high_t - low_t);
     (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v16;

@@ -5,7 +5,9 @@
 
 #include "totals.h"
 
-/* The totals of all patches, and the PATCH_LIMIT heaviest patches by falling load, into the outputs of a side. */
+/* The totals of all patches, and the PATCH_LIMIT heaviest patches by falling load, into the outputs of a
+ * side.
+ */
 static inline int64_t totals__write_patches(array_double_1d work, int64_t side)
 {
     int64_t index_end;

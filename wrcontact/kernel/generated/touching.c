@@ -2,17 +2,23 @@
  *
  * Pairs of points of wheel and rail with a common normal, found in two ways for two purposes.
  *
- * touching_pair   by Newton's method for both abscissae at once, from a good estimate: where a wheel that overlaps its rail a
- *                 little, or stands above it, would touch.  It needs wheel and rail to be bent towards each other.
- * turning_point   by a bracket on the rail, with Newton's method inside it: where the overlap of a pressed wheel is largest,
+ * touching_pair   by Newton's method for both abscissae at once, from a good estimate: where a wheel that
+ * overlaps its rail a
+ *                 little, or stands above it, would touch.  It needs wheel and rail to be bent towards each
+ *                 other.
+ * turning_point   by a bracket on the rail, with Newton's method inside it: where the overlap of a pressed wheel
+ * is largest,
  *                 or smallest between two largest ones.  It finds one also where curvatures jump.
  *
- * An elastic contact is a rigid one that has been pressed: the wheel stands ``depth`` deeper than where it just touches.  In a
- * pair the outline and the rail have one slope m and the line between both points is normal to them,
+ * An elastic contact is a rigid one that has been pressed: the wheel stands ``depth`` deeper than where it just
+ * touches.  In a pair the outline and the rail have one slope m and the line between both points is normal to
+ * them,
  *
- *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,   depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)
+ *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,   depth = (Z - z_rail - m (X - x)) / sqrt(1 +
+ *     m^2)
  *
- * with (X, Z) the wheel's point at abscissa y as it stands.  Without overlap it is the point of the smallest vertical gap.
+ * with (X, Z) the wheel's point at abscissa y as it stands.  Without overlap it is the point of the smallest
+ * vertical gap.
  */
 
 #include "touching.h"
@@ -31,9 +37,9 @@ static OUT_OF_LINE double touching__limited(double step, double limit)
     return step;
 }
 
-/* Wheel and rail abscissa [m] of the pair near ``y`` and ``abscissa`` for the wheel placed at ``place`` and moved down by
- * ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical shift [m] that let it touch; and 1
- * if there is such a pair, else 0.
+/* Wheel and rail abscissa [m] of the pair near ``y`` and ``abscissa`` for the wheel placed at ``place``
+ * and moved down by ``shift`` [m]; its depth [m], negative where they are apart; the lateral and vertical
+ * shift [m] that let it touch; and 1 if there is such a pair, else 0.
  */
 static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double* result_1_0001, double* result_2, double* result_3_0001, double* result_4_0001, int64_t* result_5_0001, array_double_1d work, array_double_1d tables, int64_t place, double y, double abscissa, double shift)
 {
@@ -144,12 +150,13 @@ static OUT_OF_LINE int64_t touching__touching_pair(double* result_0_0001, double
     return 0;
 }
 
-/* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail abscissae, and
- * the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth value: 1 if the slope changes its sign
- * there, else 0.
+/* Rail and wheel abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
+ * abscissae, and the overlap [m]: Newton's method on its slope, bracketed, from the middle on.  Fourth
+ * value: 1 if the slope changes its sign there, else 0.
  *
- * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap Newton's method can
- * then alternate between two places.  Where a step has not halved the slope, the bracket is halved.
+ * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
+ * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
+ * is halved.
  */
 static OUT_OF_LINE int64_t touching__turning_point(double* result_0, double* result_1_0001, double* result_2, int64_t* result_3, array_double_1d work, array_double_1d tables, int64_t place, double low, double high, double y, double height, double sign)
 {

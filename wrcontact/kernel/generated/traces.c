@@ -2,10 +2,11 @@
  *
  * Wheel and rail as heights over the contact plane, traced from station to station.
  *
- * Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
- * plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
- * n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
- * residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
+ * Station s runs along the contact plane to the field side, from the contact point; heights n are measured along
+ * the plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both
+ * read as n(s): the profile abscissa that projects on s is found by Newton's method from the previous station,
+ * and the last residual is removed by the curve's own slope and bend, which leaves an error of third order in a
+ * small residual.
  */
 
 #include "traces.h"
@@ -28,15 +29,15 @@ static inline double traces__first_abscissa(array_double_1d work, int64_t trace,
 {
     double u;
     u = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + away * (*cspan_at(&work, trace + layout__TRACE_RATE));
-    if (fabs(away) < traces__NEAR)
+    if (fabs(away) < traces__EXTRAPOLATED)
     {
         u += 0.5 * away * away * (*cspan_at(&work, trace + layout__TRACE_BEND));
     }
     return u;
 }
 
-/* Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope there [-], its
- * height [m], and 1 if it exists.
+/* Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope
+ * there [-], its height [m], and 1 if it exists.
  *
  * point : the profile's point at station zero.
  * plane : inclination of the contact plane in the profile's coordinates.
@@ -93,7 +94,9 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
     return 0;
 }
 
-/* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it exists. */
+/* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and 1 if it
+ * exists.
+ */
 static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, int64_t* exists, array_double_1d work, array_double_1d tables, double station, double tolerance)
 {
     double slope;
@@ -110,12 +113,14 @@ static inline int64_t traces__trace_rail(double* ordinate, double* rate, double*
 static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, int64_t* exists, array_double_1d work, array_double_1d tables, double station, double tolerance)
 {
     int64_t place;
+    double lifted;
     double slope;
     double z;
     place = layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        traces__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_FRAME + layout__FRAME_WHEEL, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)), tolerance);
+        lifted = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        traces__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_FRAME + layout__FRAME_WHEEL, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
         (*ordinate) -= (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, place, z, slope, (*bend));
     }

@@ -2,10 +2,11 @@
  *
  * Wheel and rail as heights over the contact plane, traced from station to station.
  *
- * Station s runs along the contact plane to the field side, from the contact point; heights n are measured along the
- * plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both read as
- * n(s): the profile abscissa that projects on s is found by Newton's method from the previous station, and the last
- * residual is removed by the curve's own slope and bend, which leaves an error of third order in a small residual.
+ * Station s runs along the contact plane to the field side, from the contact point; heights n are measured along
+ * the plane's normal, from rail to wheel.  The outline of the wheel (:mod:`locus`) and the rail profile are both
+ * read as n(s): the profile abscissa that projects on s is found by Newton's method from the previous station,
+ * and the last residual is removed by the curve's own slope and bend, which leaves an error of third order in a
+ * small residual.
  */
 
 #ifndef WRCONTACT_KERNEL_TRACES_H
@@ -17,7 +18,7 @@
 #include "longitudinal_curvature.h"
 #include "profile_table.h"
 
-static const double traces__NEAR = 0.001;
+static const double traces__EXTRAPOLATED = 0.001;
 static const int64_t traces__TRACE_ITERATIONS = INT64_C(30);
 
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y);

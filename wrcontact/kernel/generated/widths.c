@@ -5,8 +5,8 @@
 
 #include "widths.h"
 
-/* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on both sides that follow
- * from them, and the station its load is thought to act at.
+/* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
+ * both sides that follow from them, and the station its load is thought to act at.
  */
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double local_penetration)
 {
@@ -30,9 +30,9 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
     }
     low = sqrt(2.0 * local_penetration / bend);
     high = low;
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) > 0.0)
+    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
     {
-        grown = sqrt(local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)));
+        grown = sqrt(local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
@@ -45,7 +45,7 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
     {
         slant = locus__outline_x(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     }
-    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) > 0.0))
+    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
     {
         low = high;
     }
@@ -62,13 +62,13 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
     (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = widths__side_curvature((*cspan_at(&work, region + layout__REGION_REACHED)), low, 0.5 * (low + high));
     (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
     (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_LEVEL)) = local_penetration;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
     (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * (high - low);
     return INT64_C(0);
 }
 
-/* g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m], enlarged where that side is
- * the narrower, up to NARROWER times.
+/* g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m],
+ * enlarged where that side is the narrower, up to NARROWER times.
  */
 static inline double widths__side_curvature(double reached, double own, double mean)
 {

@@ -29,11 +29,11 @@ static inline double zone_width__width_tolerance(double estimate)
     return tolerance;
 }
 
-/* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's bound or the
- * end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
+/* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
+ * bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
  *
- * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the chosen
- * separation, with arcs in place of the chords whose length follows from this width.
+ * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
+ * chosen separation, with arcs in place of the chords whose length follows from this width.
  */
 static inline double zone_width__zone_width(array_double_1d work, array_double_1d tables, int64_t region, array_double_1d state, double direction, double level, double estimate)
 {

@@ -3,7 +3,7 @@
 from typing import Final
 
 from .contact import REGION_LIMIT
-from .record import OPEN, centred, record, run
+from .record import OPEN, Float, centred, record, run
 
 NODE_FIELDS: Final[int] = 6          # node arrays of each
 NODE_LIMIT: Final[int] = 256         # their length
@@ -93,3 +93,16 @@ class InfluenceTable:
     cells_per_unit: float
     count: float                    # number of cells
     cells: Cubic * OPEN             # Phi of eq. (S2) over the place 0 <= u < 1 in each cell
+
+
+HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table
+
+
+@record
+class HertzTable:
+    """1 + alpha and n r over ln(B/A), as quintics over uniform cells (normal/hertz.py)."""
+
+    count: float                    # cells
+    start: float                    # where the first one begins
+    cells_per_unit: float
+    rows: Float * OPEN              # HERTZ_ROW numbers a cell: six of 1 + alpha, six of n r

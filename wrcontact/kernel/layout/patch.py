@@ -1,6 +1,7 @@
 """Records of the room patch: the solved contact patches of one wheel.
 
-A model of normal contact fills them; totals, outline and resultant read them, and so will a model of tangential contact.
+A model of normal contact fills them; totals, outline and resultant read them, and so will a model of
+tangential contact.
 """
 
 from typing import Final
@@ -14,16 +15,16 @@ SOLVED_STRIP_LIMIT: Final[int] = 768     # strips of all of them: the nodes of t
 # how half-length and pressure follow between the strips of a patch (patch/interpolation.py)
 RULE_ELLIPSE: Final[int] = 0         # the patch is an ellipse and has no strips: in closed form
 RULE_QUADRATIC: Final[int] = 1       # quadratics through the squares at evenly spaced strips
-RULE_STRAIGHT: Final[int] = 2        # straight lines through the squares, which fall to zero at the patch's edges
+RULE_STRAIGHT: Final[int] = 2        # straight lines through the squares, to zero at the patch's edges
 
 
 @record
 class SolvedStrip:
     station: float                  # of its middle, along the rail's profile, from the contact point [m]
-    width: float                    # along the profile [m]; 0: it lies outside the patches and serves the interpolation
+    width: float                    # along the profile [m]; 0: outside the patches, for the interpolation
     x: float                        # track coordinate x of its middle [m]
     curvature: float                # relative longitudinal curvature 1/R_x [1/m]
-    line_load: float                # load per width [N/m]; not above zero where the strip is not loaded, and so are
+    line_load: float                # load per width [N/m]; not above zero where there is no load, like
     half_length_square: float       # the square of its half-length [m^2] and
     pressure_square: float          # the square of the pressure on its middle [Pa^2]
 
@@ -49,7 +50,7 @@ class SolvedPatch:
     contact_angle: float            # of the rail at its point [rad]
     cos: float                      # of the angle along which its force acts
     sin: float
-    rail: float                     # its point, where wheel and rail are closest or overlap most: rail abscissa [m],
+    rail: float                     # its point, the closest or deepest one: rail abscissa [m],
     wheel: float                    # wheel abscissa [m],
     station: float                  # station [m],
     x: float                        # track coordinate x [m]
@@ -68,14 +69,15 @@ SolvedStrips = SolvedStrip * SOLVED_STRIP_LIMIT
 class SolvedPatches:
     count: int
     totals: PatchTotals             # of all patches
-    pressure_square: float          # of the patch that is being filled: the squares of its largest pressure [Pa^2] and
-    half_length_square: float       # half-length [m^2] so far
+    pressure_square: float          # squares of the largest pressure [Pa^2] of the patch that is filled and
+    half_length_square: float       # of its largest half-length [m^2] so far
     patches: SolvedPatch * SOLVED_PATCH_LIMIT
     strips: SolvedStrips
 
 
 @record
 class Outline:
-    """Stations, half-lengths and pressures of one wheel, as many of each as stations are wanted, one run after the other."""
+    """Stations, half-lengths and pressures of one wheel, as many of each as stations are wanted, one run
+    after the other."""
 
     numbers: Float * (RUN_COUNT * STATION_LIMIT)

@@ -4,7 +4,7 @@ Settings are at the head of the tables, then come the tables that they point to.
 """
 
 from .interface import Parameters, Resolution
-from .normal import InfluenceTable
+from .normal import HertzTable, InfluenceTable
 from .record import Float, To, record
 from .search import Scan, Starts
 from .surface import CurvatureTable, Profile
@@ -30,7 +30,7 @@ class Tables:
     wheel: To(Profile)
     rail: To(Profile)
     scan: To(Scan)
-    hertz: float
+    hertz: To(HertzTable)
     normal_model: int               # one of MODEL_...
     longitudinal: int               # one of LONGITUDINAL_...
     penetration: Float * 2          # prescribed, left and right [m]; not a number: the force is prescribed

@@ -1,16 +1,17 @@
-"""ANALYN on the nodes of up to three regions: from levels to loads, and from a force to levels.
+"""ANALYN on the nodes of up to three regions: from local penetrations
+to loads, and from a force to penetrations.
 
-Sichani, Enblom & Berg (2014).  In a region with local penetration D (its level) the strip at s is loaded where
+Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
 
     d(s) = D - (1 + beta) g > 0,   half-length a = sqrt(d / ((1 + alpha) A)),   p0 = (2 E*/pi) d / (n r a)
 
 (the source's eq. 2.25 prints E*/(2 pi), which integrates to a quarter of the force), so the line load
 (pi/2) a p0 = E* d / (n r) and the region's load is an integral without a root.
 
-Regions press on each other: the level of region i is the total penetration minus its smallest gap minus what the loads
-of the others push the half-space down there, sum_j N_j / (pi E* distance_ij) (Boussinesq; docs/method.md).  Where regions
-have planes of their own (:mod:`planes`), the penetration counts by its share along each normal, and a push by the cosine of
-the angle between the two.
+Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
+minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
+interaction.py, docs/method.md).  Where regions have planes of their own (:mod:`planes`), the penetration
+counts by its share along each normal, and a displacement by the cosine of the angle between the two.
 """
 
 from math import fabs
@@ -21,16 +22,16 @@ from ..patch.quadrature import bend_of, cell_part, quadratic_integral
 from .interaction import region_influence
 
 FORCE_ITERATIONS: Final[int] = 60
-#: The force is met to this, relative; rounding of the sums is 1e-14.
+#: The force is satisfied to this, relative; rounding of the sums is 1e-14.
 FORCE_SHARP: Final[float] = 1e-12
 #: Change of the load, relative, that tells the slope; and how far that may be from the slope's own estimate.
 ROUNDING: Final[float] = 1e-10
 SLOPE_ERROR: Final[float] = 0.1
-#: Missed by less, relative, the force is met by one more move, Newton's method squaring what is missed.
+#: Missed by less, relative, the force is satisfied by one more move, Newton's method squaring what is missed.
 NEARLY_SHARP: Final[float] = 1e-9
 #: Missed by more, relative, the power 2/3 of the load is taken for linear in the penetration.
 NEARLY: Final[float] = 1e-3
-#: The total load tells on which side the penetration lies only when the levels are closed to this, relative.
+#: The total load says on which side the penetration lies only when the residuals are below this, relative.
 CLOSED: Final[float] = 1e-10
 #: The penetration is sought up to this multiple of the first value.
 HIGHEST: Final[float] = 1e3
@@ -87,25 +88,27 @@ def region_load(region: Region, nodes: Nodes, local_penetration: float):
 
 
 def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
-    """Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the prescribed force [N]."""
+    """Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the
+    prescribed force [N]."""
     total = 0.0
     for i in range(count):
         region = regions[i]
-        load, stiffness = region_load(region, nodes[i], region.level)
+        load, stiffness = region_load(region, nodes[i], region.local_penetration)
         region.load = load
         region.stiffness = stiffness
         total += region.share * load
     return total
 
 
-def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int, force: float,
-                 penetration: float, prescribed: int):
-    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by Newton's method on all
-    local penetrations together; these and the loads stay in the regions.  Second value: 1 when the force is satisfied, else 0.
+def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, state: State, count: int,
+                 force: float, penetration: float, prescribed: int):
+    """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
+    Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
+    value: 1 when the force is satisfied, else 0.
     """
     for i in range(count):
         region = regions[i]
-        region.level = region.alignment * penetration - region.gap
+        region.local_penetration = region.alignment * penetration - region.gap
     low = 0.0
     high = HIGHEST * penetration
     total_before = 0.0
@@ -114,9 +117,10 @@ def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state:
     for iteration in range(FORCE_ITERATIONS):
         state.solve_count += 1.0
         total = load_regions(regions, nodes, count)
-        residual, slope, rest = level_residuals(tables, regions, count, penetration)
+        residual, slope, rest = penetration_residuals(tables, regions, count, penetration)
         if count == 1 and iteration > 0 and fabs(total - total_before) > ROUNDING * force:
-            # the change of the load that the slopes of both ends predict for the last move, against the real one
+            # the change of the load that the slopes of both ends predict for the last move, against the real
+            # one
             share = (total - total_before) / (0.5 * (slope_before + slope) * move)
             if fabs(share - 1.0) < SLOPE_ERROR:
                 slope *= share
@@ -141,8 +145,10 @@ def solve_levels(tables: Tables, regions: Regions, nodes: NodesOfRegions, state:
     return penetration, 0
 
 
-def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float, high: float):
-    """Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry now [N].
+def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float,
+                     high: float):
+    """Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry
+    now [N].
 
     slope : rate of the total load [N/m], once the local penetrations have closed their residuals.
     rest : load that closing them adds [N].
@@ -160,12 +166,13 @@ def penetration_move(force: float, total: float, slope: float, rest: float, pene
     return following - penetration
 
 
-def level_residuals(tables: Tables, regions: Regions, count: int, penetration: float):
-    """Linearised levels: for each region the move per unit of penetration (REGION_SLOPE) and the move that closes
-    level_i = turn_i penetration - gap_i - sum_j c_ij N_j (REGION_MOVE).
+def penetration_residuals(tables: Tables, regions: Regions, count: int, penetration: float):
+    """Linearise the local penetrations D_i: for each region its change per unit of penetration (region.slope)
+    and the change that closes D_i = turn_i penetration - gap_i - sum_j c_ij N_j (region.move).
 
-    Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves add [N].
-    Solved by Gauss-Seidel: the regions' coupling is weak (c N/level < 0.2), three of them at most.
+    Returns the largest residual [m], d(total load)/d(penetration) [N/m], and the load that the closing moves
+    add [N]. Solved by Gauss-Seidel: the coupling of the regions is weak (c N / D < 0.2), three of them at
+    most.
     """
     largest = 0.0
     for i in range(count):
@@ -175,7 +182,7 @@ def level_residuals(tables: Tables, regions: Regions, count: int, penetration: f
             if j != i:
                 pushed += region_influence(tables, region, regions[j]) * regions[j].load
         turn = region.alignment
-        residual = turn * penetration - region.gap - pushed - region.level
+        residual = turn * penetration - region.gap - pushed - region.local_penetration
         region.residual = residual
         region.slope = turn
         region.move = residual
@@ -208,8 +215,8 @@ def level_residuals(tables: Tables, regions: Regions, count: int, penetration: f
 
 
 def apply_moves(regions: Regions, count: int, move: float):
-    """Move the levels with the penetration by ``move`` [m] and close their residuals."""
+    """Move the local penetrations with the penetration, by ``move`` [m], and close their residuals."""
     for i in range(count):
         region = regions[i]
-        region.level += region.move + region.slope * move
+        region.local_penetration += region.move + region.slope * move
     return 0

@@ -16,7 +16,7 @@ from ..contact.planes import give_planes, locate_along_track
 from ..contact.pressed_regions import gather_overlaps
 from ..contact.regions import bound_regions, find_regions, open_contact_region
 from ..layout import REGION_LIMIT, SideSearch, State, Tables, Work
-from .analyn import solve_levels
+from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
 from .node_layout import covered, prepare_regions
 from .node_patches import fill_from_nodes
@@ -29,8 +29,10 @@ COVER_REPEATS: Final[int] = 6
 ENLARGED: Final[float] = 1.4
 
 
-def analyn_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
-    """Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is satisfied, else 0."""
+def analyn_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float,
+                   prescribed: float):
+    """Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is
+    satisfied, else 0."""
     penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
     if satisfied == 1:
         locate_along_track(tables, work.frame, work.regions, count)
@@ -39,14 +41,16 @@ def analyn_contact(tables: Tables, work: Work, state: State, side: SideSearch, f
 
 
 def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
-    """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that is a number; third
-    value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it stands."""
+    """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
+    is a number; third value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it
+    stands."""
     by_penetration = 0
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = 1
     if work.frame.pressed:
-        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, work.frame.depth, by_penetration)
+        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, work.frame.depth,
+                                                        by_penetration)
         return penetration, count, satisfied
     if by_penetration == 0:
         penetration = first_penetration(tables, work, state, force)
@@ -54,7 +58,8 @@ def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, for
     satisfied = 0
     for repeat in range(ESTIMATE_REPEATS):
         estimate = penetration
-        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, estimate, by_penetration)
+        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, estimate,
+                                                        by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
             break
     return penetration, count, satisfied
@@ -62,8 +67,8 @@ def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, for
 
 def solve_estimated(tables: Tables, work: Work, state: State, side: SideSearch, force: float, estimate: float,
                     by_penetration: int):
-    """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third value 1 when the force
-    is satisfied, else 0."""
+    """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
+    value 1 when the force is satisfied, else 0."""
     count = gather_regions(tables, work, state, side, estimate)
     penetration, satisfied = solve_fine(tables, work, state, count, force, estimate, by_penetration)
     if satisfied == 0 and count > 1:
@@ -80,9 +85,10 @@ def solve_estimated(tables: Tables, work: Work, state: State, side: SideSearch, 
 
 
 def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, penetration: float):
-    """Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations; their number."""
+    """Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
+    their number."""
     for i in range(REGION_LIMIT):
-        work.regions[i].width_level = 0.0
+        work.regions[i].width_penetration = 0.0
         work.regions[i].slant = 0.0
     count = 1
     if work.frame.pressed:
@@ -96,15 +102,17 @@ def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, p
     return count
 
 
-def solve_fine(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float, by_penetration: int):
-    """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when the force is satisfied,
-    else 0."""
+def solve_fine(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
+               by_penetration: int):
+    """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when
+    the force is satisfied, else 0."""
     start = penetration
     enlarge = 1.0
     satisfied = 0
     for repeat in range(COVER_REPEATS):
         prepare_regions(tables, work, state, count, enlarge)
-        penetration, satisfied = solve_levels(tables, work.regions, work.nodes, state, count, force, start, by_penetration)
+        penetration, satisfied = solve_penetrations(tables, work.regions, work.nodes, state, count, force,
+                                                    start, by_penetration)
         if satisfied == 0:
             return start, satisfied
         if covered(work.frame, work.regions, work.nodes, count) == 1:

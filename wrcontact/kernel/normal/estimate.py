@@ -1,4 +1,5 @@
-"""First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the result."""
+"""First estimates of penetrations, from pose and force alone; they are smooth in both, and so is the
+result."""
 
 from typing import Final
 
@@ -10,7 +11,8 @@ from .widths import measure_widths
 
 #: Lateral over longitudinal curvature of the first guess; penetration goes with (A + B)^(1/3).
 TYPICAL_RATIO: Final[float] = 2.0
-#: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no curvature.
+#: Largest lateral over longitudinal curvature of the estimate; a width cut short by a profile's end gives no
+#: curvature.
 CEILING: Final[float] = 1e3
 #: A region begins with no less than this share of the penetration.
 LEAST_SHARE: Final[float] = 0.1
@@ -23,7 +25,8 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
 
 
 def estimate_penetration(tables: Tables, work: Work, state: State, force: float):
-    """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed penetration.
+    """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
+    penetration.
 
     Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
     """
@@ -37,7 +40,7 @@ def estimate_penetration(tables: Tables, work: Work, state: State, force: float)
         B = CEILING * A
     elif guess > B * width * width:
         B = guess / (width * width)
-    stiffness = hertz_stiffness(tables.raw, int(tables.hertz), A, B, tables.contact_modulus)
+    stiffness = hertz_stiffness(tables.hertz, A, B, tables.contact_modulus)
     return (force / stiffness) ** (2.0 / 3.0)
 
 
@@ -45,17 +48,17 @@ def first_penetration(tables: Tables, work: Work, state: State, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
     open_contact_region(tables, work.frame, work.regions[0], state)
     region = work.regions[0]
-    region.width_level = 0.0
+    region.width_penetration = 0.0
     return estimate_penetration(tables, work, state, force / region.share)
 
 
 def start_penetrations(regions: Regions, count: int, penetration: float):
-    """Local penetrations before any interaction is known; a region that is hardly reached still gets nodes for LEAST_SHARE of
-    the penetration."""
+    """Local penetrations before any interaction is known; a region that is hardly reached still gets nodes
+    for LEAST_SHARE of the penetration."""
     for i in range(count):
         region = regions[i]
         local = region.alignment * penetration - region.gap
         if local < LEAST_SHARE * penetration:
             local = LEAST_SHARE * penetration
-        region.level = local
+        region.local_penetration = local
     return 0

@@ -1,6 +1,7 @@
 """Hertz's coefficients and closed-form contact, through a table of exact values.
 
-With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1 - q^2),
+With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
+- q^2),
 
     A > B (long across):  m = L q, n = L, r = 2 K / (pi L);   A < B: m = L, n = L q, r the same;   L^3 = 2 E / (pi q^2)
 
@@ -9,17 +10,14 @@ so that the three combinations ANALYN needs are functions of ln(B/A) alone:
     1 + alpha = (r / m^2)(1 + B/A),    1 + beta = (r / n^2)(1 + A/B),    n r
 
 and 1 + beta at ln(B/A) is 1 + alpha at ln(A/B).  The table holds quintics over uniform cells, exact to 1e-11
-(wrcontact/profiles is not involved; see wrcontact/hertz_table.py).
+(kernel/binding/hertz_table.py).
 """
 
 from math import fabs, log, sqrt
 from typing import Final
 
-TABLE_COUNT: Final[int] = 0
-TABLE_START: Final[int] = 1
-TABLE_CELLS_PER_UNIT: Final[int] = 2
-TABLE_CELLS: Final[int] = 4
-TABLE_ROW: Final[int] = 12
+from ..layout import HERTZ_ROW, HertzTable
+
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
 STEEPEST: Final[float] = 0.3
@@ -29,10 +27,10 @@ RATIO_ITERATIONS: Final[int] = 12
 RATIO_SHARP: Final[float] = 1e-10
 
 
-def table_value(tables: 'float[:]', base: int, column: int, abscissa: float):
-    """Value of table column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range."""
-    u = (abscissa - tables[base + TABLE_START]) * tables[base + TABLE_CELLS_PER_UNIT]
-    last = tables[base + TABLE_COUNT]
+def table_value(table: HertzTable, column: int, abscissa: float):
+    """Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range."""
+    u = (abscissa - table.start) * table.cells_per_unit
+    last = table.count
     if not u > 0.0:
         u = 0.0
     if u > last:
@@ -41,27 +39,28 @@ def table_value(tables: 'float[:]', base: int, column: int, abscissa: float):
     if cell > int(last) - 1:
         cell = int(last) - 1
     u -= float(cell)
-    at = base + TABLE_CELLS + TABLE_ROW * cell + column
-    return tables[at] + u * (tables[at + 1] + u * (tables[at + 2] + u * (tables[at + 3] + u * (
-        tables[at + 4] + u * tables[at + 5]))))
+    at = HERTZ_ROW * cell + column
+    high = table.rows[at + 3] + u * (table.rows[at + 4] + u * table.rows[at + 5])
+    return table.rows[at] + u * (table.rows[at + 1] + u * (table.rows[at + 2] + u * high))
 
 
-def hertz_coefficients(tables: 'float[:]', base: int, A: float, B: float):
+def hertz_coefficients(table: HertzTable, A: float, B: float):
     """1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive."""
     ratio = log(B / A)
-    return (table_value(tables, base, 0, ratio), table_value(tables, base, 0, -ratio),
-            table_value(tables, base, 6, ratio))
+    return (table_value(table, 0, ratio), table_value(table, 0, -ratio),
+            table_value(table, 6, ratio))
 
 
-def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant: float):
+def skewed_coefficients(table: HertzTable, A: float, B: float, slant: float):
     """1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
 
-    Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an upright one
-    again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the penetration, and at s = 0 a
-    half-length a with (1 + alpha) A a^2 the penetration and n r for its pressure.  Exact for constant curvatures.
+    Its principal curvatures, of product A B, give a tilted ellipse.  Cut along x at the station s it is an
+    upright one again, which is all that ANALYN asks of it: half-length 0 where (1 + beta) B s^2 is the
+    penetration, and at s = 0 a half-length a with (1 + alpha) A a^2 the penetration and n r for its
+    pressure.  Exact for constant curvatures.
 
-    Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is a patch's edge:
-    A slant^2 counts as STEEPEST B at most.
+    Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
+    a patch's edge: A slant^2 counts as STEEPEST B at most.
     """
     if A * slant * slant > STEEPEST * B:
         slant = sqrt(STEEPEST * B / A)
@@ -71,7 +70,7 @@ def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant
     spread = sqrt(half * half + cross * cross)
     large = 0.5 * (A + diagonal) + spread
     small = A * B / large
-    along, across, nr = hertz_coefficients(tables, base, small, large)
+    along, across, nr = hertz_coefficients(table, small, large)
     along *= small
     across *= large
     # the square of the cosine of the long axis' angle to x; a circle has no long axis
@@ -83,11 +82,11 @@ def skewed_coefficients(tables: 'float[:]', base: int, A: float, B: float, slant
     return length / A, width / B, nr * sqrt(length / along)
 
 
-def upright_coefficients(tables: 'float[:]', base: int, length: float, width: float, nr: float):
+def upright_coefficients(table: HertzTable, length: float, width: float, nr: float):
     """A and B [1/m] whose upright ellipse has given axes and pressure, and its penetration over the real one.
 
-    Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows from that of
-    the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
+    Wanted: penetration / a^2 = ``length``, penetration / b^2 = ``width``, and ``nr``.  The ratio B/A follows
+    from that of the axes by secants on logarithms, (1 + beta) B / ((1 + alpha) A) = width / length.
     """
     target = log(width / length)
     before = 0.0
@@ -96,8 +95,8 @@ def upright_coefficients(tables: 'float[:]', base: int, length: float, width: fl
     alpha = 1.0
     beta = 1.0
     for i in range(RATIO_ITERATIONS):
-        alpha = table_value(tables, base, 0, ratio)
-        beta = table_value(tables, base, 0, -ratio)
+        alpha = table_value(table, 0, ratio)
+        beta = table_value(table, 0, -ratio)
         missed = ratio + log(beta / alpha) - target
         if fabs(missed) < RATIO_SHARP:
             break
@@ -107,15 +106,15 @@ def upright_coefficients(tables: 'float[:]', base: int, length: float, width: fl
         before = ratio
         missed_before = missed
         ratio -= missed / slope
-    share = table_value(tables, base, 6, ratio) / nr
+    share = table_value(table, 6, ratio) / nr
     return share * length / alpha, share * width / beta, share
 
 
-def hertz_stiffness(tables: 'float[:]', base: int, A: float, B: float, contact_modulus: float):
+def hertz_stiffness(table: HertzTable, A: float, B: float, contact_modulus: float):
     """N / penetration^(3/2) [N/m^1.5].
 
-    N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's closed
-    form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
+    N = integral of E* d / (n r) over the width with d = penetration - (1 + beta) B s^2: eq. (2.15) of Hertz's
+    closed form in ANALYN's coefficients, (4/3) E* / (n r sqrt((1 + beta) B)).
     """
-    one_alpha, one_beta, nr = hertz_coefficients(tables, base, A, B)
+    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     return 4.0 / 3.0 * contact_modulus / (nr * sqrt(one_beta * B))

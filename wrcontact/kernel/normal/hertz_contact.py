@@ -16,21 +16,22 @@ def hertz_contact(tables: Tables, work: Work, point: SideOutputs, force: float, 
     return penetration, 1, 1
 
 
-def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float, prescribed: float):
-    """Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration [m] if that is a
-    number; the penetration [m].
+def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: SolvedPatches, force: float,
+                prescribed: float):
+    """Fill the solved patches with Hertz's ellipse under ``force`` [N], or at the ``prescribed`` penetration
+    [m] if that is a number; the penetration [m].
 
     point : the outputs of the side, which describe its contact point.
     region : the region at this point.
 
     A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
     """
-    base = int(tables.hertz)
+    table = tables.hertz
     A = 0.5 * point.curvature_x
     B = 0.5 * point.curvature_y
     if not B > FLOOR * A:
         B = FLOOR * A
-    stiffness = hertz_stiffness(tables.raw, base, A, B, tables.contact_modulus)
+    stiffness = hertz_stiffness(table, A, B, tables.contact_modulus)
     penetration = prescribed
     if not isfinite(prescribed):
         penetration = (force / (region.share * stiffness)) ** (2.0 / 3.0)
@@ -39,8 +40,8 @@ def solve_hertz(tables: Tables, point: SideOutputs, region: Region, solved: Solv
     region.carried = load
     region.moment = 0.0
     region.slant = 0.0
-    region.level = penetration
-    one_alpha, one_beta, nr = hertz_coefficients(tables.raw, base, A, B)
+    region.local_penetration = penetration
+    one_alpha, one_beta, nr = hertz_coefficients(table, A, B)
     half_length = sqrt(penetration / (one_alpha * A))
     half_width = sqrt(penetration / (one_beta * B))
     area = pi * half_length * half_width

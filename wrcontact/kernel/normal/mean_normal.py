@@ -16,9 +16,11 @@ def rail_per_station(tables: Tables, frame: Frame, abscissa: float):
 
 
 def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
-    """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a local penetration [m].
+    """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
+    local penetration [m].
 
-    The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others in the plane.
+    The rail is followed from node to node by the midpoint rule; nodes of a pressed wheel lie along it, others
+    in the plane.
     """
     total = 0.0
     cosines = 0.0
@@ -44,6 +46,6 @@ def mean_normal(tables: Tables, frame: Frame, region: Region, nodes: Nodes, loca
     if total > 0.0:
         region.cos = cosines / total
         region.sin = sines / total
-        if int(tables.load) == LOAD_VERTICAL:
+        if tables.load == LOAD_VERTICAL:
             region.share = region.cos
     return 0

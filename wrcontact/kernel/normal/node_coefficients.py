@@ -1,7 +1,8 @@
 """ANALYN's coefficients at the nodes of a region, from the longitudinal curvature and a lateral one.
 
-Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
-blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t and B_s these two,
+Lateral curvature.  Second differences over a window w (the curvature averaged with a triangle of half-width
+w) are smooth but blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags
+behind.  With B_t and B_s these two,
 
     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
 
@@ -17,15 +18,18 @@ from typing import Final
 from ..layout import LATERAL_ADAPTIVE, MODEL_ANALYN_STRIP, NodeRun, Nodes, Region, Tables
 from .hertz import hertz_coefficients, skewed_coefficients, table_value, upright_coefficients
 
-#: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case on treads.
+#: Smallest lateral curvature as a share of the longitudinal one; B <= 0 inside the patch is the normal case
+#: on treads.
 FLOOR: Final[float] = 0.02
-#: Smallest windowed curvature as a share of the secant's, and how much of what it exceeds that by is taken at the edge.
+#: Smallest windowed curvature as a share of the secant's, and how much of what it exceeds that by is taken at
+#: the edge.
 WINDOW_FLOOR: Final[float] = 0.05
 GROWTH: Final[float] = 0.12
 
 
 def second_difference(values: NodeRun, k: int, spacing: float, window: int):
-    """Half the second derivative [1/m] of the values at node ``k``, averaged with a triangle of half-width window h."""
+    """Half the second derivative [1/m] of the values at node ``k``, averaged with a triangle of half-width
+    window h."""
     width = spacing * float(window)
     return (values[k + window] - 2.0 * values[k] + values[k - window]) / (2.0 * width * width)
 
@@ -52,9 +56,10 @@ def windowed_curvature(averaged: float, secant: float, share: float):
     return sqrt(averaged * grown)
 
 
-def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, middle: float, mean: float, least: float):
-    """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and window; none
-    below ``least``."""
+def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, middle: float, mean: float,
+                        least: float):
+    """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
+    window; none below ``least``."""
     spacing = region.spacing
     secant = secant_curvature(gaps, k, spacing, window, middle)
     if secant < least:
@@ -74,11 +79,12 @@ def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, midd
 
 
 def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed: int):
-    """ANALYN's coefficients at the nodes of a region: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its own B, or all
-    with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or 0."""
-    base = int(tables.hertz)
+    """ANALYN's coefficients at the nodes of a region: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its
+    own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
+    0."""
+    table = tables.hertz
     prepared = 0
-    if int(tables.lateral) != LATERAL_ADAPTIVE:
+    if tables.lateral != LATERAL_ADAPTIVE:
         prepared = 1
     alpha_factor = 1.0
     beta_factor = 1.0
@@ -103,9 +109,9 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
             side = B
         else:
             secant, side, B = adaptive_curvatures(region, nodes.gap, k, window, middle, mean, least)
-        alpha = table_value(tables.raw, base, 0, log(secant / A))
-        beta = table_value(tables.raw, base, 0, log(A / side))
-        nr = table_value(tables.raw, base, 6, log(B / A))
+        alpha = table_value(table, 0, log(secant / A))
+        beta = table_value(table, 0, log(A / side))
+        nr = table_value(table, 6, log(B / A))
         if yawed == 1:
             alpha *= alpha_factor
             beta *= beta_factor
@@ -118,16 +124,19 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
 
 
 def skew_factors(tables: Tables, region: Region, A: float):
-    """Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's ridge: its mean slant and
-    curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright ellipse that cuts into the same ones."""
-    base = int(tables.hertz)
+    """Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
+    ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.  For the strips also the upright
+    ellipse that cuts into the same ones."""
+    table = tables.hertz
     B = 0.5 * (region.side_low + region.side_high)
     if B < FLOOR * A:
         B = FLOOR * A
-    alpha, beta, nr = hertz_coefficients(tables.raw, base, A, B)
-    skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(tables.raw, base, A, B, region.slant)
-    if int(tables.normal_model) == MODEL_ANALYN_STRIP:
-        upright_A, upright_B, share = upright_coefficients(tables.raw, base, skewed_alpha * A, skewed_beta * B, skewed_nr)
+    alpha, beta, nr = hertz_coefficients(table, A, B)
+    skewed_alpha, skewed_beta, skewed_nr = skewed_coefficients(table, A, B, region.slant)
+    if tables.normal_model == MODEL_ANALYN_STRIP:
+        length = skewed_alpha * A
+        width = skewed_beta * B
+        upright_A, upright_B, share = upright_coefficients(table, length, width, skewed_nr)
         region.upright_a = upright_A / A
         region.upright_b = upright_B / B
         region.upright_share = share

@@ -1,4 +1,5 @@
-"""Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that strips are loaded."""
+"""Where the nodes of regions lie: spacing from the width of the interpenetration, as far as the gap says that
+strips are loaded."""
 
 from math import log, sqrt
 from typing import Final
@@ -25,41 +26,45 @@ from .node_coefficients import FLOOR, weigh_nodes
 from .nodes import lay_nodes, node_stride, window_nodes
 from .widths import measure_widths
 
-#: Half-widths are measured at this share of the local penetration: at all of it a flat end of the profile would count as all of
-#: its width.
+#: Half-widths are measured at this share of the local penetration: at all of it a flat end of the profile
+#: would count as all of its width.
 MEASURED: Final[float] = 0.9
-#: Nodes are laid until the gap has risen to this share of the local penetration, or before it where (1 + beta) g has risen to
+#: Nodes are laid until the gap has risen to this share of the local penetration, or before it where (1 +
+#: beta) g has risen to
 COVER: Final[float] = 1.1
 #: this share; the estimate of the local penetration is within 12 % for nine of ten poses.
 SPREAD: Final[float] = 1.25
 #: The same where strips follow, which lie beyond ANALYN's patch too (strip_placement.BEYOND).
 STRIP_SPREAD: Final[float] = 3.0
-#: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end nearly closes.
+#: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end
+#: nearly closes.
 NARROWEST: Final[float] = 0.01
 WIDEST: Final[float] = 110.0         # nodes that a region has room for on one side
 
 
 def zone_share(tables: Tables, A: float, side: float):
-    """Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature ``side`` [1/m]: strips
-    are loaded while (1 + beta) g is below the local penetration.  With prepared curvatures 1 + beta may fall to 1."""
+    """Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
+    ``side`` [1/m]: strips are loaded while (1 + beta) g is below the local penetration.  With prepared
+    curvatures 1 + beta may fall to 1."""
     if side < FLOOR * A:
         side = FLOOR * A
     spread = SPREAD
-    if int(tables.normal_model) == MODEL_ANALYN_STRIP:
+    if tables.normal_model == MODEL_ANALYN_STRIP:
         spread = STRIP_SPREAD
-    share = spread / table_value(tables.raw, int(tables.hertz), 0, log(A / side))
-    if share > COVER or int(tables.lateral) != LATERAL_ADAPTIVE:
+    share = spread / table_value(tables.hertz, 0, log(A / side))
+    if share > COVER or tables.lateral != LATERAL_ADAPTIVE:
         share = COVER
     return share
 
 
 def node_spacing(tables: Tables, region: Region, enlarge: float):
-    """Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room for so many."""
+    """Spacing of a region's nodes [m]: its half-width over the nodes wanted on it, unless there is no room
+    for so many."""
     mean = 0.5 * (region.width_low + region.width_high)
     widest = region.width_low
     if region.width_high > widest:
         widest = region.width_high
-    least = NARROWEST * sqrt(region.level / region.curvature)
+    least = NARROWEST * sqrt(region.local_penetration / region.curvature)
     if mean < least:
         mean = least
     spacing = mean / tables.nodes
@@ -73,7 +78,7 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
     for i in range(count):
         region = work.regions[i]
         enter_plane(work.frame, work.frames, work.regions[i], i)
-        measure_widths(tables, work, state, region, MEASURED * region.level)
+        measure_widths(tables, work, state, region, MEASURED * region.local_penetration)
         region.spacing = node_spacing(tables, region, enlarge)
         prepare_nodes(tables, work, state, region, work.nodes[i], enlarge)
         leave_plane(work.frame, work.frames, work.regions[i])
@@ -83,7 +88,7 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
 def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, enlarge: float):
     """Nodes and coefficients of a region whose frame is open, up to its local penetration times ``enlarge``."""
     yawed = is_yawed(work.frame)
-    reach = region.level * enlarge
+    reach = region.local_penetration * enlarge
     A = 0.5 * region.curvature
     low_reach = reach * zone_share(tables, A, region.side_low)
     high_reach = reach * zone_share(tables, A, region.side_high)
@@ -91,9 +96,9 @@ def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, node
         work.frame.blur = region.spacing * float(node_stride(tables)) * work.frame.wheel_plane.cos
     lay_nodes(tables, work, state, region, nodes, low_reach, high_reach)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
-    if work.frame.pressed or int(tables.load) == LOAD_VERTICAL:
-        mean_normal(tables, work.frame, region, nodes, region.level)
-    region.square = region.level / nodes.length[0]
+    if work.frame.pressed or tables.load == LOAD_VERTICAL:
+        mean_normal(tables, work.frame, region, nodes, region.local_penetration)
+    region.square = region.local_penetration / nodes.length[0]
     return 0
 
 
@@ -111,8 +116,8 @@ def covered(frame: Frame, regions: Regions, nodes: NodesOfRegions, count: int):
             if high > region.station + region.spacing * region.last:
                 high = BEYOND
         ends = nodes[i]
-        if region.level > ends.rise[region.last] and high >= BEYOND:
+        if region.local_penetration > ends.rise[region.last] and high >= BEYOND:
             result = 0
-        if region.level > ends.rise[region.first] and low <= -BEYOND:
+        if region.local_penetration > ends.rise[region.first] and low <= -BEYOND:
             result = 0
     return result

@@ -1,7 +1,8 @@
 """From ANALYN's regions to solved patches: every node becomes a strip, every run of loaded cells a patch.
 
-Between the strips the line load and the squares of half-length and pressure follow quadratics (:mod:`quadrature`), so that an
-ellipse comes out exactly.  A patch may reach over the bound between two regions, and a region may hold two patches.
+Between the strips the line load and the squares of half-length and pressure follow quadratics
+(:mod:`quadrature`), so that an ellipse comes out exactly.  A patch may reach over the bound between two
+regions, and a region may hold two patches.
 """
 
 from math import atan, fabs, pi, sqrt
@@ -34,7 +35,7 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
         region = regions[index]
         region.carried = 0.0
         region.moment = 0.0
-        if region.level > 0.0:
+        if region.local_penetration > 0.0:
             region.strip = strips - region.first
             fill_strips(region, nodes[index], solved.strips)
             strips += region.last - region.first + 1
@@ -47,12 +48,12 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
 
 
 def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
-    """The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing, the outermost ones
-    half of it; :func:`add_cell` takes away what is not loaded.
+    """The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing,
+    the outermost ones half of it; :func:`add_cell` takes away what is not loaded.
 
     The pressure on x = 0 is p0 = (2/pi) (E*/(n r)) sqrt(d (1 + alpha) A), with d as in :mod:`analyn`.
     """
-    level = region.level
+    deepest = region.local_penetration
     middle = region.strip
     spacing = region.spacing
     origin = region.offset + region.station
@@ -60,7 +61,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
     slant = region.slant
     for k in range(region.first, region.last + 1):
         strip = strips[middle + k]
-        d = level - nodes.rise[k]
+        d = deepest - nodes.rise[k]
         load = nodes.line[k] * d
         strip.line_load = load
         strip.half_length_square = d / nodes.length[k]
@@ -78,7 +79,7 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
 def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contact_angle: float):
     """Add the cell between nodes ``k`` and ``k`` + 1 to the last patch, or to a new one that begins in it."""
     spacing = region.spacing
-    level = region.level
+    deepest = region.local_penetration
     outward = 1
     low = k
     if k < 0:
@@ -86,7 +87,8 @@ def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contac
         low = k + 1
     before = low - outward
     high = low + outward
-    start, stop = cell_part(level - nodes.rise[before], level - nodes.rise[low], level - nodes.rise[high])
+    start, stop = cell_part(deepest - nodes.rise[before], deepest - nodes.rise[low],
+                            deepest - nodes.rise[high])
     if k == region.first or k == region.last - 1:
         stop = clip_to_bound(region, low, outward, stop)
     strip = region.strip
@@ -104,14 +106,16 @@ def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contac
         patch = solved.patches[index]
         patch.totals.stop = end
         patch.last = strip + k + 1
-        add_load(patch.totals, region, solved.strips[strip + before], inner, outer, start, stop, spacing * float(outward))
+        add_load(patch.totals, region, solved.strips[strip + before], inner, outer, start, stop,
+                 spacing * float(outward))
         keep_largest(solved, strip + low)
     return 0
 
 
 def narrow_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: float, spacing: float):
-    """Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's strips add up to its
-    own: the loaded part [start, stop] belongs to the strip that is inside the patch, which has half the cell so far."""
+    """Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's
+    strips add up to its own: the loaded part [start, stop] belongs to the strip that is inside the patch,
+    which has half the cell so far."""
     inner_share = 0.0
     outer_share = 0.0
     if stop > start:
@@ -125,8 +129,8 @@ def narrow_strips(inner: SolvedStrip, outer: SolvedStrip, start: float, stop: fl
 
 
 def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, contact_angle: float):
-    """Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs to: the last one if
-    that ends there, else a new one."""
+    """Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
+    to: the last one if that ends there, else a new one."""
     index = solved.count - 1
     joined = 0
     if index >= 0:
@@ -139,12 +143,12 @@ def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, 
     return index
 
 
-def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip, start: float,
-             stop: float, step: float):
+def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip,
+             start: float, stop: float, step: float):
     """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
 
-    ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and ``before`` the next one
-    further in.
+    ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and
+    ``before`` the next one further in.
     """
     width = fabs(step)
     load = quadratic_integral(before.line_load, low.line_load, high.line_load, stop)
@@ -153,7 +157,8 @@ def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: Solv
         load -= quadratic_integral(before.line_load, low.line_load, high.line_load, start)
         moment -= quadratic_moment(before.line_load, low.line_load, high.line_load, start)
     load *= width
-    area = root_integral(before.half_length_square, low.half_length_square, high.half_length_square, start, stop)
+    area = root_integral(before.half_length_square, low.half_length_square, high.half_length_square, start,
+                         stop)
     moment = low.station * load + width * step * moment
     region.carried += load
     region.moment += moment
@@ -164,20 +169,22 @@ def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: Solv
 
 
 def keep_largest(solved: SolvedPatches, strip: int):
-    """Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest ones so far."""
+    """Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest
+    ones so far."""
     low = solved.strips[strip - 1]
     here = solved.strips[strip]
     high = solved.strips[strip + 1]
     if here.half_length_square > solved.half_length_square:
-        solved.half_length_square = peak_square(low.half_length_square, here.half_length_square, high.half_length_square)
+        solved.half_length_square = peak_square(low.half_length_square, here.half_length_square,
+                                                high.half_length_square)
     if here.pressure_square > solved.pressure_square:
         solved.pressure_square = peak_square(low.pressure_square, here.pressure_square, high.pressure_square)
     return 0
 
 
 def peak_square(before: float, square: float, after: float):
-    """Square of the largest value of the parabola through the roots of three squares, where the middle one is a peak and both
-    others are loaded; else the middle one."""
+    """Square of the largest value of the parabola through the roots of three squares, where the middle one is
+    a peak and both others are loaded; else the middle one."""
     if before > 0.0 and after > 0.0 and square >= before and square >= after:
         top = sqrt(square)
         left = sqrt(before)

@@ -1,7 +1,7 @@
 """Nodes across a region: gap, longitudinal curvature, and a prepared lateral curvature.
 
-Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the interpenetration.
-So a result depends on the pose alone and is smooth in it.
+Nodes are anchored at the minimum of the region, station + k h, with h a fixed share of the half-width of the
+interpenetration. So a result depends on the pose alone and is smooth in it.
 """
 
 from typing import Final
@@ -56,12 +56,15 @@ def window_nodes(tables: Tables):
 def node_stride(tables: Tables):
     """Every so many of the nodes are traced on the profiles.
 
-    All of them are traced where curvatures are read there, where chords lead to them, and for vertical distances: on a steep
-    side these rise too fast for a cubic over several nodes, which falls below zero before.
+    All of them are traced where curvatures are read there, where chords lead to them, and for vertical
+    distances: on a steep side these rise too fast for a cubic over several nodes, which falls below zero
+    before.
     """
-    stride = int(tables.stride)
-    kind = int(tables.separation)
-    if int(tables.lateral) != LATERAL_ADAPTIVE or kind == SEPARATION_EQUIDISTANT_CHORD or kind == SEPARATION_VERTICAL:
+    stride = tables.stride
+    kind = tables.separation
+    if kind == SEPARATION_EQUIDISTANT_CHORD or kind == SEPARATION_VERTICAL:
+        stride = 1
+    if tables.lateral != LATERAL_ADAPTIVE:
         stride = 1
     return stride
 
@@ -74,18 +77,21 @@ def trace_tolerance(spacing: float):
     return tolerance
 
 
-def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, low_reach: float, high_reach: float):
-    """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m] on that side or the
-    bound is passed, and so many nodes further as the window of the lateral curvature needs.
+def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, low_reach: float,
+              high_reach: float):
+    """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
+    on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
+    needs.
 
-    Where the lateral curvature is a prepared one, it is kept in nodes.B for :func:`node_coefficients.weigh_nodes`.
+    Where the lateral curvature is a prepared one, it is kept in nodes.B for
+    :func:`node_coefficients.weigh_nodes`.
     """
     start_traces(work.frame, region.station, region.rail, region.wheel)
     open_origin(tables, work.frame, work.origin, region, region.spacing)
     gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, region.station, trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
-    if int(tables.lateral) != LATERAL_ADAPTIVE:
+    if tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa, work.frame.traces[RAIL].abscissa)
     before = lay_side_nodes(tables, work, state, region, nodes, -1, low_reach, rate)
     region.first = -before
@@ -95,23 +101,25 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
 
 
 def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, at: int):
-    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-]."""
+    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
+    [-]."""
     station = region.station + region.spacing * float(at)
     gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, station, trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
-        if int(tables.lateral) != LATERAL_ADAPTIVE:
+        if tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa, work.frame.traces[RAIL].abscissa)
     return gap, rate
 
 
-def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, direction: int, reach: float,
-                   rate: float):
-    """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has risen above ``reach``
-    [m] or the bound is passed.
+def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, direction: int,
+                   reach: float, rate: float):
+    """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
+    risen above ``reach`` [m] or the bound is passed.
 
-    Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and slope there.
+    Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
+    slope there.
     """
     start_traces(work.frame, region.station, region.rail, region.wheel)
     stride = node_stride(tables)
@@ -134,7 +142,8 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
                 ended = 1
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
             else:
-                fill_between(nodes, direction * traced, direction * (traced + step), step, region.spacing, rate, next_rate)
+                start = direction * traced
+                fill_between(nodes, start, start + direction * step, step, region.spacing, rate, next_rate)
                 rate = next_rate
                 traced += step
         k += 1
@@ -142,7 +151,7 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
         station = region.station + region.spacing * float(at)
         if ended == 1:
             extrapolate_node(nodes, at, direction)
-            if int(tables.lateral) != LATERAL_ADAPTIVE:
+            if tables.lateral != LATERAL_ADAPTIVE:
                 nodes.B[at] = nodes.B[at - direction]
         if passed > 0:
             left -= 1
@@ -166,12 +175,13 @@ def fill_straight(values: NodeRun, start: int, stop: int, count: int):
     return 0
 
 
-def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float, stop_rate: float):
-    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and ``stop``, with their
-    slopes.
+def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float,
+                 stop_rate: float):
+    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+    ``stop``, with their slopes.
 
-    Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of a region is
-    smaller than that at its minimum.
+    Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
+    a region is smaller than that at its minimum.
     """
     low = nodes.gap[start]
     rise = nodes.gap[stop] - low
@@ -193,8 +203,8 @@ def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float
 
 
 def end_region(region: Region, direction: int, station: float):
-    """Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel folds back.  A bound
-    that is known to lie before the next node stays."""
+    """Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel
+    folds back.  A bound that is known to lie before the next node stays."""
     if direction > 0:
         if station + region.spacing < region.high:
             region.high = station
@@ -207,7 +217,8 @@ def extrapolate_node(nodes: Nodes, at: int, direction: int):
     """Continue gap and A past an end, so that windows over it see the curvature before it."""
     one = at - direction
     if at * direction > 2:
-        nodes.gap[at] = 3.0 * nodes.gap[one] - 3.0 * nodes.gap[one - direction] + nodes.gap[one - 2 * direction]
+        two = one - direction
+        nodes.gap[at] = 3.0 * nodes.gap[one] - 3.0 * nodes.gap[two] + nodes.gap[two - direction]
     else:
         # next to the minimum: take the other side's, or nothing if that is not known yet
         nodes.gap[at] = nodes.gap[one]

@@ -11,12 +11,13 @@ from .strip_contact import strip_contact
 
 def solve_normal(tables: Tables, work: Work, state: State, side: SideSearch, point: SideOutputs, force: float,
                  prescribed: float):
-    """Fill the solved patches of the side whose frame is open, under ``force`` [N], or at ``prescribed`` penetration [m] if that is
-    a number.  ``point`` : the outputs of the side, which describe its contact point.
+    """Fill the solved patches of the side whose frame is open, under ``force`` [N], or at ``prescribed``
+    penetration [m] if that is a number.  ``point`` : the outputs of the side, which describe its contact
+    point.
 
     Returns the penetration [m], the number of regions, and 1 when the force is satisfied, else 0.
     """
-    model = int(tables.normal_model)
+    model = tables.normal_model
     if model == MODEL_HERTZ:
         penetration, count, satisfied = hertz_contact(tables, work, point, force, prescribed)
     elif model == MODEL_ANALYN:

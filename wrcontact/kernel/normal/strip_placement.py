@@ -65,7 +65,7 @@ def measure_zone(zone: StripZone, region: Region, nodes: Nodes, penetration: flo
 def zone_excess(region: Region, nodes: Nodes, k: int, penetration: float):
     """How far node ``k`` is inside the zone, as a height [m]; negative outside."""
     excess = ZONE * penetration - region.gap - nodes.gap[k]
-    level = region.level - nodes.rise[k]
+    level = region.local_penetration - nodes.rise[k]
     beyond = level + BEYOND * penetration
     if beyond < excess:
         excess = beyond

@@ -57,7 +57,7 @@ def describe_strips(problem: StripProblem, regions: Regions, nodes: NodesOfRegio
         read_surfaces(strip, region, own, k, x)
         line = own.line[k] + x * (own.line[k + 1] - own.line[k])
         length = own.length[k] + x * (own.length[k + 1] - own.length[k])
-        level = region.level - (own.rise[k] + x * (own.rise[k + 1] - own.rise[k]))
+        level = region.local_penetration - (own.rise[k] + x * (own.rise[k + 1] - own.rise[k]))
         strip.load_per_square = line * length
         loaded = 0
         square = 0.0

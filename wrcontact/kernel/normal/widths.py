@@ -16,8 +16,8 @@ MOST_BEND: Final[float] = 100.0
 
 
 def measure_widths(tables: Tables, work: Work, state: State, region: Region, local_penetration: float):
-    """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on both sides that follow
-    from them, and the station its load is thought to act at."""
+    """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
+    both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
     bend = region.bend
     if bend < LEAST_BEND * region.curvature:
@@ -26,8 +26,8 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
         bend = MOST_BEND * region.curvature
     low = sqrt(2.0 * local_penetration / bend)
     high = low
-    if region.width_level > 0.0:
-        grown = sqrt(local_penetration / region.width_level)
+    if region.width_penetration > 0.0:
+        grown = sqrt(local_penetration / region.width_penetration)
         low = region.width_low * grown
         high = region.width_high * grown
     high = zone_width(tables, work.frame, work.origin, region, state, 1.0, local_penetration, high)
@@ -37,7 +37,7 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
     yawed = is_yawed(work.frame)
     if yawed == 1:
         slant = outline_x(tables, work.frame.place, work.frame.traces[WHEEL].abscissa)
-    if not region.width_level > 0.0:
+    if not region.width_penetration > 0.0:
         low = high
     low = zone_width(tables, work.frame, work.origin, region, state, -1.0, local_penetration, low)
     if yawed == 1:
@@ -48,14 +48,14 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
     region.side_low = side_curvature(region.reached, low, 0.5 * (low + high))
     region.width_high = high
     region.width_low = low
-    region.width_level = local_penetration
+    region.width_penetration = local_penetration
     region.middle = region.station + 0.5 * (high - low)
     return 0
 
 
 def side_curvature(reached: float, own: float, mean: float):
-    """g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m], enlarged where that side is
-    the narrower, up to NARROWER times."""
+    """g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m],
+    enlarged where that side is the narrower, up to NARROWER times."""
     curvature = 0.0
     if own > 0.0:
         ratio = mean / own

@@ -1,4 +1,5 @@
-"""How a model of normal contact fills the solved patches: one after the other by rising station, then totals and ranks."""
+"""How a model of normal contact fills the solved patches: one after the other by rising station, then totals
+and ranks."""
 
 from math import sqrt
 
@@ -26,8 +27,10 @@ def clear_patches(solved: SolvedPatches):
     return 0
 
 
-def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int, rule: int, contact_angle: float):
-    """Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its index.
+def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int, rule: int,
+                contact_angle: float):
+    """Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its
+    index.
 
     Where there is no room for another patch, the last one goes on.
     """
@@ -44,7 +47,8 @@ def begin_patch(solved: SolvedPatches, region: Region, start: float, first: int,
 
 
 def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, contact_angle: float):
-    """Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first`` yet."""
+    """Give a patch the plane and the point of its region; it has no rank, and no strips behind ``first``
+    yet."""
     patch.contact_angle = contact_angle
     patch.cos = region.cos
     patch.sin = region.sin
@@ -53,7 +57,7 @@ def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, conta
     patch.station = region.offset + region.station
     patch.x = region.x_track
     patch.slant = region.slant
-    patch.local_penetration = region.level
+    patch.local_penetration = region.local_penetration
     patch.rule = rule
     patch.first = first
     patch.last = first - 1
@@ -126,7 +130,8 @@ def finish_patches(solved: SolvedPatches):
 
 
 def heaviest_patch(solved: SolvedPatches):
-    """Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is none."""
+    """Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is
+    none."""
     heaviest = -1
     load = 0.0
     for index in range(solved.count):

@@ -7,11 +7,11 @@ from .quadrature import quadratic_value
 
 
 def quadratic_at(solved: SolvedPatches, regions: Regions, count: int, station: float):
-    """Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count`` regions; zeros where
-    nothing is loaded.
+    """Half-length [m] and pressure [Pa] at ``station`` [m] by RULE_QUADRATIC, from the strips of ``count``
+    regions; zeros where nothing is loaded.
 
-    The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch they can be
-    positive.
+    The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch
+    they can be positive.
     """
     half_length = 0.0
     pressure = 0.0
@@ -24,13 +24,13 @@ def quadratic_at(solved: SolvedPatches, regions: Regions, count: int, station: f
 
 
 def between_strips(region: Region, strips: SolvedStrips, own: float):
-    """Half-length [m] and pressure [Pa] at station ``own`` [m] of the region's own ones, from the three strips that the cell's
-    quadratic goes through; zeros where the region is not loaded."""
+    """Half-length [m] and pressure [Pa] at station ``own`` [m] of the region's own ones, from the three
+    strips that the cell's quadratic goes through; zeros where the region is not loaded."""
     half_length = 0.0
     pressure = 0.0
     u = (own - region.station) / region.spacing
     inside = u > region.first and u < region.last
-    if region.level > 0.0 and inside:
+    if region.local_penetration > 0.0 and inside:
         outward = 1
         if u < 0.0:
             outward = -1
@@ -41,7 +41,8 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
         before = strips[inner - outward]
         here = strips[inner]
         after = strips[inner + outward]
-        length = quadratic_value(before.half_length_square, here.half_length_square, after.half_length_square, x)
+        length = quadratic_value(before.half_length_square, here.half_length_square,
+                                 after.half_length_square, x)
         square = quadratic_value(before.pressure_square, here.pressure_square, after.pressure_square, x)
         if length > 0.0 and square > 0.0:
             half_length = sqrt(length)
@@ -50,8 +51,8 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
 
 
 def straight_at(patch: SolvedPatch, strips: SolvedStrips, after: int, station: float):
-    """Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT; ``after`` is its
-    first strip beyond the station, or the one after its last."""
+    """Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT;
+    ``after`` is its first strip beyond the station, or the one after its last."""
     low = patch.totals.start
     low_length = 0.0
     low_pressure = 0.0

@@ -1,7 +1,8 @@
-"""The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge to the last.
+"""The outline of a wheel's patches: half-length and pressure at evenly spaced stations, from the first edge
+to the last.
 
-With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both sides, left then
-right, follow all outputs, and the places for it among the outputs of the side stay zero.
+With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
+sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
 """
 
 from math import sqrt
@@ -23,7 +24,7 @@ from .interpolation import quadratic_at, straight_at
 
 def row_size(tables: Tables):
     """How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them."""
-    stations = int(tables.stations)
+    stations = tables.stations
     size = OUTPUT_COUNT
     if stations != STATION_COUNT:
         size += 2 * RUN_COUNT * stations
@@ -65,8 +66,8 @@ def write_ellipse(outline: Outline, stations: int, totals: PatchTotals):
 
 
 def write_quadratic(outline: Outline, stations: int, solved: SolvedPatches, regions: Regions, count: int):
-    """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the surfaces have a
-    kink; they are cut there."""
+    """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the
+    surfaces have a kink; they are cut there."""
     start = solved.totals.start
     stop = solved.totals.stop
     largest = solved.totals.max_half_length

@@ -1,21 +1,24 @@
 """Integrals over the cells between the strips of a patch.
 
-A cell has a value at its inner end, one at its outer end, and the value one cell further in.  Between its ends the quadratic
-through the three is taken, with a limited bend (:func:`bend_of`), so that an ellipse is integrated exactly.  A place in a cell
-is its share of the cell, counted from the inner end.
+A cell has a value at its inner end, one at its outer end, and the value one cell further in.  Between its
+ends the quadratic through the three is taken, with a limited bend (:func:`bend_of`), so that an ellipse is
+integrated exactly.  A place in a cell is its share of the cell, counted from the inner end.
 """
 
 from math import atan2, fabs, sqrt
 from typing import Final
 
-#: Bend, as a share of the end values, below which a quadratic is expanded about its chord: leaves the square of it.
+#: Bend, as a share of the end values, below which a quadratic is expanded about its chord: leaves the square
+#: of it.
 STRAIGHT: Final[float] = 1e-4
 
 
 def bend_of(before: float, low: float, high: float):
-    """Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low| + |high|.
+    """Second coefficient of the quadratic through (-1, before), (0, low), (1, high), limited to half of |low|
+    + |high|.
 
-    Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data has kinks.
+    Unlimited it is exact for a parabola; the limit keeps it positive between positive values where the data
+    has kinks.
     """
     bend = 0.5 * (before - 2.0 * low + high)
     limit = 0.5 * (fabs(low) + fabs(high))
@@ -71,10 +74,12 @@ def quadratic_moment(before: float, low: float, high: float, stop: float):
 
 
 def root_integral(before: float, low: float, high: float, start: float, stop: float):
-    """Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative there.
+    """Integral over [start, stop] of the square root of the quadratic of ``bend_of``, which is not negative
+    there.
 
-    In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values and the
-    width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q + q^2)/(p + q)^3].
+    In closed form where the quadratic bends down noticeably.  Otherwise with the roots p, q of the end values
+    and the width w, expanded about the chord: w [2/3 (p^2 + p q + q^2)/(p + q) - 2/15 bend w^2 (p^2 + 3 p q +
+    q^2)/(p + q)^3].
     """
     bend = bend_of(before, low, high)
     slope = high - low - bend
@@ -93,14 +98,15 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
         return 0.0
     width = stop - start
     chord = 2.0 / 3.0 * (first + p * q + last) / total
-    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / (total * total * total))
+    cube = total * total * total
+    return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / cube)
 
 
 def bent_integral(low: float, slope: float, bend: float, start: float, stop: float):
     """Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
 
-    The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of a loaded
-    stretch the rounding of root and angle then cancels.
+    The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of
+    a loaded stretch the rounding of root and angle then cancels.
     """
     first = low + start * (slope + start * bend)
     last = low + stop * (slope + stop * bend)
@@ -118,6 +124,7 @@ def bent_integral(low: float, slope: float, bend: float, start: float, stop: flo
     across = sqrt(-bend)
     height = 2.0 * across * last_root
     height_before = 2.0 * across * first_root
-    angle = atan2(height * first_rate - height_before * last_rate, height * height_before + last_rate * first_rate)
+    angle = atan2(height * first_rate - height_before * last_rate,
+                  height * height_before + last_rate * first_rate)
     return ((last_rate * last_root - first_rate * first_root) / (4.0 * bend)
             + spread / (8.0 * -bend * across) * angle)

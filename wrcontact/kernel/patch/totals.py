@@ -4,7 +4,8 @@ from ..layout import PATCH_LIMIT, Patch, SideOutputs, SolvedPatch, SolvedPatches
 
 
 def write_patches(solved: SolvedPatches, side: SideOutputs):
-    """The totals of all patches, and the PATCH_LIMIT heaviest patches by falling load, into the outputs of a side."""
+    """The totals of all patches, and the PATCH_LIMIT heaviest patches by falling load, into the outputs of a
+    side."""
     totals = solved.totals
     side.patch_count = float(solved.count)
     side.normal_force = totals.load

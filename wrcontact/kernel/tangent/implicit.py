@@ -30,6 +30,7 @@ from ..layout import (
     RAIL,
     WHEEL,
     Frame,
+    HertzTable,
     Origin,
     Overlap,
     Place,
@@ -39,7 +40,7 @@ from ..layout import (
     Tables,
     Work,
 )
-from ..normal.analyn import load_regions, region_load, solve_levels
+from ..normal.analyn import load_regions, region_load, solve_penetrations
 from ..normal.elimination import eliminate
 from ..normal.hertz import table_value, upright_coefficients
 from ..normal.interaction import region_influence
@@ -258,8 +259,8 @@ def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, stat
     return gap, rate
 
 
-def levels_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float, prescribed: int):
-    """``solve_levels`` as it is lowered: of each region local penetration = turn penetration - gap - sum of pushes, and of all the
+def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float, prescribed: int):
+    """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap - sum of pushes, and of all the
     load is the force.
 
     Linear equations for the rates of the penetrations, from how loads follow the local ones and move at fixed ones.
@@ -267,14 +268,14 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
     regions = work.regions
     nodes = work.nodes
     given = penetration
-    penetration, met = solve_levels(tables, regions, nodes, state, count, force, penetration, prescribed)
+    penetration, met = solve_penetrations(tables, regions, nodes, state, count, force, penetration, prescribed)
     if met == 0:
         return penetration, met
     size = count + 1
     equations = work.equations
     for i in range(count):
         region = regions[i]
-        region.level = held(region.level)
+        region.local_penetration = held(region.local_penetration)
     total = load_regions(regions, nodes, count)
     last = equations[count]
     for i in range(count):
@@ -293,7 +294,7 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
         row[size + 1] = 0.0
     for j in range(count):
         block = regions[j]
-        load, stiffness = region_load(block, nodes[j], seeded(block.level, 1.0))
+        load, stiffness = region_load(block, nodes[j], seeded(block.local_penetration, 1.0))
         per_level = rate_of(load) - rate_of(block.load)
         for i in range(count):
             equations[i][j] = held(equations[i][j]) * per_level
@@ -310,7 +311,7 @@ def levels_rule(work: Work, tables: Tables, state: State, count: int, force: flo
     eliminate(equations, size)
     for i in range(count):
         region = regions[i]
-        region.level = seeded(region.level, equations[i][size])
+        region.local_penetration = seeded(region.local_penetration, equations[i][size])
     load_regions(regions, nodes, count)
     penetration = seeded(penetration, last[size])
     return penetration, met
@@ -341,16 +342,16 @@ def pair_rule(tables: Tables, place: Place, y: float, abscissa: float, shift: fl
     return y, abscissa, depth, aside, back_shift, found
 
 
-def upright_rule(tables: 'float[:]', base: int, length: float, width: float, nr: float):
+def upright_rule(table: HertzTable, length: float, width: float, nr: float):
     """``upright_coefficients``: ratio + log((1 + beta)/(1 + alpha)) = log(width / length), over ratio = log(B/A)."""
-    A, B, share = upright_coefficients(tables, base, length, width, nr)
+    A, B, share = upright_coefficients(table, length, width, nr)
     ratio = seeded(log(held(B) / held(A)), 1.0)
-    change = log(table_value(tables, base, 0, -ratio) / table_value(tables, base, 0, ratio))
+    change = log(table_value(table, 0, -ratio) / table_value(table, 0, ratio))
     slope = 1.0 + rate_of(change)
     ratio = moving(ratio, log(width / length) / slope)
-    alpha = table_value(tables, base, 0, ratio)
-    beta = table_value(tables, base, 0, -ratio)
-    share = moving(share, table_value(tables, base, 6, ratio) / nr)
+    alpha = table_value(table, 0, ratio)
+    beta = table_value(table, 0, -ratio)
+    share = moving(share, table_value(table, 6, ratio) / nr)
     A = moving(A, share * length / alpha)
     B = moving(B, share * width / beta)
     return A, B, share

@@ -1,8 +1,13 @@
 """The resultant of the contact forces on the wheelset, in the track's axes.
 
-The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left, where a region's load
-acts: the rail's normal there, or the mean over the region where that is known (normal_contact.mean_normal).  The moment is
-that about the wheelset's centre, which is the nominal radius above the running circles.
+The rail pushes the wheel along the normal (0, -+ sin(angle), -cos(angle)), on the right and on the left,
+where a region's load acts: the rail's normal there, or the mean over the region where that is known
+(mean_normal.py).  The moment is that about the wheelset's centre, which is the nominal radius above the
+running circles.
+
+Forces are summed over regions and not over patches: a patch that reaches over the bound between two regions
+has two normals and two points, one for each.  Load and moment of a region are those that its strips carry in
+the solved patches.
 """
 
 from math import sqrt
@@ -19,8 +24,8 @@ def clear_resultant(resultant: Resultant):
 
 
 def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant: Resultant):
-    """Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on the right, -1 on the
-    left."""
+    """Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on
+    the right, -1 on the left."""
     block = work.regions[region]
     load = block.carried
     if load > 0.0:
