@@ -7,13 +7,14 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq, least_squares
 
+from tests.helpers.numpy_profiles import compile_profile
 import wrcontact
 from tests.helpers.numpy_curvatures import fitted_curvature, smooth_curvature_table, turned_curvature
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import contact_plane, separation
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles.catalogue import RAILS
-from wrcontact.profiles.compiled import compile_profile, evaluate_table
+from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc, Polynomial

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers import numpy_curvatures, numpy_scan
+from tests.helpers import numpy_curvatures, numpy_profiles, numpy_scan
+from tests.helpers.numpy_profiles import place_rail, readable_wheel
 from tests.helpers.numpy_tables import build_tables
 from wrcontact.interface.inputs import LATERAL_LIMIT
 from wrcontact.interface.parameters import KERNEL_PARAMETERS
@@ -17,7 +18,6 @@ from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.profiles import Profile
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.definition import definition
-from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
 from wrcontact.methods import NUMBERS
 
@@ -135,12 +135,12 @@ def test_setup_that_is_no_array_is_refused():
 
 
 def test_constants_are_those_of_the_witness():
-    from wrcontact.kernel.prepare import curvatures as prepare_curvatures, pieces as prepare_pieces, placement as prepare_placement, scan as prepare_scan
-    from wrcontact.profiles import compiled, placement
+    from wrcontact.kernel.prepare import (curvatures as prepare_curvatures, pieces as prepare_pieces,
+                                          placement as prepare_placement, scan as prepare_scan)
 
-    pairs = [(prepare_pieces, compiled, ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE", "REPAIR_WIDTH",
-                                         "REPAIRED_STEP", "BIN_WIDTH", "MM")),
-             (prepare_placement, placement, ("STEEPEST",)),
+    pairs = [(prepare_pieces, numpy_profiles, ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE",
+                                               "REPAIR_WIDTH", "REPAIRED_STEP", "BIN_WIDTH", "MM")),
+             (prepare_placement, numpy_profiles, ("STEEPEST",)),
              (prepare_scan, numpy_scan, ("COARSE_STEP", "FINE_STEP", "STRAIGHT", "TOO_STEEP")),
              (prepare_curvatures, numpy_curvatures, ("RASTER_SHARE", "FINEST", "COARSEST", "SAMPLES", "GAUSS_POINTS",
                                                      "ARC_ITERATIONS", "ARC_SHARP"))]
@@ -149,4 +149,4 @@ def test_constants_are_those_of_the_witness():
             assert getattr(ours, name) == getattr(theirs, name), name
     assert prepare_tables.START_ROW_COUNT == 2 * round(LATERAL_LIMIT / prepare_tables.START_STEP) + 1
     assert prepare_tables.STARTS_EACH_METRE == 1.0 / prepare_tables.START_STEP
-    assert prepare_pieces.BINS_EACH_METRE == 1.0 / (compiled.BIN_WIDTH * compiled.MM)
+    assert prepare_pieces.BINS_EACH_METRE == 1.0 / (numpy_profiles.BIN_WIDTH * numpy_profiles.MM)

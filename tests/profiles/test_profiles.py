@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
-from wrcontact.kernel.layout import PIECE_SIZE, Profile, offset
+from tests.helpers.numpy_profiles import compile_profile
+from wrcontact.kernel.layout import PIECE_SIZE, Profile as Table, offset
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
-from wrcontact.profiles.compiled import REPAIR_WIDTH, compile_profile, evaluate_table
+from wrcontact.kernel.prepare.pieces import REPAIR_WIDTH
+from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.files import prepared_text
 from wrcontact.profiles.find import find_profile
 from wrcontact.profiles.placement import place_rail, readable_wheel
@@ -130,7 +132,7 @@ def test_kernel_table_follows_the_definition(profile):
 
 def test_the_kernel_reads_its_table_as_numpy_does():
     table = compile_profile(readable_wheel(standard_profile("S1002")))
-    profile = Profile.at(table)
+    profile = Table.at(table)
     for y in np.random.default_rng(2).uniform(-0.069, 0.06, 500):
         np.testing.assert_array_equal(profile_table.height_slope_bend(profile, y), evaluate_table(table, y))
         assert profile_table.height_slope(profile, y) == profile_table.height_slope_bend(profile, y)[:2]
@@ -139,7 +141,7 @@ def test_the_kernel_reads_its_table_as_numpy_does():
 @pytest.mark.parametrize("y", [np.nan, np.inf, -np.inf, 1e300, -1e300])
 def test_an_abscissa_out_of_this_world_stays_inside_the_table(y):
     table = compile_profile(readable_wheel(standard_profile("S1002")))
-    profile = Profile.at(table)
+    profile = Table.at(table)
     piece = offset(profile_table.find_piece(profile, y), table)
     assert offset(profile.pieces, table) <= piece < len(table) - PIECE_SIZE
 

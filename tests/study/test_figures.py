@@ -11,13 +11,13 @@ from matplotlib.image import imread
 from scipy.special import ellipe, ellipk
 
 from tests.helpers.numpy_curvatures import fitted_curvature, turned_curvature
+from tests.helpers.numpy_profiles import compile_profile
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.figures import index, summary
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
 from wrcontact.plots.source_figures import DRAWN, source_figure
-from wrcontact.profiles.compiled import compile_profile
 from wrcontact.study.analyn import corrected, solve_analyn
 from wrcontact.study.compare import lever_share
 from wrcontact.study.figure import FAILS, HOLDS, PARTLY, Study, rows_of

@@ -13,13 +13,14 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, root
 
+from tests.helpers.numpy_profiles import compile_profile
 import wrcontact
 from tests.binding.test_native_library import bits, needs_library, run_steps
 from tests.helpers.constant_curvatures import MODULUS, hertz
 from wrcontact.kernel import layout
 from wrcontact.kernel.contact import overlaps
 from wrcontact.profiles.catalogue import standard_profile
-from wrcontact.profiles.compiled import compile_profile, evaluate_table
+from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.placement import place_rail
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..conventions import MIRROR
-from ..profiles.compiled import compile_profile, evaluate_table
-from ..profiles.placement import place_rail, readable_wheel
+from ..profiles.compiled import ends, evaluate_table
 
 
 @dataclass(frozen=True)
@@ -40,14 +39,9 @@ class Surfaces:
 
     def __init__(self, system):
         chosen = system.parameters
-        wheel = readable_wheel(system.wheel)
-        placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
-                            gauge_depth=chosen["gauge_depth"])
         self.radius, self.arm = chosen["nominal_radius"], 0.5 * chosen["running_circle_distance"]
-        self.rail_y = placed.y_track
-        self.wheel_ends = (wheel.start, wheel.stop)
-        self.rail_ends = (placed.profile.start, placed.profile.stop)
-        self._wheel, self._rail = compile_profile(wheel), compile_profile(placed.profile)
+        self._wheel, self._rail, self.rail_y = system.profile_tables()
+        self.wheel_ends, self.rail_ends = ends(self._wheel), ends(self._rail)
 
     def wheel(self, y):
         """Height [m] and slope [-] of the wheel profile at ``y`` [m], two arrays of its shape."""

@@ -1,6 +1,9 @@
-"""From a definition to the table of quintic pieces: wrcontact/profiles/compiled.py, which tells why, for definitions.
+"""From a definition to the table of quintic pieces, the record Profile.
 
-The table is the record Profile.
+Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
+pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
+(S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over REPAIR_WIDTH.
+Otherwise the contact would stay at an edge that no real wheel has.
 """
 
 from math import ceil, fabs
@@ -9,12 +12,16 @@ from typing import Final
 from ..layout import PIECE_SIZE, Profile, offset
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
 
-PIECE_ERROR: Final[float] = 1e-9          # height error allowed between a piece's ends [mm]
-PIECE_BEND_ERROR: Final[float] = 1e-7     # error of the second derivative allowed there [1/mm]
+#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad required of the roll.
+PIECE_ERROR: Final[float] = 1e-9
+#: Permitted error of the second derivative between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
+PIECE_BEND_ERROR: Final[float] = 1e-7
 LONGEST_PIECE: Final[float] = 1.0         # [mm]
-SHORTEST_PIECE: Final[float] = 1e-3       # [mm]
-REPAIR_WIDTH: Final[float] = 0.5          # [mm]
-REPAIRED_STEP: Final[float] = 1e-6        # [mm]
+SHORTEST_PIECE: Final[float] = 1e-3       # [mm]; measured profiles have knots this close
+#: Distance from a joint over which a height step of the published coefficients is smoothed [mm].  On UIC60 1:40 the step at
+#: y = -35 mm would hold the contact for 1 um of lateral shift.  Half a millimetre changes the curvature by at most 2 %.
+REPAIR_WIDTH: Final[float] = 0.5
+REPAIRED_STEP: Final[float] = 1e-6        # [mm]; smaller height steps are not repaired
 BIN_WIDTH: Final[float] = 0.25            # [mm]
 BINS_EACH_METRE: Final[float] = 4000.0
 MM: Final[float] = 1e-3

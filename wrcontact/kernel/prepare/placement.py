@@ -1,6 +1,6 @@
-"""The rail on the track, and the readable part of a wheel: wrcontact/profiles/placement.py for definitions.
+"""The rail on the track, and the part of a wheel that can be read.
 
-A definition (prepare_zones.py) is turned and shifted into another one, in millimetres.
+A definition (zones.py) is turned and shifted into another one, in millimetres.
 """
 
 from math import atan, cos, fabs, sin
@@ -29,7 +29,8 @@ from .zones import (
     upright_jet,
 )
 
-#: Profiles are read where they are no steeper than this [rad]; 80 degrees.
+#: A profile is read as a function of y where it is not steeper than this [rad], 80 degrees.  Flanges of wheels in use are less
+#: steep, 75 degrees at most, so no contact lies beyond.
 STEEPEST: Final[float] = 1.3962634015954636
 #: Less of an arc than this is nothing [mm].
 SLIVER: Final[float] = 1e-6

@@ -1,7 +1,7 @@
 """The zones that a profile is defined with, as numbers: polynomials and circular arcs, upright or turned; in millimetres.
 
-A definition is one array: how many zones, the length of their rows, then the rows.  wrcontact/profiles/zones.py says the same
-for people, and wrcontact/profiles/definition.py writes it down as such an array.
+A definition is one array: how many zones, the length of their rows, then the rows.  wrcontact/profiles/zones.py has the same
+zones as objects, and wrcontact/profiles/definition.py turns one into the other.
 """
 
 from math import fabs, sqrt
