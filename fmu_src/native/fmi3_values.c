@@ -50,6 +50,15 @@ static int check_reference(instance *self, fmi3ValueReference reference)
     return 0;
 }
 
+/* Whether there are as many values as the variables have. */
+static int check_count(instance *self, const char *function, size_t needed, size_t value_count)
+{
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
 /* Whether a list of variables is known and of this type, with as many values as they hold; `reading`: and can be read. */
 static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
                       size_t value_count, model_type type, bool reading)
@@ -68,10 +77,7 @@ static int check_list(instance *self, const char *function, reference_list refer
             return 1;
         needed += block_size(self, block);
     }
-    if (needed != value_count)
-        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
-                               (unsigned long)value_count, (unsigned long)needed);
-    return 0;
+    return check_count(self, function, needed, value_count);
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Float64 values[],
@@ -171,10 +177,7 @@ static int check_derivative(instance *self, const char *function, reference_list
             return 1;
         needed += block_size(self, block);
     }
-    if (needed != value_count)
-        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
-                               (unsigned long)value_count, (unsigned long)needed);
-    return 0;
+    return check_count(self, function, needed, value_count);
 }
 
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count,
