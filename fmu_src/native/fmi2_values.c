@@ -18,41 +18,26 @@ static int check_list(instance *self, const char *function, const fmi2ValueRefer
     return refused;
 }
 
-fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Real values[])
-{
-    instance *self = component;
-    if (!self)
-        return fmi2Error;
-    if (check_list(self, "fmi2GetReal", references, count, values, MODEL_REAL) || wheelset_refresh(self->wheelset))
-        return fmi2_answer(self, 1);
-    for (size_t i = 0; i < count; i += 1)
-        values[i] = self->wheelset->core.values[references[i]];
-    return fmi2OK;
-}
+/* A function that reads values of one type; `REFUSED` brings them up to date, `VALUE` is that of `reference`. */
+#define GET(NAME, C_TYPE, TYPE, REFUSED, VALUE)                                                                    \
+    fmi2Status NAME(fmi2Component component, const fmi2ValueReference references[], size_t count, C_TYPE values[]) \
+    {                                                                                                              \
+        instance *self = component;                                                                                \
+        if (!self)                                                                                                 \
+            return fmi2Error;                                                                                      \
+        if (check_list(self, #NAME, references, count, values, TYPE) || REFUSED)                                   \
+            return fmi2_answer(self, 1);                                                                           \
+        for (size_t i = 0; i < count; i += 1)                                                                      \
+        {                                                                                                          \
+            const fmi2ValueReference reference = references[i];                                                    \
+            values[i] = VALUE;                                                                                     \
+        }                                                                                                          \
+        return fmi2OK;                                                                                             \
+    }
 
-fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Integer values[])
-{
-    instance *self = component;
-    if (!self)
-        return fmi2Error;
-    if (check_list(self, "fmi2GetInteger", references, count, values, MODEL_INTEGER) || wheelset_refresh(self->wheelset))
-        return fmi2_answer(self, 1);
-    for (size_t i = 0; i < count; i += 1)
-        values[i] = wheelset_integer(self->wheelset, references[i]);
-    return fmi2OK;
-}
-
-fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2String values[])
-{
-    instance *self = component;
-    if (!self)
-        return fmi2Error;
-    if (check_list(self, "fmi2GetString", references, count, values, MODEL_STRING))
-        return fmi2_answer(self, 1);
-    for (size_t i = 0; i < count; i += 1)
-        values[i] = self->wheelset->core.text[model_variables[references[i]].slot];
-    return fmi2OK;
-}
+GET(fmi2GetReal, fmi2Real, MODEL_REAL, wheelset_refresh(self->wheelset), self->wheelset->core.values[reference])
+GET(fmi2GetInteger, fmi2Integer, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, reference))
+GET(fmi2GetString, fmi2String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[reference].slot])
 
 fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count, fmi2Boolean values[])
 {
@@ -60,43 +45,27 @@ fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference refe
     return component && count == 0 ? fmi2OK : fmi2_refuse(component, "fmi2GetBoolean", "there are no Booleans");
 }
 
-fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], size_t count, const fmi2Real values[])
-{
-    instance *self = component;
-    if (!self)
-        return fmi2Error;
-    int refused = check_pointers(self, "fmi2SetReal", references, count, values);
-    for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_may_set_real(self->wheelset, references[i], values[i]);
-    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
-        wheelset_set_real(self->wheelset, references[i], values[i]);
-    return fmi2_answer(self, refused);
-}
+/* A function that sets values of one type, all of them or none: `REFUSED` is whether the value
+ * of place `i` cannot be set, `APPLY` sets it. */
+#define SET(NAME, C_TYPE, REFUSED, APPLY)                                                                                \
+    fmi2Status NAME(fmi2Component component, const fmi2ValueReference references[], size_t count, const C_TYPE values[]) \
+    {                                                                                                                    \
+        instance *self = component;                                                                                      \
+        if (!self)                                                                                                       \
+            return fmi2Error;                                                                                            \
+        int refused = check_pointers(self, #NAME, references, count, values);                                            \
+        for (size_t i = 0; i < count && !refused; i += 1)                                                                \
+            refused = REFUSED;                                                                                           \
+        for (size_t i = 0; i < count && !refused; i += 1)                                                                \
+            APPLY;                                                                                                       \
+        return fmi2_answer(self, refused);                                                                               \
+    }
 
-fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], size_t count,
-                          const fmi2Integer values[])
-{
-    instance *self = component;
-    if (!self)
-        return fmi2Error;
-    int refused = check_pointers(self, "fmi2SetInteger", references, count, values);
-    for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_may_set_integer(self->wheelset, references[i]);
-    return fmi2_answer(self, refused);
-}
-
-fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference references[], size_t count, const fmi2String values[])
-{
-    instance *self = component;
-    if (!self)
-        return fmi2Error;
-    int refused = check_pointers(self, "fmi2SetString", references, count, values);
-    for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_may_set_string(self->wheelset, references[i], values[i]);
-    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
-        wheelset_set_string(self->wheelset, references[i], values[i]);
-    return fmi2_answer(self, refused);
-}
+SET(fmi2SetReal, fmi2Real, wheelset_may_set_real(self->wheelset, references[i], values[i]),
+    wheelset_set_real(self->wheelset, references[i], values[i]))
+SET(fmi2SetInteger, fmi2Integer, wheelset_may_set_integer(self->wheelset, references[i]), (void)0)
+SET(fmi2SetString, fmi2String, wheelset_may_set_string(self->wheelset, references[i], values[i]),
+    wheelset_set_string(self->wheelset, references[i], values[i]))
 
 fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference references[], size_t count,
                           const fmi2Boolean values[])

@@ -50,6 +50,15 @@ static int check_reference(instance *self, fmi3ValueReference reference)
     return 0;
 }
 
+/* Whether there are as many values as the variables have. */
+static int check_count(instance *self, const char *function, size_t needed, size_t value_count)
+{
+    if (needed != value_count)
+        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
+                               (unsigned long)value_count, (unsigned long)needed);
+    return 0;
+}
+
 /* Whether a list of variables is known and of this type, with as many values as they hold; `reading`: and can be read. */
 static int check_list(instance *self, const char *function, reference_list references, size_t count, const void *values,
                       size_t value_count, model_type type, bool reading)
@@ -68,10 +77,7 @@ static int check_list(instance *self, const char *function, reference_list refer
             return 1;
         needed += block_size(self, block);
     }
-    if (needed != value_count)
-        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
-                               (unsigned long)value_count, (unsigned long)needed);
-    return 0;
+    return check_count(self, function, needed, value_count);
 }
 
 fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Float64 values[],
@@ -93,101 +99,60 @@ fmi3Status fmi3GetFloat64(fmi3Instance component, const fmi3ValueReference refer
     return fmi3OK;
 }
 
-fmi3Status fmi3GetInt32(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3Int32 values[],
-                        size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    if (check_list(self, "fmi3GetInt32", references, count, values, value_count, MODEL_INTEGER, true)
-        || wheelset_refresh(self->wheelset))
-        return fmi3_answer(self, 1);
-    for (size_t i = 0; i < count; i += 1)
-        values[i] = wheelset_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
-    return fmi3OK;
-}
+/* Where the values of variable `i` of a list begin. */
+#define FIRST model_blocks[references[i]].first
 
-fmi3Status fmi3GetUInt64(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3UInt64 values[],
-                         size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    if (check_list(self, "fmi3GetUInt64", references, count, values, value_count, MODEL_UNSIGNED, true))
-        return fmi3_answer(self, 1);
-    for (size_t i = 0; i < count; i += 1)
-        values[i] = self->wheelset->core.stations;
-    return fmi3OK;
-}
-
-fmi3Status fmi3GetString(fmi3Instance component, const fmi3ValueReference references[], size_t count, fmi3String values[],
-                         size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    if (check_list(self, "fmi3GetString", references, count, values, value_count, MODEL_STRING, true))
-        return fmi3_answer(self, 1);
-    for (size_t i = 0; i < count; i += 1)
-        values[i] = self->wheelset->core.text[model_variables[model_blocks[references[i]].first].slot];
-    return fmi3OK;
-}
-
-fmi3Status fmi3SetFloat64(fmi3Instance component, const fmi3ValueReference references[], size_t count,
-                          const fmi3Float64 values[], size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    int refused = check_list(self, "fmi3SetFloat64", references, count, values, value_count, MODEL_REAL, false);
-    for (size_t i = 0; i < count && !refused; i += 1)       /* arrays are outputs, which the first of their values tells */
-    {
-        const int first = model_blocks[references[i]].first;
-        refused = first == BLOCK_TIME ? wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set")
-                                      : wheelset_may_set_real(self->wheelset, (uint32_t)first, values[i]);
+/* A function that reads variables of one type with one value each; `REFUSED` brings them up to date, `VALUE` is that of
+ * variable `i`. */
+#define GET(NAME, C_TYPE, TYPE, REFUSED, VALUE)                                                                         \
+    fmi3Status NAME(fmi3Instance component, const fmi3ValueReference references[], size_t count, C_TYPE values[],       \
+                    size_t value_count)                                                                                 \
+    {                                                                                                                   \
+        instance *self = component;                                                                                     \
+        if (!self)                                                                                                      \
+            return fmi3Error;                                                                                           \
+        if (check_list(self, #NAME, references, count, values, value_count, TYPE, true) || REFUSED)                     \
+            return fmi3_answer(self, 1);                                                                                \
+        for (size_t i = 0; i < count; i += 1)                                                                           \
+            values[i] = VALUE;                                                                                          \
+        return fmi3OK;                                                                                                  \
     }
-    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
-        wheelset_set_real(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
-    return fmi3_answer(self, refused);
+
+GET(fmi3GetInt32, fmi3Int32, MODEL_INTEGER, wheelset_refresh(self->wheelset), wheelset_integer(self->wheelset, (uint32_t)FIRST))
+GET(fmi3GetUInt64, fmi3UInt64, MODEL_UNSIGNED, 0, self->wheelset->core.stations)
+GET(fmi3GetString, fmi3String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[FIRST].slot])
+
+/* Whether a Float64 can be set; arrays are outputs, which the first of their values tells. */
+static int may_set_float(instance *self, int first, double value)
+{
+    if (first == BLOCK_TIME)
+        return wheelset_refuse(self->wheelset, "time is the independent variable and cannot be set");
+    return wheelset_may_set_real(self->wheelset, (uint32_t)first, value);
 }
 
-fmi3Status fmi3SetInt32(fmi3Instance component, const fmi3ValueReference references[], size_t count, const fmi3Int32 values[],
-                        size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    int refused = check_list(self, "fmi3SetInt32", references, count, values, value_count, MODEL_INTEGER, false);
-    for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_may_set_integer(self->wheelset, (uint32_t)model_blocks[references[i]].first);
-    return fmi3_answer(self, refused);
-}
+/* A function that sets variables of one type, all of them or none: `REFUSED` is whether variable `i` cannot be
+ * set, `APPLY` sets it. */
+#define SET(NAME, C_TYPE, TYPE, REFUSED, APPLY)                                                                         \
+    fmi3Status NAME(fmi3Instance component, const fmi3ValueReference references[], size_t count, const C_TYPE values[], \
+                    size_t value_count)                                                                                 \
+    {                                                                                                                   \
+        instance *self = component;                                                                                     \
+        if (!self)                                                                                                      \
+            return fmi3Error;                                                                                           \
+        int refused = check_list(self, #NAME, references, count, values, value_count, TYPE, false);                     \
+        for (size_t i = 0; i < count && !refused; i += 1)                                                               \
+            refused = REFUSED;                                                                                          \
+        for (size_t i = 0; i < count && !refused; i += 1)                                                               \
+            APPLY;                                                                                                      \
+        return fmi3_answer(self, refused);                                                                              \
+    }
 
-fmi3Status fmi3SetUInt64(fmi3Instance component, const fmi3ValueReference references[], size_t count,
-                         const fmi3UInt64 values[], size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    int refused = check_list(self, "fmi3SetUInt64", references, count, values, value_count, MODEL_UNSIGNED, false);
-    for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_set_stations(self->wheelset, values[i]);
-    return fmi3_answer(self, refused);
-}
-
-fmi3Status fmi3SetString(fmi3Instance component, const fmi3ValueReference references[], size_t count, const fmi3String values[],
-                         size_t value_count)
-{
-    instance *self = component;
-    if (!self)
-        return fmi3Error;
-    int refused = check_list(self, "fmi3SetString", references, count, values, value_count, MODEL_STRING, false);
-    for (size_t i = 0; i < count && !refused; i += 1)
-        refused = wheelset_may_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
-    for (size_t i = 0; i < count && !refused; i += 1)       /* all or none */
-        wheelset_set_string(self->wheelset, (uint32_t)model_blocks[references[i]].first, values[i]);
-    return fmi3_answer(self, refused);
-}
+SET(fmi3SetFloat64, fmi3Float64, MODEL_REAL, may_set_float(self, FIRST, values[i]),
+    wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i]))
+SET(fmi3SetInt32, fmi3Int32, MODEL_INTEGER, wheelset_may_set_integer(self->wheelset, (uint32_t)FIRST), (void)0)
+SET(fmi3SetUInt64, fmi3UInt64, MODEL_UNSIGNED, wheelset_set_stations(self->wheelset, values[i]), (void)0)
+SET(fmi3SetString, fmi3String, MODEL_STRING, wheelset_may_set_string(self->wheelset, (uint32_t)FIRST, values[i]),
+    wheelset_set_string(self->wheelset, (uint32_t)FIRST, values[i]))
 
 /* --- directional derivatives ------------------------------------------------------------------------ */
 
@@ -212,10 +177,7 @@ static int check_derivative(instance *self, const char *function, reference_list
             return 1;
         needed += block_size(self, block);
     }
-    if (needed != value_count)
-        return wheelset_refuse(self->wheelset, "%s: there are %lu values; these variables have %lu", function,
-                               (unsigned long)value_count, (unsigned long)needed);
-    return 0;
+    return check_count(self, function, needed, value_count);
 }
 
 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance component, reference_list unknowns, size_t unknown_count,
