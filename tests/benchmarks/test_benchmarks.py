@@ -20,8 +20,8 @@ from benchmarks import (
 )
 from benchmarks.table import figure, markdown
 from tests.helpers.paths import ROOT
-from wrcontact.plots import style
 from wrcontact.methods import Analyn, Strip
+from wrcontact.plots import style
 
 LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 

@@ -1,10 +1,7 @@
 """The compiled kernel and its Python source are one program: the same bits, and a library that does not fit is not used."""
 
 import gc
-import json
-import os
 import shutil
-import subprocess
 import sys
 import weakref
 from pathlib import Path
@@ -14,30 +11,25 @@ import pytest
 
 import wrcontact
 from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
+from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_python, run_steps
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.library import fingerprint
-from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUTPUT_COUNT,
-                                     SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE)
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME
+from wrcontact.kernel.layout import (
+    IN_LATERAL_SHIFT,
+    IN_ROLL,
+    IN_VERTICAL_SHIFT,
+    IN_YAW,
+    INPUT_COUNT,
+    OUTPUT_COUNT,
+    SETTING_COUNT,
+    STATE_SIZE,
+    UNLOADED,
+    WORK_SIZE,
+)
 
-PACKAGE = Path(wrcontact.__file__).parent
-KERNEL = PACKAGE / "kernel"
-needs_library = pytest.mark.skipif(not (KERNEL / LIBRARY_NAME).exists(), reason="no compiled library here")
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
-
-RUN = """
-import json
-import sys
-import numpy as np
-import {package} as wrcontact
-stepper = wrcontact.ContactSystem(**json.loads(sys.argv[3])).stepper()
-rows = []
-for pose in np.load(sys.argv[1]):
-    stepper.inputs[:] = pose
-    rows.append([stepper.step(), *stepper.outputs])
-np.save(sys.argv[2], np.array(rows))
-"""
 
 
 def poses(count, seed=20):
@@ -64,29 +56,10 @@ def poses(count, seed=20):
     return rows
 
 
-def run_steps(rows, folder, *, choice, package=PACKAGE, **parameters):
-    """[status, outputs] of each pose, from a fresh process in which ``package`` runs the ``choice`` of kernel."""
-    np.save(folder / "poses.npy", rows)
-    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy", folder / "steps.npy",
-                       json.dumps(parameters))
-    assert child.returncode == 0, child.stderr
-    return np.load(folder / "steps.npy")
-
-
-def run_python(code, path, choice, *arguments):
-    """Run ``code`` with ``path`` in front of the module path, away from this checkout."""
-    return subprocess.run([sys.executable, "-W", "always", "-c", code, *map(str, arguments)], cwd=path, text=True,
-                          capture_output=True, env={**os.environ, "PYTHONPATH": str(path), "WRCONTACT_KERNEL": choice})
-
-
 def copy_package(folder, name, *, with_library):
     """A copy of the package under another name, as inside an FMU."""
     ignored = ["__pycache__"] + ([] if with_library else [LIBRARY_NAME])
     return Path(shutil.copytree(PACKAGE, folder / name, ignore=shutil.ignore_patterns(*ignored)))
-
-
-def bits(array):
-    return np.ascontiguousarray(array).view(np.int64)
 
 
 #: Every contact mode with every normal model, and the vertical load.

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 from lxml import etree
 from matplotlib.image import imread
+from wrcontact.fmu.documentation import about_native, documentation_page
 
-from tests.fmu.test_fmu import profile_file
+from tests.helpers.cases import profile_file
 from tests.helpers.paths import ROOT
 from wrcontact.fmu import SOURCES, build, native
 from wrcontact.fmu.compilers import PLATFORMS
-from wrcontact.fmu.documentation import about_native, documentation_page
 from wrcontact.interface.variables import folded
 
 SCHEMAS = Path(fmpy.__file__).parent / "schema" / "fmi3"

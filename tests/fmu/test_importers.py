@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.fmu.test_fmu import RUNS, run_scenario, stored
-from tests.fmu.test_native_fmu import has_compiler, session, stepped
+from tests.helpers.cases import RUNS, stored
+from tests.helpers.fmus import has_compiler, run_scenario, session, stepped
 from tests.helpers.paths import HELPERS
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 

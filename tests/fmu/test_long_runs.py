@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from benchmarks.native import native_host
-from tests.fmu.test_native_fmu import needs_glibc
-from tests.helpers.walker import HOME, RETURN, Walker
+from tests.helpers.fmus import needs_glibc
 from tests.helpers.paths import HELPERS
+from tests.helpers.walker import HOME, RETURN, Walker
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu
 from wrcontact.interface.variables import FIRST_OUTPUT, REAL, STATUS, VARIABLES

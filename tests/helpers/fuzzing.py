@@ -19,8 +19,8 @@ from inspect import signature
 import numpy as np
 
 import wrcontact
-from wrcontact.profiles import Profile, standard_profile
 from wrcontact.methods import CHOICES
+from wrcontact.profiles import Profile, standard_profile
 
 RAILS = ("UIC60", "60E1", "54E1")
 INCLINATIONS = (0.0, 1 / 40, 1 / 30, 1 / 20)

@@ -2,13 +2,17 @@
 
 import numpy as np
 
-from tests.helpers.numpy_curvatures import empty_curvature_table, rough_curvature_table, smooth_curvature_table
+from tests.helpers.numpy_curvatures import (
+    empty_curvature_table,
+    rough_curvature_table,
+    smooth_curvature_table,
+)
 from tests.helpers.numpy_scan import scan_table
+from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
+from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import influence_table
-from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
 from wrcontact.kernel.prepare.tables import START_STEP
 from wrcontact.profiles.compiled import compile_profile
 

@@ -30,62 +30,54 @@ from pathlib import Path
 
 from tests.helpers.paths import ROOT, TESTS
 
-#: ``old`` stands in the module once, and is replaced by ``new``; the tests in the room ``first`` run
-#: before all others.
-Error = namedtuple("Error", "name module old new meaning first")
+#: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room ``first`` run before all others.
+#: ``module`` is the flat name of the file; without it the file is the one in which ``old`` occurs.
+Error = namedtuple("Error", "name old new meaning first module", defaults=[""])
 
 ERRORS = [
-    Error("roll_sign", "roll", "    difference = work[RIGHT + SIDE_BEST] - work[LEFT + SIDE_BEST]\n    rate",
-          "    difference = work[RIGHT + SIDE_BEST] + work[LEFT + SIDE_BEST]\n    rate",
+    Error("roll_sign", "difference = work.sides[1].best - work.sides[0].best\n    rate",
+          "difference = work.sides[1].best + work.sides[0].best\n    rate",
           "a sign in the equation of the roll", "search"),
-    Error("missed_minimum", "search", "    march(tables, work, side, place, at, state, node, -1)",
+    Error("missed_minimum", "    march(tables, work, side, place, at, state, node, -1)",
           "    march(tables, work, side, place, at, state, node, 1)",
           "the gap is searched to one side only: a minimum on the other is missed", "search"),
-    Error("stale_minima", "roll", "        if known == 1 and before_left == work[LEFT + SIDE_BEST_Y] and before_right",
-          "        if known == 1 or before_left == work[LEFT + SIDE_BEST_Y] and before_right",
+    Error("stale_minima", "if known == 1 and before_left ==", "if known == 1 or before_left ==",
           "the minima of the step before are taken though the search has found a smaller one", "search"),
-    Error("stale_outputs", "step", "        workspace[WORK_KNOWN] = 0.0", "        workspace[WORK_KNOWN] = 1.0",
+    Error("stale_outputs", "workspace.known = 0.0", "workspace.known = 1.0",
           "after a step that failed, its inputs count as those of the outputs", "wheelset"),
-    Error("swapped_loads", "step", "sign = float(2 * index - 1)", "sign = float(1 - 2 * index)",
+    Error("swapped_loads", "sign = float(2 * index - 1)", "sign = float(1 - 2 * index)",
           "load is transferred to the other side", "normal"),
-    Error("mirror_yaw", "locus", "place[to + PLACE_SIN_YAW] = -place[at", "place[to + PLACE_SIN_YAW] = place[at",
-          "the left wheel is mirrored without its yaw", "search"),
-    Error("yaw_term", "contact_plane", "(around * around / r - bend * e2 * e2) / steep", "around * around / (r * steep)",
+    Error("mirror_yaw", "to.sin_yaw = -at.sin_yaw", "to.sin_yaw = at.sin_yaw", "the left wheel is mirrored without its yaw", "search"),
+    Error("yaw_term", "(around * around / r - bend * e2 * e2) / steep", "around * around / (r * steep)",
           "the longitudinal curvature lacks its term of yaw", "normal"),
-    Error("wrong_profile", "lateral_curvature", "int(tables[SET_RAIL_CURVATURE]), abscissa)",
-          "int(tables[SET_WHEEL_CURVATURE]), abscissa)", "the rail's curvature is read in the wheel's table",
-          "contact"),
-    Error("off_profile", "contact_point", "    if fabs(mismatch) >= PARALLEL:", "    if fabs(mismatch) >= 1e9:",
-          "a wheel on the end of a profile is not told by its status", "search"),
-    Error("hertz_power", "normal_contact", "stiffness)) ** (2.0 / 3.0)", "stiffness)) ** (3.0 / 4.0)",
-          "the power 3/4 for Hertz's 2/3", "normal"),
-    Error("hertz_cell", "hertz", "at = base + TABLE_CELLS + TABLE_ROW * cell + column",
-          "at = base + TABLE_CELLS + TABLE_ROW * (cell + 1) + column", "Hertz's table is read one cell too far",
-          "normal"),
-    Error("analyn_axes", "nodes", "beta = table_value(tables, base, 0, log(A / side))",
-          "beta = table_value(tables, base, 0, log(side / A))", "ANALYN's 1 + beta is taken for the other axis",
-          "normal"),
-    Error("last_node", "nodes", "work[block + REGION_LAST] = float(passed)", "work[block + REGION_LAST] = float(passed - 1)",
-          "a region ends one node early", "normal"),
-    Error("lonely_patches", "analyn", "    if first != second:", "    if first > second + 9:",
+    Error("wrong_profile", "(tables.rail_curvature, abscissa)", "(tables.wheel_curvature, abscissa)",
+          "the rail's curvature is read in the wheel's table", "contact"),
+    Error("off_profile", "    if fabs(mismatch) >= PARALLEL:", "    if fabs(mismatch) >= 1e9:",
+          "a wheel on the end of a profile is not reported by its status", "search"),
+    Error("hertz_power", "stiffness)) ** (2.0 / 3.0)", "stiffness)) ** (3.0 / 4.0)", "the power 3/4 for Hertz's 2/3", "normal"),
+    Error("hertz_cell", "at = base + TABLE_CELLS + TABLE_ROW * cell + column",
+          "at = base + TABLE_CELLS + TABLE_ROW * (cell + 1) + column", "Hertz's table is read one cell too far", "normal"),
+    Error("analyn_axes", "beta = table_value(tables.raw, base, 0, log(A / side))", "beta = table_value(tables.raw, base, 0, log(side / A))",
+          "ANALYN's 1 + beta is taken for the other axis", "normal"),
+    Error("last_node", "region.last = after", "region.last = after - 1", "a region ends one node early", "normal"),
+    Error("isolated_patches", "    result *= planes_cosine(one, other)", "    result *= 0.0 * planes_cosine(one, other)",
           "patches side by side do not press on each other", "normal"),
-    Error("early_end", "analyn", "NEARLY_SHARP: Final[float] = 1e-9", "NEARLY_SHARP: Final[float] = 1e-4",
+    Error("early_end", "NEARLY_SHARP: Final[float] = 1e-9", "NEARLY_SHARP: Final[float] = 1e-4",
           "Newton's method for the force gives up some steps early", "normal"),
-    Error("strip_near", "strip_influence", "row[j] += near_share(", "row[j] -= near_share(",
+    Error("strip_near", "row[j] += near_share(", "row[j] -= near_share(",
           "the correction of neighbouring strips has the wrong sign", "normal"),
-    Error("elastic_loads", "elastic", "outcome = carry_side(tables, work, state, 1, right, height)",
+    Error("elastic_loads", "outcome = carry_side(tables, work, state, 1, right, height)",
           "outcome = carry_side(tables, work, state, 1, left, height)",
           "the right elastic wheel carries the left one's load", "wheelset"),
-    Error("elastic_sharp", "elastic", "ELASTIC_SHARP: Final[float] = 1e-13", "ELASTIC_SHARP: Final[float] = 1e-10",
-          "the elastic stand is found to a tolerance a thousand times wider", "tangent"),
-    Error("moment", "resultant", "work[at + 3] += y * force_z - z * force_y", "work[at + 3] += y * force_z + z * force_y",
+    Error("elastic_sharp", "ELASTIC_SHARP: Final[float] = 1e-13", "ELASTIC_SHARP: Final[float] = 1e-10",
+          "the elastic equilibrium is found to a tolerance a thousand times wider", "tangent"),
+    Error("moment", "resultant[3] += y * force_z - z * force_y", "resultant[3] += y * force_z + z * force_y",
           "a sign in the moment of a patch", "wheelset"),
-    Error("piece", "prepare_pieces", "-15.0 * rest + 7.0 * slope - bend", "-15.0 * rest + 8.0 * slope - bend",
+    Error("piece", "-15.0 * rest + 7.0 * slope - bend", "-15.0 * rest + 8.0 * slope - bend",
           "a wrong coefficient of the profiles' quintics", "prepare"),
-    Error("scan_bound", "prepare_scan", "tables[row + RAIL_LEAST_BENDS + level] = least",
-          "tables[row + RAIL_LEAST_BENDS + level] = most", "the search takes the rail's largest bend for its smallest one",
-          "search"),
-    Error("tangent_rule", "implicit", "y = moving(y, -mismatch / held(rate))", "y = moving(y, mismatch / held(rate))",
+    Error("scan_bound", "tables[row + RAIL_LEAST_BENDS + level] = least", "tables[row + RAIL_LEAST_BENDS + level] = most",
+          "the search takes the rail's largest bend for its smallest one", "search"),
+    Error("tangent_rule", "y = moving(y, -mismatch / held(rate))", "y = moving(y, mismatch / held(rate))",
           "the contact moves the wrong way in the derivatives", "tangent"),
 ]
 
@@ -108,15 +100,21 @@ def planted(text, error):
     """``text`` of the module with the error in it."""
     found = text.count(error.old)
     if found != 1:
-        raise ValueError(f"{error.name}: {error.old!r} stands in {error.module}.py {found} times, and should once")
+        raise ValueError(f"{error.name}: {error.old!r} occurs {found} times, and should occur once")
     return text.replace(error.old, error.new)
 
 
-def source_of(module, root=ROOT):
+def source_of(error, root=ROOT):
+    """The kernel's file in which the error is planted."""
     from tools.transpile_kernel import FILES, flat_name
 
-    kernel = root / "wrcontact" / "kernel"
-    return next(path for path in FILES["kernel_modules"](kernel) if flat_name(path) == module)
+    paths = FILES["kernel_modules"](root / "wrcontact" / "kernel")
+    if error.module:
+        return next(path for path in paths if flat_name(path) == error.module)
+    found = [path for path in paths if error.old in path.read_text(encoding="utf-8")]
+    if len(found) != 1:
+        raise ValueError(f"{error.name}: {error.old!r} occurs in {len(found)} files of the kernel, and should occur in one")
+    return found[0]
 
 
 def random_errors(count, seed):
@@ -129,8 +127,8 @@ def random_errors(count, seed):
         # so much around the place that it is there once
         reach = next(reach for reach in range(len(text)) if text.count(text[max(at - reach, 0):at + len(old) + reach]) == 1)
         before, after = text[max(at - reach, 0):at], text[at + len(old):at + len(old) + reach]
-        yield Error(f"random_{seed}_{number}", flat_name(path), before + old + after, before + new + after,
-                    f"line {line}: {old} -> {new} in {text.splitlines()[line - 1].strip()}", "normal")
+        yield Error(f"random_{seed}_{number}", before + old + after, before + new + after,
+                    f"line {line}: {old} -> {new} in {text.splitlines()[line - 1].strip()}", "normal", flat_name(path))
 
 
 def kernel_modules():
@@ -251,7 +249,7 @@ def examine(error, tree, short):
 
 def row(outcome):
     error, test = outcome.error, outcome.test if outcome.seen else "NOT SEEN"
-    return f"| {error.name} | {error.module}.py | {error.meaning} | {test} | {outcome.seconds:.0f} s |"
+    return f"| {error.name} | {source_of(error).name} | {error.meaning} | {test} | {outcome.seconds:.0f} s |"
 
 
 def copies(errors, folder):
@@ -261,7 +259,7 @@ def copies(errors, folder):
     (plain / "conftest.py").unlink()
     for error, tree in zip(errors, trees):
         shutil.copytree(plain, tree)
-        path = source_of(error.module, tree)
+        path = source_of(error, tree)
         path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
     return plain, trees
 
@@ -297,7 +295,7 @@ def main(arguments=None):
         error for error in ERRORS if not options.names or error.name in options.names]
     if options.list:
         for error in errors:
-            print(f"{error.name:16} {error.module + '.py':22} {error.meaning}")
+            print(f"{error.name:16} {source_of(error).name:22} {error.meaning}")
         return 0
     begin = time.perf_counter()
     print("| error | module | meaning | seen by | after |\n|---|---|---|---|---|", flush=True)

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.constant_curvatures import MODULUS, hertz, lay_constant_curvatures
+from tests.helpers.cases import planar_cases
+from tests.helpers.constant_curvatures import lay_constant_curvatures
+from tests.helpers.hertz import MODULUS, hertz
 from tests.helpers.paths import REFERENCE_DATA
-from tests.helpers.planar_cases import planar_cases
 from tests.reference import brute_force, halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table

@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
+from tests.helpers.cases import MODELS
 from wrcontact import ContactSystem, Status
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.state import WheelsetState
 
-MODELS = ("analyn", "analyn_strip", "hertz")
 METHODS = {**{model: {"normal_model": model} for model in MODELS}, "elastic": {"contact_mode": "elastic"}}
 NUMBERS = (3, 7, 61, 201)
 RUNS = ("station", "half_length", "pressure")

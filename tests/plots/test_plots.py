@@ -11,7 +11,16 @@ from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
 from wrcontact.cli.demo import stored_inputs, stored_run
 from wrcontact.cli.report import columns_of
-from wrcontact.plots import contact_figure, demo_figure, find_jumps, outline_figure, pose_figure, save, sweep, sweep_figure
+from wrcontact.plots import (
+    contact_figure,
+    demo_figure,
+    find_jumps,
+    outline_figure,
+    pose_figure,
+    save,
+    sweep,
+    sweep_figure,
+)
 from wrcontact.plots.demo import SHOWN_SHIFTS
 from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline, wheel_zone
 from wrcontact.plots.patch import fine_outline

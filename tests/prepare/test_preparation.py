@@ -8,18 +8,18 @@ from tests.helpers import numpy_curvatures, numpy_scan
 from tests.helpers.numpy_tables import build_tables
 from wrcontact.interface.inputs import LATERAL_LIMIT
 from wrcontact.interface.parameters import KERNEL_PARAMETERS
-from wrcontact.kernel.binding.hertz_table import hertz_table
-from wrcontact.kernel.binding.influence_table import influence_table
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding import library
-from wrcontact.kernel.prepare import tables as prepare_tables
+from wrcontact.kernel.binding.hertz_table import hertz_table
+from wrcontact.kernel.binding.influence_table import influence_table
 from wrcontact.kernel.binding.library import Kernel, default_kernel
+from wrcontact.kernel.prepare import tables as prepare_tables
+from wrcontact.methods import NUMBERS
 from wrcontact.profiles import Profile
 from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.profiles.definition import definition
 from wrcontact.profiles.placement import place_rail, readable_wheel
 from wrcontact.profiles.zones import Arc, Polynomial
-from wrcontact.methods import NUMBERS
 
 CURVATURE = 1e-10   # [1/m]; chords of 0.2 mm between points that are exact to 1e-17 m
 LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_depth": 0.012, "nominal_radius": 0.5}
@@ -135,7 +135,10 @@ def test_setup_that_is_no_array_is_refused():
 
 
 def test_constants_are_those_of_the_witness():
-    from wrcontact.kernel.prepare import curvatures as prepare_curvatures, pieces as prepare_pieces, placement as prepare_placement, scan as prepare_scan
+    from wrcontact.kernel.prepare import curvatures as prepare_curvatures
+    from wrcontact.kernel.prepare import pieces as prepare_pieces
+    from wrcontact.kernel.prepare import placement as prepare_placement
+    from wrcontact.kernel.prepare import scan as prepare_scan
     from wrcontact.profiles import compiled, placement
 
     pairs = [(prepare_pieces, compiled, ("PIECE_ERROR", "PIECE_BEND_ERROR", "LONGEST_PIECE", "SHORTEST_PIECE", "REPAIR_WIDTH",

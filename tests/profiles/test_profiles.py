@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from wrcontact.kernel.layout import PIECE_SIZE, Profile, offset
+from wrcontact.kernel.layout import PIECE_SIZE, offset
+from wrcontact.kernel.layout import Profile as ProfileTable
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
 from wrcontact.profiles.compiled import REPAIR_WIDTH, compile_profile, evaluate_table
@@ -130,7 +131,7 @@ def test_kernel_table_follows_the_definition(profile):
 
 def test_the_kernel_reads_its_table_as_numpy_does():
     table = compile_profile(readable_wheel(standard_profile("S1002")))
-    profile = Profile.at(table)
+    profile = ProfileTable.at(table)
     for y in np.random.default_rng(2).uniform(-0.069, 0.06, 500):
         np.testing.assert_array_equal(profile_table.height_slope_bend(profile, y), evaluate_table(table, y))
         assert profile_table.height_slope(profile, y) == profile_table.height_slope_bend(profile, y)[:2]
@@ -139,7 +140,7 @@ def test_the_kernel_reads_its_table_as_numpy_does():
 @pytest.mark.parametrize("y", [np.nan, np.inf, -np.inf, 1e300, -1e300])
 def test_an_abscissa_out_of_this_world_stays_inside_the_table(y):
     table = compile_profile(readable_wheel(standard_profile("S1002")))
-    profile = Profile.at(table)
+    profile = ProfileTable.at(table)
     piece = offset(profile_table.find_piece(profile, y), table)
     assert offset(profile.pieces, table) <= piece < len(table) - PIECE_SIZE
 

@@ -206,7 +206,7 @@ class ContactPlane:
     def point(self, x, s, t):
         """Track coordinates (3, ...) of the point at (x, s) in the plane and t above it."""
         x, s, t = np.broadcast_arrays(x, s, t)
-        return np.array([o + x * e + s * l + t * n for o, e, l, n in
+        return np.array([o + x * along + s * across + t * up for o, along, across, up in
                          zip(self.origin, (1, 0, 0), self.lateral, self.normal)])
 
     def rail(self, s):

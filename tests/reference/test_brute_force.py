@@ -6,7 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.reference.brute_force import RAIL_HEADS, Pose, inclined_head, local_minima, rigid_contact, s1002, track, vertical_gap
+
+from tests.reference.brute_force import (
+    RAIL_HEADS,
+    Pose,
+    inclined_head,
+    local_minima,
+    rigid_contact,
+    s1002,
+    track,
+    vertical_gap,
+)
 
 TABLE = Path(__file__).with_name("rigid_positions.csv")
 ROLL = 1e-12  # [rad]

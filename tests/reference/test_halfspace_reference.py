@@ -7,11 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.reference.brute_force import rigid_contact, track
-from tests.reference.halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
+
+from tests.reference.brute_force import rigid_contact, track
+from tests.reference.halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
 
 HERE = Path(__file__).parent
 PLANAR = json.loads((HERE / "contact_planar.json").read_text())["cases"]

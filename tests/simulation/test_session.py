@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from wrcontact.simulation import session as module
-from wrcontact.simulation.session import Refused, Session
 from wrcontact.interface.variables import (
     FIRST_OUTPUT,
     INPUT,
@@ -20,6 +18,8 @@ from wrcontact.interface.variables import (
     select,
 )
 from wrcontact.kernel import layout
+from wrcontact.simulation import session as module
+from wrcontact.simulation.session import Refused, Session
 
 SHIFT, FORCE, TRANSFER = (REFERENCE[name] for name in ("lateral_shift", "normal_force", "load_transfer"))
 

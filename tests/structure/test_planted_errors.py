@@ -7,15 +7,14 @@ import sys
 
 import pytest
 
-from tests.helpers.plant_errors import ERRORS, copies, planted, random_errors, source_of, translate_all
 from tests.helpers.paths import ROOT, TESTS
+from tests.helpers.plant_errors import ERRORS, copies, planted, random_errors, source_of, translate_all
 from tools.transpile_kernel import translate
-
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: error.name)
 def test_an_error_can_be_planted_in_today_s_kernel(error):
-    text = source_of(error.module).read_text(encoding="utf-8")
+    text = source_of(error).read_text(encoding="utf-8")
     assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text))
     assert list((TESTS / error.first).glob("test_*.py"))
 
@@ -26,7 +25,7 @@ def test_names_are_unique():
 
 def test_random_errors_can_be_planted():
     for error in random_errors(20, seed=3):
-        text = source_of(error.module).read_text(encoding="utf-8")
+        text = source_of(error).read_text(encoding="utf-8")
         assert ast.dump(ast.parse(planted(text, error))) != ast.dump(ast.parse(text)), error
 
 

@@ -8,28 +8,22 @@ from functools import lru_cache
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from scipy.special import ellipe, ellipk
 
-from tests.helpers.numpy_curvatures import fitted_curvature, turned_curvature
+from tests.helpers.paths import REFERENCE_DATA, ROOT
+from tests.helpers.source_study import STUDY
+from tests.reference import brute_force
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.figures import index, summary
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
 from wrcontact.plots.source_figures import DRAWN, source_figure
-from wrcontact.profiles.compiled import compile_profile
-from wrcontact.study.analyn import corrected, solve_analyn
 from wrcontact.study.compare import lever_share
-from wrcontact.study.figure import FAILS, HOLDS, PARTLY, Study, rows_of
+from wrcontact.study.figure import FAILS, HOLDS, PARTLY, rows_of
 from wrcontact.study.figures import chosen, compute, known
-from wrcontact.study.sections import Section, circle_curvature, rough_curvature
-
-from tests.reference import brute_force
-from tests.helpers.paths import REFERENCE_DATA, ROOT
+from wrcontact.study.sections import Section
 
 NUMBERS = ("4.4", "4.5", "4.6", "5.6", "5.7", "5.8", "5.9", *(f"7.{k}" for k in range(1, 18)))
-MODULUS = 210e9 / (2 * (1 - 0.28**2))   # [Pa]
-STUDY = Study()
 
 
 @lru_cache(maxsize=None)
@@ -57,92 +51,7 @@ def at(number, curve, shift):
     return float(rows[value].astype(float)[np.argmin(np.abs(rows["lateral shift [mm]"].astype(float) - shift))])
 
 
-# --- ANALYN of the source, and what it is fed with -------------------------------------------------
-
-
-@pytest.mark.parametrize("A, B", [(1.0, 1.0), (1.0, 8.0), (6.0, 1.0)])
-def test_analyn_of_the_study_is_hertz_for_constant_curvatures(A, B):
-    """Semi-axes, approach and pressure from the elliptic integrals (Johnson 1985, section 4.2)."""
-    force, s = 20e3, np.linspace(-20e-3, 20e-3, 8001)
-    patch = solve_analyn(s, B * s**2, np.full_like(s, A), np.full_like(s, B), force=force, modulus=MODULUS)
-    a, b = patch.length / 2, patch.width / 2
-    short, long, q = min(a, b), max(a, b), min(a, b) / max(a, b)
-    K, E = ellipk(1 - q * q), ellipe(1 - q * q)
-    assert min(A, B) / max(A, B) == pytest.approx((K - E) / (E / q**2 - K), rel=5e-3)
-    assert patch.penetration == pytest.approx(3 * force * K / (2 * math.pi * MODULUS * long), rel=2e-3)
-    assert patch.pressure.max() == pytest.approx(3 * force / (2 * math.pi * long * short), rel=3e-3)
-    assert patch.normal_force == pytest.approx(force, rel=1e-9)
-
-
-def test_nodes_with_no_curvature_drop_out_unless_corrected():
-    s = np.linspace(-5e-3, 5e-3, 401)
-    B = np.where(np.abs(s - 1e-3) < 0.5e-3, -0.5, 2.0)
-    columns = s, 2.0 * s**2, np.ones_like(s), B
-    bare, mended = (solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree) for degree in (None, 2))
-    assert not bare.loaded[np.abs(s - 1e-3) < 0.4e-3].any() and bare.regions == 2
-    assert mended.regions == 1 and mended.penetration < bare.penetration
-    assert np.isnan(corrected(B, np.abs(s) < 3e-3, None)[np.abs(s - 1e-3) < 0.4e-3]).all()
-
-
-@pytest.mark.parametrize("shift", [1.0, 6.0, 6.5])
-def test_separations_near_the_contact_are_what_the_curvature_says(shift):
-    """B s^2 along the normal and between equal arcs, and 1 / cos(contact angle) more vertically at the same place."""
-    section = STUDY.section(shift)
-    near = 5e-6   # [m]
-    B = float(section.exact_lateral(section.normal(near, 1))[1])
-    for nodes in (section.normal(near, 8), section.equidistant(near, 8), section.equidistant(near, 8, chords=True)):
-        assert nodes.gap == pytest.approx(B * nodes.station**2, rel=0.02, abs=1e-13)
-    vertical, cosine = section.vertical(near, 8), math.cos(section.angle)
-    assert vertical.gap == pytest.approx(B * (vertical.station / cosine)**2 / cosine, rel=0.04, abs=1e-13)
-
-
-def test_chords_are_arcs_in_the_limit():
-    section, errors = STUDY.section(6.0), []
-    for ds in (0.8e-3, 0.4e-3, 0.2e-3):
-        count = round(8e-3 / ds)
-        chords, arcs = section.equidistant(ds, count, chords=True), section.equidistant(ds, count)
-        errors.append(abs(chords.rail[0] - arcs.rail[0]))
-    assert errors[0] / errors[1] == pytest.approx(4, rel=0.3) and errors[1] / errors[2] == pytest.approx(4, rel=0.3)
-
-
-def test_arc_lengths_on_a_circle():
-    """The rail's gauge corner is an arc of 13 mm: an arc length s turns the tangent by s / R."""
-    rail = STUDY.section(6.5).rail
-    t = rail.at_arc(np.array([-0.5e-3, 0.5e-3]))
-    assert np.diff(rail.direction(t)) == pytest.approx(1e-3 / 13e-3, rel=1e-6)
-
-
-@pytest.mark.parametrize("shift", [1.0, 6.0])
-def test_curvatures_are_those_of_the_kernels_tables(shift):
-    """Circle fit and three nodes written twice, by two people."""
-    section = STUDY.section(shift)
-    nodes = section.equidistant(0.2e-3, 60)
-    for curve, t in ((section.rail, nodes.rail), (section.wheel, nodes.wheel)):
-        table, own = compile_profile(curve.profile), rough_curvature(curve.point(t))
-        # 31 points along the chord, 61 along the tangent
-        assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02, abs=0.05)
-        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0   # [1/m], not beside a step of the heights
-        assert np.median(np.abs(own - turned_curvature(table, t, 0.2e-3))[even]) < 0.01
-
-
-@pytest.mark.parametrize("shift", [6.0, 6.5])
-@pytest.mark.parametrize("separation", ["normal", "equidistant", "equidistant_chord"])
-def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
-    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the kernel with the same options."""
-    from wrcontact.study.patch_tables import study_patch
-
-    section = STUDY.section(shift)
-    nodes = {"normal": section.normal, "equidistant": section.equidistant,
-             "equidistant_chord": lambda ds, count: section.equidistant(ds, count, chords=True)}[separation](0.02e-3, 400)
-    patch = study_patch(nodes, section, section.smooth_lateral(nodes, 3e-3))
-    side = ContactSystem(separation=separation, lateral_curvature="smooth").evaluate(lateral_shift=shift / 1e3).right
-    assert patch.penetration == pytest.approx(side.penetration, rel=0.005)
-    assert patch.pressure.max() == pytest.approx(side.max_pressure, rel=0.005)
-    assert patch.length == pytest.approx(side.patch_length, rel=0.003)
-    assert patch.width == pytest.approx(side.patch_width, rel=0.02)
-
-
-# --- chapters 4 and 5 ------------------------------------------------------------------------------
+# --- chapters 4 and 5 -----------------------------------------------------------------------------
 
 
 def test_roll_and_place_are_those_of_the_brute_force():
@@ -260,7 +169,7 @@ def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
     assert at("5.9", f"exact, yaw {yaw} deg", shift) == pytest.approx(found.right.x_wheel * 1e3, abs=2e-3)    # [mm]
 
 
-# --- chapter 7 -------------------------------------------------------------------------------------
+# --- chapter 7 ------------------------------------------------------------------------------------
 
 
 def test_7_2_and_7_4_separations():
@@ -347,7 +256,7 @@ def test_yaw_has_patterns_where_the_contact_does_not_jump():
                 numbers[f"yaw {yaw} deg: complete theory, area [mm2]"], rel=0.05)
 
 
-# --- files and command -----------------------------------------------------------------------------
+# --- files and command ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -434,7 +343,7 @@ def test_section_is_prepared_for_the_pose():
     assert slopes[0] == pytest.approx(slopes[1], abs=1e-9) and slopes[0] == pytest.approx(-section.angle, abs=1e-9)
 
 
-# --- documentation ---------------------------------------------------------------------------------
+# --- documentation --------------------------------------------------------------------------------
 
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")

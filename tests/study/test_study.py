@@ -7,8 +7,16 @@ import pytest
 
 import wrcontact
 from wrcontact.fmu.online import online_files
-from wrcontact.study import (AdaptiveSearch, ConstraintSearch, DenserSearch, Search2D, Search3D, compare, constraints,
-                             exact_result)
+from wrcontact.study import (
+    AdaptiveSearch,
+    ConstraintSearch,
+    DenserSearch,
+    Search2D,
+    Search3D,
+    compare,
+    constraints,
+    exact_result,
+)
 from wrcontact.study.surfaces import Pose, Surfaces, profile_nodes
 from wrcontact.study.wang import longitudinal_limit, wang_shift
 

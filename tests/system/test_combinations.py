@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.cases import PAIRS
 from wrcontact.methods import CHOICES
 
-PAIRS = [(rail, inclination) for rail in ("UIC60", "60E1", "54E1") for inclination in (1 / 40, 1 / 20)]
 COMBINATIONS = [dict(zip(CHOICES, chosen)) for chosen in itertools.product(*CHOICES.values())]
 #: Compliant contact is prescribed no force.
 COMBINATIONS = [chosen for chosen in COMBINATIONS if chosen["contact_mode"] != "compliant" or chosen["load"] == "normal"]

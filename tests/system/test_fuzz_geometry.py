@@ -10,7 +10,20 @@ from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 import wrcontact
-from tests.helpers.fuzzing import FORCES, GAUGES, GEOMETRY, GUESSES, RADII, RAILS, SHIFTS, YAWS, Cut, Poses, Scene, batches
+from tests.helpers.fuzzing import (
+    FORCES,
+    GAUGES,
+    GEOMETRY,
+    GUESSES,
+    RADII,
+    RAILS,
+    SHIFTS,
+    YAWS,
+    Cut,
+    Poses,
+    Scene,
+    batches,
+)
 from tests.helpers.surface_witness import Surfaces, allowance, inclined_stop
 from wrcontact import Status
 

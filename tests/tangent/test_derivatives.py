@@ -14,9 +14,21 @@ from tools.transpile_kernel import source_modules
 from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL, IN_ROLL_GUESS,
-                                     IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUTPUT_COUNT, SIDE_SIZE,
-                                     SIDE_Y_TRACK)
+from wrcontact.kernel.layout import (
+    IN_LATERAL_SHIFT,
+    IN_LOAD_TRANSFER,
+    IN_NORMAL_FORCE,
+    IN_ROLL,
+    IN_ROLL_GUESS,
+    IN_VERTICAL_SHIFT,
+    IN_YAW,
+    INPUT_COUNT,
+    OUT_LEFT,
+    OUT_RIGHT,
+    OUTPUT_COUNT,
+    SIDE_SIZE,
+    SIDE_Y_TRACK,
+)
 
 pytestmark = pytest.mark.skipif(not default_kernel().compiled, reason="the derivatives are those of the compiled library, and none is here")
 
