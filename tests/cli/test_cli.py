@@ -27,11 +27,14 @@ def test_solve_prints_display_units(run):
     state = ContactSystem().evaluate(lateral_shift=1e-3, yaw=0.0, normal_force=78.5e3)
     rows = {words[0]: words[1:] for words in map(str.split, out.splitlines()) if len(words) == 4}
     assert code == 0 and err == ""
-    assert rows["contact.y_wheel"] == ["mm", *(f"{side.contact.y_wheel * 1e3:.4f}" for side in (state.left, state.right))]
+    assert rows["contact.y_wheel"] == ["mm", *(f"{side.contact.y_wheel * 1e3:.4f}"
+                                               for side in (state.left, state.right))]
     assert rows["contact.y_wheel"][2] == "-9.3567"  # [mm] as an independent search has it
     assert rows["area"] == ["mm2", f"{state.left.area * 1e6:.2f}", f"{state.right.area * 1e6:.2f}"]
-    assert rows["max_pressure"] == ["MPa", f"{state.left.max_pressure / 1e6:.1f}", f"{state.right.max_pressure / 1e6:.1f}"]
-    assert rows["contact_angle"][1:] == [f"{np.degrees(side.contact_angle):.4f}" for side in (state.left, state.right)]
+    assert rows["max_pressure"] == ["MPa", f"{state.left.max_pressure / 1e6:.1f}",
+                                    f"{state.right.max_pressure / 1e6:.1f}"]
+    assert rows["contact_angle"][1:] == [f"{np.degrees(side.contact_angle):.4f}"
+                                         for side in (state.left, state.right)]
     assert rows["normal_force"] == ["kN", "78.500", "78.500"]
     assert f"roll {np.degrees(state.roll):.4f} deg" in out and "status 0 (valid)" in out
 
@@ -45,10 +48,12 @@ def test_solve_prints_each_patch_where_there_are_several(run):
 
 
 def test_solve_json_is_the_state_in_si(run):
-    options = {"--lateral-shift-mm": 5, "--yaw-deg": 0.5, "--normal-force-kn": 60, "--load-transfer": 0.2, "--rail": "60E1",
-               "--rail-inclination": "1:20", "--normal-model": "hertz", "--gauge-mm": 1440, "--youngs-modulus-mpa": 206000}
+    options = {"--lateral-shift-mm": 5, "--yaw-deg": 0.5, "--normal-force-kn": 60, "--load-transfer": 0.2,
+               "--rail": "60E1", "--rail-inclination": "1:20", "--normal-model": "hertz", "--gauge-mm": 1440,
+               "--youngs-modulus-mpa": 206000}
     code, out, _ = run("solve", "--json", *(word for pair in options.items() for word in pair))
-    system = ContactSystem(rail="60E1", rail_inclination=1 / 20, normal_model="hertz", gauge=1.44, youngs_modulus=206e9)
+    system = ContactSystem(rail="60E1", rail_inclination=1 / 20, normal_model="hertz", gauge=1.44,
+                           youngs_modulus=206e9)
     state = system.evaluate(lateral_shift=5e-3, yaw=np.radians(0.5), normal_force=60e3, load_transfer=0.2)
     seen = json.loads(out)
     assert code == 0 and (seen["status"], seen["explanation"]) == (0, "")
@@ -56,7 +61,8 @@ def test_solve_json_is_the_state_in_si(run):
     for side in ("left", "right"):
         wanted = getattr(state, side)
         assert seen[side]["contact"]["y_wheel"] == wanted.contact.y_wheel
-        assert seen[side]["penetration"] == wanted.penetration and seen[side]["patch_count"] == wanted.patch_count
+        assert seen[side]["penetration"] == wanted.penetration
+        assert seen[side]["patch_count"] == wanted.patch_count
         assert [patch["area"] for patch in seen[side]["patches"]] == [patch.area for patch in wanted.patches]
         assert seen[side]["outline"]["half_length"] == wanted.outline.half_length.tolist()
 
@@ -76,19 +82,22 @@ def test_solve_prints_the_resultant(run):
 
 
 METHODS = {"--contact-mode": "elastic", "--load": "vertical", "--normal-model": "analyn_strip",
-           "--separation": "equidistant", "--longitudinal-curvature": "basic", "--lateral-curvature": "rough", "--curvature-step-mm": 0.5,
-           "--curvature-reach-mm": 2, "--tolerance": 0.02}
+           "--separation": "equidistant", "--longitudinal-curvature": "basic", "--lateral-curvature": "rough",
+           "--curvature-step-mm": 0.5, "--curvature-reach-mm": 2, "--tolerance": 0.02}
 
 
 def test_solve_takes_every_method(run):
-    code, out, _ = run("solve", "--lateral-shift-mm", 3, "--json", *(word for pair in METHODS.items() for word in pair))
-    system = ContactSystem(contact_mode="elastic", load="vertical", normal_model="analyn_strip", separation="equidistant",
-                           longitudinal_curvature="basic", lateral_curvature="rough", curvature_step=0.5e-3,
-                           curvature_reach=2e-3, tolerance=0.02)
+    code, out, _ = run("solve", "--lateral-shift-mm", 3, "--json",
+                       *(word for pair in METHODS.items() for word in pair))
+    system = ContactSystem(contact_mode="elastic", load="vertical", normal_model="analyn_strip",
+                           separation="equidistant", longitudinal_curvature="basic",
+                           lateral_curvature="rough", curvature_step=0.5e-3, curvature_reach=2e-3,
+                           tolerance=0.02)
     state, seen = system.evaluate(lateral_shift=3e-3), json.loads(out)
     assert code == 0 and seen["status"] == 0
     assert (seen["roll"], seen["right"]["area"]) == (state.roll, state.right.area)
-    assert seen["force"]["z"] == pytest.approx(-2 * 78.5e3, rel=1e-6)       # the load is the vertical component
+    # the load is the vertical component
+    assert seen["force"]["z"] == pytest.approx(-2 * 78.5e3, rel=1e-6)
     assert "vertical force 78.500 kN per wheel" in run("solve", "--load", "vertical")[1]
 
 
@@ -101,9 +110,11 @@ def test_solve_at_a_given_height_and_roll(run):
     assert code == 0 and (seen["vertical_shift"], seen["roll"]) == (0.2e-3, np.radians(-0.003))
     assert seen["left"]["normal_force"] == state.left.normal_force > 1e4
     code, out, _ = run("solve", *pose, "--vertical-shift-mm", -1)
-    assert code == 0 and "status 1 (unloaded)" in out and "vertical_shift_input is -0.001 m" in out and "lifted" in out
+    assert code == 0 and "status 1 (unloaded)" in out and "vertical_shift_input is -0.001 m" in out
+    assert "lifted" in out
     assert "height and roll prescribed" in out
-    code, out, err = run("sweep", "--contact-mode", "compliant", "--vertical-shift-mm", 4, "--from-mm", 0, "--to-mm", 1)
+    code, out, err = run("sweep", "--contact-mode", "compliant", "--vertical-shift-mm", 4, "--from-mm", 0,
+                         "--to-mm", 1)
     assert code == 2 and "vertical_shift_input is 0.004 m" in err
 
 
@@ -115,13 +126,15 @@ def test_solve_tells_that_a_wheel_is_unloaded(run):
 def test_json_has_null_where_there_is_no_contact(run):
     code, out, err = run("solve", "--lateral-shift-mm", 20, "--json")
     seen = json.loads(out)
-    assert code == 2 and seen["status"] == 2 and seen["roll"] is None and seen["right"]["contact"]["y_wheel"] is None
+    assert code == 2 and seen["status"] == 2 and seen["roll"] is None
+    assert seen["right"]["contact"]["y_wheel"] is None
     assert seen["explanation"] in err
 
 
 def test_sentence_promises_no_kept_values():
     """A command has no last valid values; the clause is cut off as it stands in wrcontact/status.py."""
-    for status, inputs in ((2, (0.02, 0, 0, 1, 0, 0, 0)), (3, (0, 0, 0, 1, 0, 0, 0)), (4, (np.nan, 0, 0, 1, 0, 0, 0))):
+    for status, inputs in ((2, (0.02, 0, 0, 1, 0, 0, 0)), (3, (0, 0, 0, 1, 0, 0, 0)),
+                           (4, (np.nan, 0, 0, 1, 0, 0, 0))):
         for compliant in (False, True):
             assert sentence(status, inputs, compliant) + KEPT == explain(status, inputs, compliant)
 
@@ -130,10 +143,10 @@ def test_every_input_and_parameter_has_an_option(run):
     _, out, _ = run("solve", "--help")
     for variable in POSE + SYSTEM:
         assert option_of(variable) in out
-    assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn", "--load-transfer",
-                                            "--vertical-shift-mm", "--roll-deg"}
-    methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature", "lateral-curvature",
-               "curvature-step-mm", "curvature-reach-mm", "tolerance"}
+    assert {option_of(v) for v in POSE} == {"--lateral-shift-mm", "--yaw-deg", "--normal-force-kn",
+                                            "--load-transfer", "--vertical-shift-mm", "--roll-deg"}
+    methods = {"contact-mode", "load", "normal-model", "separation", "longitudinal-curvature",
+               "lateral-curvature", "curvature-step-mm", "curvature-reach-mm", "tolerance"}
     assert {f"--{name}" for name in methods} <= {option_of(v) for v in SYSTEM}
     words = " ".join(out.replace("│", " ").split())
     assert all(choice in words for name in CHOICES for choice in CHOICES[name])
@@ -153,7 +166,8 @@ def test_sweep_writes_what_evaluate_many_returns(run, tmp_path):
     code, out, _ = run("sweep", "--from-mm", -7, "--to-mm", 7, "--step-mm", 0.1, *load, "--csv", file)
     written = read_csv(file)
     shifts = np.round(np.linspace(-7, 7, 141), 9) / 1e3
-    expected = columns_of(ContactSystem().evaluate_many(lateral_shift=shifts, yaw=np.radians(0.3), normal_force=100e3))
+    expected = columns_of(ContactSystem().evaluate_many(lateral_shift=shifts, yaw=np.radians(0.3),
+                                                        normal_force=100e3))
     assert code == 0 and "141 rows" in out
     assert list(written) == list(expected) and len(expected) == layout.INPUT_COUNT + layout.OUTPUT_COUNT + 1
     for name, column in expected.items():
@@ -165,12 +179,14 @@ def test_sweep_prints_a_table(run):
     rows = [line.split() for line in out.splitlines() if re.match(r" *\d+\.\d{3} ", line)]
     right = ContactSystem().evaluate(lateral_shift=3e-3).right
     assert code == 0 and err == "" and [row[0] for row in rows] == ["0.000", "3.000", "6.000"]
-    assert rows[1][5:] == [f"{right.contact.y_wheel * 1e3:.3f}", f"{right.area * 1e6:.1f}", f"{right.max_pressure / 1e6:.0f}"]
+    assert rows[1][5:] == [f"{right.contact.y_wheel * 1e3:.3f}", f"{right.area * 1e6:.1f}",
+                           f"{right.max_pressure / 1e6:.0f}"]
     assert max(map(len, out.splitlines())) <= 80
 
 
 def test_sweep_beyond_the_profiles_leaves_cells_empty_and_says_so(run, tmp_path):
-    code, out, err = run("sweep", "--from-mm", 14, "--to-mm", 16, "--step-mm", 1, "--csv", tmp_path / "sweep.csv")
+    code, out, err = run("sweep", "--from-mm", 14, "--to-mm", 16, "--step-mm", 1, "--csv",
+                         tmp_path / "sweep.csv")
     written = read_csv(tmp_path / "sweep.csv")
     assert code == 0 and written["status"].tolist() == [0, 0, 2]
     assert np.isnan(written["roll"]).tolist() == [False, False, True]
@@ -180,7 +196,8 @@ def test_sweep_beyond_the_profiles_leaves_cells_empty_and_says_so(run, tmp_path)
 # --- plot -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name, opening", [("pose.png", b"\x89PNG"), ("pose.svg", b"<?xml"), ("pose.pdf", b"%PDF")])
+@pytest.mark.parametrize("name, opening",
+                         [("pose.png", b"\x89PNG"), ("pose.svg", b"<?xml"), ("pose.pdf", b"%PDF")])
 def test_plot_draws_a_picture(run, tmp_path, name, opening):
     code, out, _ = run("plot", "--lateral-shift-mm", 5, "--output", tmp_path / name)
     content = (tmp_path / name).read_bytes()
@@ -195,14 +212,19 @@ WRONG = {
     "wheel": ("solve --wheel S1003", ["wheel", "S1003", "S1002"]),
     "rail": ("sweep --rail Vignole", ["rail", "Vignole", "UIC60"]),
     "model": ("plot --normal-model kalker", ["normal_model", "kalker", "analyn", "hertz"]),
-    "mode": ("solve --contact-mode elastisch", ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
+    "mode": ("solve --contact-mode elastisch",
+             ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
     "load": ("sweep --load lateral", ["load", "lateral", "normal", "vertical"]),
     "separation": ("solve --separation lateral", ["separation", "lateral", "equidistant_chord"]),
     "step_of_curvature": ("plot --curvature-step-mm 50", ["curvature_step", "0.05", "0.005 m"]),
-    "height_of_rigid": ("solve --vertical-shift-mm 0.1", ["--vertical-shift-mm", "--contact-mode compliant", "'rigid'"]),
-    "roll_of_elastic": ("sweep --roll-deg 0.1 --contact-mode elastic", ["--roll-deg", "compliant", "'elastic'"]),
-    "force_of_compliant": ("plot --normal-force-kn 9 --contact-mode compliant", ["--normal-force-kn", "rigid or elastic"]),
-    "deep": ("solve --contact-mode compliant --vertical-shift-mm 4", ["vertical_shift_input", "0.004", "0.002 m"]),
+    "height_of_rigid": ("solve --vertical-shift-mm 0.1",
+                        ["--vertical-shift-mm", "--contact-mode compliant", "'rigid'"]),
+    "roll_of_elastic": ("sweep --roll-deg 0.1 --contact-mode elastic",
+                        ["--roll-deg", "compliant", "'elastic'"]),
+    "force_of_compliant": ("plot --normal-force-kn 9 --contact-mode compliant",
+                           ["--normal-force-kn", "rigid or elastic"]),
+    "deep": ("solve --contact-mode compliant --vertical-shift-mm 4",
+             ["vertical_shift_input", "0.004", "0.002 m"]),
     "gauge": ("solve --gauge-mm 14350", ["gauge", "14.35", "m"]),
     "inclination": ("solve --rail-inclination 1:forty", ["--rail-inclination", "1:forty", "1:40"]),
     "inclination_of_nothing": ("solve --rail-inclination 1:0", ["--rail-inclination", "1:0"]),
@@ -251,7 +273,8 @@ def test_a_bug_is_seen(monkeypatch):
 # --- help, entry point, examples ------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("words", [(), ("--help",), *((command, "--help") for command in COMMANDS)], ids=" ".join)
+@pytest.mark.parametrize("words", [(), ("--help",), *((command, "--help") for command in COMMANDS)],
+                         ids=" ".join)
 def test_help(run, words):
     code, out, _ = run(*words)
     assert code == 0 and "Usage: wrcontact" in out

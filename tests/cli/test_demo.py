@@ -53,7 +53,8 @@ def test_demo_table_is_what_the_kernel_returns(demo):
     """Another warm start, so other iterations, but the same answers."""
     written, stored = read_csv(demo[1] / "demo.csv"), stored_run()
     assert np.array_equal(written["time"], stored["time"])
-    expected = columns_of(ContactSystem().evaluate_many(**{name: stored[name] for name in stored_inputs(stored)}))
+    expected = columns_of(ContactSystem().evaluate_many(**{name: stored[name]
+                                                           for name in stored_inputs(stored)}))
     assert set(written) == {"time", *expected} and set(INPUT_NAMES) <= set(written)
     for name, column in expected.items():
         nominal = VARIABLES[REFERENCE[name]].nominal or 1.0
@@ -104,7 +105,7 @@ def test_stored_values_pass(answers):
     ("right.max_pressure", lambda v: 1.301 * v, "largest pressure"),
     ("left.max_pressure", lambda v: v * np.nan, "largest pressure"),
     ("status", lambda v: v + 2, "steps not valid"),
-])  # fmt: skip
+])
 def test_one_wrong_value_fails_its_check(answers, name, change, quantity):
     answers[name][40] = change(answers[name][40])
     assert failed(answers) == [quantity]
@@ -117,7 +118,7 @@ def test_one_wrong_value_fails_its_check(answers, name, change, quantity):
     ("right.penetration", 1.051, "penetration"),
     ("left.area", 0.879, "area"),
     ("right.max_pressure", 1.151, "largest pressure"),
-])  # fmt: skip
+])
 def test_a_few_patches_may_miss_their_tolerance_but_not_many(answers, name, factor, quantity):
     answers[name][40:49] *= factor  # 9 of 320 values
     assert failed(answers) == []
@@ -129,7 +130,8 @@ def test_a_pressure_in_another_plane_is_not_compared(answers):
     """Where a loaded patch leans away from the contact plane by more than 15 deg; every other value is."""
     for k, force in ((1, 6e4), (2, 2e4), (3, 0.0)):
         answers[f"right.patch[{k}].normal_force"] = np.full(160, force)
-        answers[f"right.patch[{k}].contact_angle"] = answers["right.contact_angle"] + (k == 3)      # no load, no matter
+        # no load, no matter
+        answers[f"right.patch[{k}].contact_angle"] = answers["right.contact_angle"] + (k == 3)
     answers["right.max_pressure"][40] *= 0.5
     assert failed(answers) == ["largest pressure"]
     answers["right.patch[2].contact_angle"][40] += np.radians(14)

@@ -1,4 +1,5 @@
-"""The check of a pair: conicity, jumps, moves, conformal zones, quality, against closed forms and independent searches."""
+"""The check of a pair: conicity, jumps, moves, conformal zones, quality, against closed forms and
+independent searches."""
 
 import csv
 import dataclasses
@@ -46,19 +47,23 @@ def test_two_places_touch_at_a_jump(uic60):
     """Both have the same gap, straight from the printed profiles, at the jump's own shift and roll."""
     track = brute_force.track("UIC60", 1 / 40)
     for jump in uic60.jumps:
-        pose = brute_force.Pose(jump.lateral_shift, 0.0, ContactSystem().evaluate(lateral_shift=jump.lateral_shift).roll)
+        pose = brute_force.Pose(jump.lateral_shift, 0.0,
+                                ContactSystem().evaluate(lateral_shift=jump.lateral_shift).roll)
         pose = pose if jump.side == "right" else pose.mirrored()
         places = np.array([jump.before, jump.after])
         gaps = brute_force.vertical_gap(track, pose, np.zeros(2), places)[0]
-        assert gaps[0] == pytest.approx(gaps[1], abs=2e-7), jump        # [m] S1002's printed joints have steps of 1.2e-7
+        # [m] S1002's printed joints have steps of 1.2e-7
+        assert gaps[0] == pytest.approx(gaps[1], abs=2e-7), jump
         across = brute_force.wheel_surface(track, pose, np.zeros(2), places)[0][1] - track.rail_origin
         np.testing.assert_allclose([jump.rail_before, jump.rail_after], across, atol=1e-6, err_msg=str(jump))
 
 
 def test_moves_add_up_to_the_reference_positions(uic60):
-    """Between 1 and 3 mm the contacts do not jump: the integrals of the rates are the published differences."""
+    """Between 1 and 3 mm the contacts do not jump: the integrals of the rates are the
+    published differences."""
     with open(REFERENCE_DATA / "rigid_positions.csv", newline="", encoding="utf-8") as file:
-        rows = {float(row["lateral_shift_mm"]): row for row in csv.DictReader(file) if float(row["yaw_deg"]) == 0.0}
+        rows = {float(row["lateral_shift_mm"]): row for row in csv.DictReader(file)
+                if float(row["yaw_deg"]) == 0.0}
     curves = uic60.curves
     between = (curves.lateral_shift > 0.999 * MM) & (curves.lateral_shift < 3.001 * MM)
     rates = {"roll_rad": (curves.roll_rate, 1.0), "R_y_wheel_mm": (curves.right.wheel_rate, MM),
@@ -103,18 +108,23 @@ def test_points_are_told(tmp_path):
     reading = report.wheel.reading
     # the outlier, and what the noise made turn back at the vertical back of the flange
     assert len(y) - 5 < reading.points < len(y) and reading.spacing == pytest.approx(0.2 * MM, rel=0.05)
-    assert reading.noise == pytest.approx(10e-6, rel=0.15) and reading.smoothing == reading.noise   # scatters by 2 to 6 %
+    # scatters by 2 to 6 %
+    assert reading.noise == pytest.approx(10e-6, rel=0.15) and reading.smoothing == reading.noise
     remarks = [remark for remark in report.remarks if remark.startswith("wheel profile own")]
-    assert any("1 outlier" in remark for remark in remarks) and any("noise of" in remark for remark in remarks)
+    assert any("1 outlier" in remark for remark in remarks)
+    assert any("noise of" in remark for remark in remarks)
     assert report.rail.reading is None and report.wheel.roughness < 1.0     # [1/m]
     assert report.conicity.level[2] == pytest.approx(0.174, abs=0.02)       # noise of 10 um moves it by 5 %
 
 
 @pytest.mark.slow
 def test_noise_that_is_not_smoothed_is_told(tmp_path):
-    """10 um every 0.2 mm are curvatures of 10 um / (0.2 mm)^2 = 250 1/m and more; the conicity averages them away."""
-    wheel = Profile.from_file(wheel_file(tmp_path, *noisy_points("wheel", 0.2, 10e-3, 1)), "wheel", smoothing=0.0)
-    rail = Profile.from_file(wheel_file(tmp_path, *noisy_points("rail", 0.2, 10e-3, 2)), "rail", smoothing=0.0)
+    """10 um every 0.2 mm are curvatures of 10 um / (0.2 mm)^2 = 250 1/m and more; the
+    conicity averages them away."""
+    wheel = Profile.from_file(wheel_file(tmp_path, *noisy_points("wheel", 0.2, 10e-3, 1)), "wheel",
+                              smoothing=0.0)
+    rail = Profile.from_file(wheel_file(tmp_path, *noisy_points("rail", 0.2, 10e-3, 2)), "rail",
+                             smoothing=0.0)
     report = wrcontact.check(ContactSystem(wheel, rail))
     assert report.wheel.roughness > 100 and report.rail.roughness > 100     # [1/m]
     assert any("follow noise" in remark for remark in report.remarks)
@@ -124,7 +134,8 @@ def test_noise_that_is_not_smoothed_is_told(tmp_path):
 
 @pytest.mark.parametrize("depth", [1.0, 3.0])
 def test_hollow_wear_raises_the_conicity(tmp_path, depth):
-    """Contact stays on the groove's shoulders, 15 to 25 mm off the running circle: one jumps near the centred position."""
+    """Contact stays on the groove's shoulders, 15 to 25 mm off the running circle: one jumps
+    near the centred position."""
     y, z = even_points("wheel", 0.5)
     report = wrcontact.check(ContactSystem(wheel=wheel_file(tmp_path, y, hollow(y, z, depth)), rail="60E1"))
     assert report.usable and 0.0 < report.nearest_jump < 1 * MM
@@ -157,8 +168,8 @@ def short_wheel(stop):
 
 
 def test_a_contact_beyond_the_end_of_a_wheel_is_none():
-    """Followed from the last pose, a minimum of the gap ran past the end of the wheel and was called valid: S1002 that ends at
-    8 mm on 60E1, lateral shift 5 mm, touched with y_wheel = 13.3 mm on the left."""
+    """Followed from the last pose, a minimum of the gap ran past the end of the wheel and was called valid:
+    S1002 that ends at 8 mm on 60E1, lateral shift 5 mm, touched with y_wheel = 13.3 mm on the left."""
     system = ContactSystem(short_wheel(8.0), "60E1")
     shifts = np.linspace(-8, 8, 161) * MM
     for order in (shifts, shifts[::-1]):        # the search starts where the last one ended
@@ -179,14 +190,16 @@ def test_ends_of_the_profiles_are_told():
     state = report.system.evaluate(lateral_shift=last)
     assert state.left.contact.y_wheel == pytest.approx(report.system.wheel.stop, abs=0.02 * MM)
     assert any("leaves the profiles beyond" in remark for remark in report.remarks)
-    assert np.isnan(report.conicity.level[3:]).all() and set(report.conicity.level_reason[3:]) == {OFF_PROFILE}
+    assert np.isnan(report.conicity.level[3:]).all()
+    assert set(report.conicity.level_reason[3:]) == {OFF_PROFILE}
     assert math.isfinite(report.conicity.level[0])
 
 
 def test_flange_contact_is_told():
     """10 mm less gauge is 5 mm less play."""
     wide, narrow = (wrcontact.check(ContactSystem(rail="60E1", gauge=gauge)) for gauge in (1.435, 1.425))
-    assert wide.flange_shift - narrow.flange_shift == pytest.approx(5 * MM, abs=0.15 * MM)     # the other side rolls with it
+    # the other side rolls with it
+    assert wide.flange_shift - narrow.flange_shift == pytest.approx(5 * MM, abs=0.15 * MM)
     assert any("flange touches from 1.3" in remark for remark in narrow.remarks)
     assert not any("flange" in remark for remark in wide.remarks)
 
@@ -218,7 +231,8 @@ def test_command(run, tmp_path, standard):
     picture, content = tmp_path / "pair.png", tmp_path / "pair.json"
     code, out, err = run("--rail", "60E1", "--output", picture, "--json", content)
     assert code == 0 and err == ""
-    for text in ("S1002 on 60E1: gauge 1435 mm, inclination 1:40", "contact at lateral shifts from -15.00 to 15.00 mm", "0.174", "0.2259",
+    for text in ("S1002 on 60E1: gauge 1435 mm, inclination 1:40",
+                 "contact at lateral shifts from -15.00 to 15.00 mm", "0.174", "0.2259",
                  "contact jumps 0.23 mm from the centred position", f"picture written to {picture}"):
         assert text in out
     assert picture.stat().st_size > 50_000

@@ -22,7 +22,8 @@ AMPLITUDES = np.arange(1, 9) * 1e-3     # [m]
 
 
 def half_wave_in_time(shift, difference, start):
-    """Half a wave [m] of y'' = -delta_r(y) from a turning point, by integrating the motion until the next one."""
+    """Half a wave [m] of y'' = -delta_r(y) from a turning point, by integrating the
+    motion until the next one."""
 
     def turns(_, state):
         return state[1]
@@ -33,7 +34,8 @@ def half_wave_in_time(shift, difference, start):
     first = math.sqrt(2 * nudge / abs(rate))
     # steps short enough to see a jump, which spans 2e-9 m in the curves
     found = solve_ivp(lambda _, state: [state[1], -np.interp(state[0], shift, difference)], (first, 1e6),
-                      [start + math.copysign(nudge, rate), rate * first], events=turns, rtol=1e-9, atol=1e-13, max_step=0.05)
+                      [start + math.copysign(nudge, rate), rate * first], events=turns, rtol=1e-9, atol=1e-13,
+                      max_step=0.05)
     return found.t_events[0][0]
 
 
@@ -50,14 +52,16 @@ def test_constant_difference_thrown_over_in_the_middle():
 
 
 def test_cones_with_a_clearance_between_them():
-    """Nothing turns the wheelset within +-2 mm, a cone of 0.1 beyond: it crosses the clearance as fast as it comes."""
+    """Nothing turns the wheelset within +-2 mm, a cone of 0.1 beyond: it crosses the
+    clearance as fast as it comes."""
     free, cone = 2 * MM, 0.1
     shift = np.array([-10 * MM, -free, free, 10 * MM])
     difference = np.array([-2 * cone * (10 * MM - free), 0, 0, 2 * cone * (10 * MM - free)])
     amplitude = AMPLITUDES[3:]
     rate = math.sqrt(2 * cone)
     half = np.pi / rate + 2 * free / (rate * (amplitude - free))
-    np.testing.assert_allclose(equivalent_conicity(shift, difference, amplitude), 0.5 * (np.pi / half) ** 2, rtol=1e-5)
+    np.testing.assert_allclose(equivalent_conicity(shift, difference, amplitude), 0.5 * (np.pi / half) ** 2,
+                               rtol=1e-5)
     value, middle, reason = Swing(shift, difference).conicity(1 * MM)
     assert (value, middle, reason) == (0.0, 0.0, "")       # no wave, as on a cylinder
 
@@ -75,7 +79,8 @@ def test_another_left_and_right_wheel_and_a_jump():
 
 
 def test_swing_beside_a_middle_that_drives_out():
-    """delta_r = k (y^3 / a^2 - y) rests at +-a, where it rises by 2 k: small swings there have tan(gamma) = k."""
+    """delta_r = k (y^3 / a^2 - y) rests at +-a, where it rises by 2 k: small swings
+    there have tan(gamma) = k."""
     k, a = 0.05, 3 * MM
     shift = np.linspace(-10, 10, 4001) * MM
     swing = Swing(shift, k * (shift**3 / a**2 - shift))
@@ -109,14 +114,16 @@ def test_reference_value_of_the_standard(standard):
 
 
 def test_conicity_from_a_search_of_its_own(standard):
-    """S1002 and 60E1 as printed, each side's smallest vertical gap of a level wheelset on a grid, and the motion itself."""
+    """S1002 and 60E1 as printed, each side's smallest vertical gap of a level wheelset on a
+    grid, and the motion itself."""
     track = brute_force.track("60E1", 1 / 40)
     y = np.arange(-36, 26, 0.01) * MM
     height = track.wheel(y)[0]
     shift = np.arange(-6, 6.01, 0.02) * MM
     ground = np.arange(-60, 60, 0.005) * MM
     head = track.rail(ground)[0]
-    at = [np.argmin(np.interp(track.half_distance + y + one - track.rail_origin, ground, head) - height) for one in shift]
+    at = [np.argmin(np.interp(track.half_distance + y + one - track.rail_origin, ground, head) - height)
+          for one in shift]
     difference = height[at] - height[at][::-1]
     # a contact is found to 5 um, on treads of slope 0.1: 0.5 um of 0.5 mm, averaged over a swing
     for amplitude in (2, 3, 5):
@@ -140,18 +147,20 @@ def cone_wheel(slope):
 def test_conical_wheel_has_its_cone(rail):
     """Without roll a cone keeps touching the same place of the rail.
 
-    With roll, slope / arm of the shift, the place moves on the head, R 300 mm here, and the wheel turns about its axle: by
-    (R + r0) slope / arm in all, which makes the cone look steeper.
+    With roll, slope / arm of the shift, the place moves on the head, R 300 mm here, and the wheel turns about
+    its axle: by (R + r0) slope / arm in all, which makes the cone look steeper.
     """
     report = wrcontact.check(ContactSystem(wheel=cone_wheel(0.05), rail=rail))
     np.testing.assert_allclose(report.conicity.level, 0.05, rtol=1e-6)
     steeper = 0.05 / (1.0 - 0.05 * (0.30 + 0.46) / 0.75)
-    np.testing.assert_allclose(report.conicity.rolled, steeper, rtol=2e-3)     # slopes squared, and the arm to the contact
+    # slopes squared, and the arm to the contact
+    np.testing.assert_allclose(report.conicity.rolled, steeper, rtol=2e-3)
     assert report.jumps == () and report.nearest_jump == math.inf and report.flange_shift == math.inf
     assert report.usable and not any("jump" in remark for remark in report.remarks)
 
 
-#: Radii [m] of a hollow wheel on a rail head, both of one arc, and the slope at which they touch in the centred position.
+#: Radii [m] of a hollow wheel on a rail head, both of one arc, and the slope at which they touch in
+#: the centred position.
 HOLLOW, HEAD, SLOPE = 0.33, 0.30, 0.05
 
 
@@ -160,7 +169,8 @@ def arcs():
     """The check of arc on arc, for which a level wheelset has closed forms."""
     sine = SLOPE / math.hypot(1.0, SLOPE)
     y_centre = 1e3 * HOLLOW * sine
-    wheel = Profile("hollow", "wheel", (Arc(-45, 45, 1e3 * HOLLOW, y_centre, math.sqrt(1e6 * HOLLOW**2 - y_centre**2), -1),))
+    wheel = Profile("hollow", "wheel",
+                    (Arc(-45, 45, 1e3 * HOLLOW, y_centre, math.sqrt(1e6 * HOLLOW**2 - y_centre**2), -1),))
     rail = Profile("head", "rail", (Arc(-68, 68, 1e3 * HEAD, 0.0, 1e3 * HEAD, -1),))
     depth = 5e-3
     # the rail's place of that slope lies under the running circle
@@ -170,15 +180,18 @@ def arcs():
 
 
 def test_arc_on_arc_has_its_closed_form(arcs):
-    """tan(gamma) = slope R_w / (R_w - R_r) for small amplitudes, and the curve rises with y as the slope does."""
+    """tan(gamma) = slope R_w / (R_w - R_r) for small amplitudes, and the curve rises
+    with y as the slope does."""
     value = equivalent_conicity(*arcs.conicity_curves["level"], [0.1 * MM])[0]
-    assert value == pytest.approx(SLOPE * HOLLOW / (HOLLOW - HEAD), rel=0.02)       # the slope's square counts for 1 %
+    # the slope's square counts for 1 %
+    assert value == pytest.approx(SLOPE * HOLLOW / (HOLLOW - HEAD), rel=0.02)
     assert value == pytest.approx(0.55, rel=0.02)
 
 
 def test_moves_on_arcs(arcs):
     """Of a level wheelset the places of equal slope move by R_w / (R_w - R_r) = 11 per shift on the wheel, by
-    R_r / (R_w - R_r) on the rail; roll turns the wheel against the rail, as a shift of (R_r + r0) roll does."""
+    R_r / (R_w - R_r) on the rail; roll turns the wheel against the rail, as a shift
+    of (R_r + r0) roll does."""
     middle = len(arcs.curves.lateral_shift) // 2
     side = arcs.curves.right
     assert side.y_wheel[middle] == pytest.approx(0.0, abs=1e-6)
@@ -190,11 +203,13 @@ def test_moves_on_arcs(arcs):
 
 
 def test_near_stretch_of_arcs(arcs):
-    """The gap of two arcs is s^2 / 2 (1 / R_r - 1 / R_w): within NEAR over 2 sqrt(2 NEAR / (1 / R_r - 1 / R_w)) = 51 mm."""
+    """The gap of two arcs is s^2 / 2 (1 / R_r - 1 / R_w): within NEAR over 2 sqrt(2 NEAR / (1
+    / R_r - 1 / R_w)) = 51 mm."""
     middle = len(arcs.curves.lateral_shift) // 2
     curvature = 1 / HEAD - 1 / HOLLOW
     width = 2 * math.sqrt(2 * NEAR / curvature)
     assert arcs.curves.right.curvature[middle] == pytest.approx(curvature, rel=1e-2)
     assert arcs.curves.right.near_width[middle] == pytest.approx(width, rel=0.01)
-    assert arcs.curves.right.near_turn[middle] == pytest.approx((width - MM) / HOLLOW, rel=0.02)    # between chords of 1 mm
+    # between chords of 1 mm
+    assert arcs.curves.right.near_turn[middle] == pytest.approx((width - MM) / HOLLOW, rel=0.02)
     assert any(zone.start < 0.0 < zone.stop and zone.width >= 0.99 * width for zone in arcs.conformal)

@@ -1,4 +1,5 @@
-"""How deep a pressed wheel overlaps the rail, against the surface of revolution by dense search and against Hertz's contact of circles."""
+"""How deep a pressed wheel overlaps the rail, against the surface of revolution by dense search and against
+Hertz's contact of circles."""
 
 import math
 from functools import cache
@@ -19,8 +20,8 @@ from wrcontact.profiles.zones import Arc
 # --- overlap, by dense search ---------------------------------------------------------------------
 
 
-OVERLAPS = [(0.0, 0.0), (2e-3, 0.01), (4.95e-3, 0.0), (5.2e-3, 0.0175), (6e-3, 0.0), (6.15e-3, 0.0175), (7e-3, 0.02),
-            (-6e-3, 0.03), (6.6e-3, -0.05)]
+OVERLAPS = [(0.0, 0.0), (2e-3, 0.01), (4.95e-3, 0.0), (5.2e-3, 0.0175), (6e-3, 0.0), (6.15e-3, 0.0175),
+            (7e-3, 0.02), (-6e-3, 0.03), (6.6e-3, -0.05)]
 
 
 @pytest.mark.parametrize("shift, yaw", OVERLAPS)
@@ -40,7 +41,8 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
         assert region[overlaps.DEEP_RAIL] == pytest.approx(abscissa, abs=1e-7)
     state = compliant().evaluate(shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
     assert state.right.penetration == max(regions[:, overlaps.DEEP_DEPTH])
-    assert deepest(track, pose.mirrored(), state.left.contact.y_rail)[0] == pytest.approx(state.left.penetration, abs=1e-11)
+    assert deepest(track, pose.mirrored(),
+                   state.left.contact.y_rail)[0] == pytest.approx(state.left.penetration, abs=1e-11)
     assert len(regions) == (2 if shift in (4.95e-3, 5.2e-3, 6.15e-3) else 1)
 
 
@@ -55,18 +57,21 @@ def circles(**parameters):
     """A wheel and a rail of one circle each, that touch at 13 deg."""
     wheel = Profile("ball", "wheel", (Arc(-60.0, 60.0, 1e3 * BALL, 45.0, -199.0, +1),))
     rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 1e3 * CROWN, 0.0, 1e3 * CROWN, -1),))
-    return wrcontact.ContactSystem(wheel, rail, rail_inclination=0.0, gauge=1.4, gauge_depth=6e-3, **parameters)
+    return wrcontact.ContactSystem(wheel, rail, rail_inclination=0.0, gauge=1.4, gauge_depth=6e-3,
+                                   **parameters)
 
 
 @pytest.mark.parametrize("sink", [1e-6, 1e-5, 1e-4])
 def test_a_ball_pressed_down_on_a_slope_is_hertz(sink):
-    """Circles overlap by what their radii exceed the distance of their centres, sink cos(angle) to first order."""
+    """Circles overlap by what their radii exceed the distance of their centres, sink
+    cos(angle) to first order."""
     rigid = circles().evaluate()
     state = circles(contact_mode="compliant").evaluate(vertical_shift_input=rigid.vertical_shift + sink)
     angle = rigid.right.contact_angle
     assert state.status == 0 and abs(angle) > 0.1
     total = BALL + CROWN
-    apart = total * np.array([np.sin(angle), np.cos(angle)]) - [0.0, sink]      # of the centres, across and down
+    # of the centres, across and down
+    apart = total * np.array([np.sin(angle), np.cos(angle)]) - [0.0, sink]
     depth = total - np.hypot(*apart)
     assert depth == pytest.approx(sink * math.cos(angle), rel=sink / total)
     A = 0.5 * math.cos(angle) / rigid.right.rolling_radius

@@ -17,7 +17,8 @@ SPREAD = [(0.9, 6.13, 78.5e3), (0.9, 6.15, 180e3), (0.9, 6.17, 15e3), (0.9, 6.17
 
 
 def second_derivatives(track, pose, x, abscissa, along=1.5e-3, across=2.5e-4):
-    """Principal curvatures (2,) [1/m] of the distance from the rail, less the rail's own normal, at a smallest one."""
+    """Principal curvatures (2,) [1/m] of the distance from the rail, less the rail's own
+    normal, at a smallest one."""
     _, slope, _ = track.rail(abscissa)
     step = across / math.hypot(1.0, slope)
     three = np.array([-1.0, 0.0, 1.0])
@@ -29,10 +30,11 @@ def second_derivatives(track, pose, x, abscissa, along=1.5e-3, across=2.5e-4):
 
 
 def two_hertz_loads(track, pose, state, force):
-    """Loads of the contact point's region and of the flange's [N], each Hertz's with the gap along its own normal.
+    """Loads of the contact point's region and of the flange's [N], each Hertz's with
+    the gap along its own normal.
 
-    The wheel comes down the contact point's normal by d, and the flange's by cos(turn) d less its gap; each presses the
-    other down by N / (pi E* distance), and of that cos(turn) comes along its normal.
+    The wheel comes down the contact point's normal by d, and the flange's by cos(turn) d less its gap; each
+    presses the other down by N / (pi E* distance), and of that cos(turn) comes along its normal.
     """
     near = state.right.contact.y_rail
     gap, x_f, y_f = deepest(track, pose, -0.0424, 8e-4)
@@ -41,7 +43,8 @@ def two_hertz_loads(track, pose, state, force):
     turn = math.cos(angles[1] - angles[0])
     places = np.array([(x, y, track.rail(y)[0]) for x, y in ((x_0, y_0), (x_f, y_f))])
     push = turn / (math.pi * MODULUS * np.linalg.norm(places[1] - places[0]))
-    stiffness = [1e4 / hertz(*(second_derivatives(track, pose, x, y) / 2), 1e4)[0]**1.5 for x, y in ((x_0, y_0), (x_f, y_f))]
+    stiffness = [1e4 / hertz(*(second_derivatives(track, pose, x, y) / 2), 1e4)[0]**1.5
+                 for x, y in ((x_0, y_0), (x_f, y_f))]
 
     def loads(down):
         one = other = 0.0
@@ -69,7 +72,8 @@ def test_root_and_flange_share_a_rigid_wheel(yaw, shift, force):
     assert outline.station[-1] - outline.station[0] == pytest.approx(side.patch_width, rel=1e-12)
     # the flange lies to the inside, and the stations between them are empty
     assert flange.centroid + flange.width < root_patch.centroid - root_patch.width / 2
-    between = (outline.station > flange.centroid + flange.width) & (outline.station < root_patch.centroid - root_patch.width)
+    between = (outline.station > flange.centroid + flange.width) & (outline.station < root_patch.centroid
+                                                                    - root_patch.width)
     assert np.all(outline.half_length[between] == 0.0)
 
 

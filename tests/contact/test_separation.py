@@ -1,4 +1,5 @@
-"""How ANALYN's inputs are prepared: separations and lateral curvatures against profiles, arcs and chords computed apart."""
+"""How ANALYN's inputs are prepared: separations and lateral curvatures against profiles, arcs and
+chords computed apart."""
 
 import itertools
 
@@ -24,11 +25,14 @@ def test_separations_are_what_they_say(shift, yaw, side):
     contact = Contact(shift, yaw)
     stations = side * STATIONS
     # places are met to 1e-13 m, but a yawed outline's length is known by differences only
-    np.testing.assert_allclose(contact.kernel("vertical", stations)[0], [contact.vertical(s) for s in stations], atol=2e-13)
-    np.testing.assert_allclose(contact.kernel("equidistant", stations)[0], [contact.equidistant(s) for s in stations],
-                               atol=2e-13 if yaw == 0.0 else 1e-12)
+    np.testing.assert_allclose(contact.kernel("vertical", stations)[0],
+                               [contact.vertical(s) for s in stations], atol=2e-13)
+    np.testing.assert_allclose(contact.kernel("equidistant", stations)[0],
+                               [contact.equidistant(s) for s in stations], atol=2e-13 if yaw == 0.0
+                               else 1e-12)
     spacing = side * 0.2e-3
-    np.testing.assert_allclose(contact.kernel("equidistant_chord", spacing * np.array([1, 2, 5]), abs(spacing))[0],
+    np.testing.assert_allclose(contact.kernel("equidistant_chord", spacing * np.array([1, 2, 5]),
+                                              abs(spacing))[0],
                                [contact.chords(count, spacing) for count in (1, 2, 5)], atol=2e-13)
 
 
@@ -56,15 +60,16 @@ def test_wheel_s_longitudinal_curvature_is_read_where_the_node_is(shift, yaw, ki
 
 @pytest.mark.parametrize("place", ["tread", "flange"])
 def test_arc_length_is_that_of_the_exact_profile(place):
-    """The kernel's arc against the zones as the standard prints them, away from the joints that are evened out."""
+    """The kernel's arc against the zones as the standard prints them, away from the
+    joints that are evened out."""
     contact = Contact(PLACES[place])
     tables, work = memoryview(contact.tables), memoryview(contact.work)
     wheel = contact.system.wheel
     for length in (0.4e-3, -0.8e-3):
         contact_plane.start_tracer(work, 0.0, contact.u_rail, contact.u_wheel)
         assert separation.move_arc(tables, work, contact_plane.TRACER_WHEEL, length) == 1
-        found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel, work[contact_plane.TRACER_WHEEL],
-                     epsabs=1e-15)[0]
+        found = quad(lambda u: np.hypot(1.0, wheel.slope(u)), contact.u_wheel,
+                     work[contact_plane.TRACER_WHEEL], epsabs=1e-15)[0]
         assert found == pytest.approx(length, abs=1e-12)
 
 
@@ -83,17 +88,20 @@ def test_a_chord_is_shorter_than_its_arc_by_the_cube():
         arc = contact.rail.arc(u, work[contact_plane.TRACER_RAIL])
         assert arc == pytest.approx(2 * count * radius * np.arcsin(spacing / (2 * radius)), abs=1e-12)
         errors.append(arc - 4e-3)
-    assert errors[0] / errors[1] == pytest.approx(4.0, rel=1e-3) and errors[1] / errors[2] == pytest.approx(4.0, rel=1e-3)
+    assert errors[0] / errors[1] == pytest.approx(4.0, rel=1e-3)
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=1e-3)
 
 
 def test_chord_steps_approach_true_arc_length_with_the_square_of_the_spacing():
     contact = Contact(PLACES["root"])
     station = 1.2e-3
     exact = contact.kernel("equidistant", [station])[0, 0]
-    errors = [contact.kernel("equidistant_chord", station / count * np.arange(1, count + 1), station / count)[0, -1] - exact
+    errors = [contact.kernel("equidistant_chord", station / count * np.arange(1, count + 1),
+                             station / count)[0, -1] - exact
               for count in (3, 6, 12)]
     assert abs(errors[0]) > 1e-12
-    assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1) and errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
+    assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
 
 
 @pytest.mark.parametrize("place", list(PLACES))
@@ -126,8 +134,8 @@ def circles(wheel_radius=0.3, rail_radius=0.2, **parameters):
     """Two circles in place of profiles, in contact at their tops, the rail upright."""
     wheel = Profile("ball", "wheel", (Arc(-60.0, 60.0, 1e3 * wheel_radius, 0.0, -1e3 * wheel_radius, +1),))
     rail = Profile("crown", "rail", (Arc(-70.0, 70.0, 1e3 * rail_radius, 0.0, 1e3 * rail_radius, -1),))
-    return dict(wheel=wheel, rail=rail, rail_inclination=0.0, gauge=1.5 - 2 * np.sqrt(0.2**2 - 0.19**2), gauge_depth=0.01,
-                **parameters)
+    return dict(wheel=wheel, rail=rail, rail_inclination=0.0, gauge=1.5 - 2 * np.sqrt(0.2**2 - 0.19**2),
+                gauge_depth=0.01, **parameters)
 
 
 @pytest.mark.parametrize("kind", list(NUMBERS["separation"]))
@@ -151,7 +159,8 @@ def test_two_circles_are_hertz(kind, lateral):
 RIGID = list(range(layout.SIDE_X_WHEEL, layout.SIDE_CURVATURE_X))
 COLUMNS = {name: [side + k for side in (layout.OUT_LEFT, layout.OUT_RIGHT) for k in slots]
            for name, slots in (("rigid", RIGID), ("curvature_x", [layout.SIDE_CURVATURE_X]),
-                               ("curvature_y", [layout.SIDE_CURVATURE_Y]), ("penetration", [layout.SIDE_PENETRATION]))}
+                               ("curvature_y", [layout.SIDE_CURVATURE_Y]),
+                               ("penetration", [layout.SIDE_PENETRATION]))}
 COLUMNS["rigid"] = [layout.OUT_ROLL, layout.OUT_VERTICAL_SHIFT, *COLUMNS["rigid"]]
 
 
@@ -166,17 +175,19 @@ COLUMNS["rigid"] = [layout.OUT_ROLL, layout.OUT_VERTICAL_SHIFT, *COLUMNS["rigid"
     (dict(lateral_curvature="smooth", curvature_step=1e-3), tuple(COLUMNS), None),
 ], ids=str)
 def test_a_choice_changes_what_it_should_and_nothing_else(changed, unchanged, moved):
-    plain = {"lateral_curvature": changed["lateral_curvature"]} if moved is None and "lateral_curvature" in changed else {}
+    plain = ({"lateral_curvature": changed["lateral_curvature"]} if moved is None
+             and "lateral_curvature" in changed else {})
     poses = dict(lateral_shift=np.linspace(-7e-3, 7e-3, 29), yaw=np.tile([0.0, 0.02], 15)[:29])
-    before, after = (wrcontact.ContactSystem(**given).evaluate_many(**poses).values for given in (plain, changed))
+    before, after = (wrcontact.ContactSystem(**given).evaluate_many(**poses).values
+                     for given in (plain, changed))
     for name in unchanged:
         np.testing.assert_array_equal(after[:, COLUMNS[name]], before[:, COLUMNS[name]], err_msg=name)
     if moved:
         assert np.mean(after[:, COLUMNS[moved]] != before[:, COLUMNS[moved]]) > 0.9
 
 
-EVERY_CHOICE = list(itertools.product(CHOICES["separation"], CHOICES["longitudinal_curvature"], CHOICES["lateral_curvature"],
-                                      ("analyn", "analyn_strip", "hertz")))
+EVERY_CHOICE = list(itertools.product(CHOICES["separation"], CHOICES["longitudinal_curvature"],
+                                      CHOICES["lateral_curvature"], ("analyn", "analyn_strip", "hertz")))
 
 
 def assert_all_valid(rail, shifts, yaws):
@@ -193,7 +204,8 @@ def assert_all_valid(rail, shifts, yaws):
         assert np.all(found.right.area > 1e-6) and np.all(found.right.penetration < 1e-3), system
 
 
-@pytest.mark.parametrize("rail", [pytest.param(rail, marks=[pytest.mark.slow] * (k > 0)) for k, rail in enumerate(RAILS)])
+@pytest.mark.parametrize("rail", [pytest.param(rail, marks=[pytest.mark.slow] * (k > 0))
+                                  for k, rail in enumerate(RAILS)])
 def test_every_choice_holds_everywhere(rail):
     assert_all_valid(rail, 17, 5)
 
@@ -205,15 +217,16 @@ def test_a_steep_side_leaves_no_hole_in_the_vertical_distance():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("rail", [RAILS[0], *(pytest.param(rail, marks=pytest.mark.complete) for rail in RAILS[1:])])
+@pytest.mark.parametrize("rail",
+                         [RAILS[0], *(pytest.param(rail, marks=pytest.mark.complete) for rail in RAILS[1:])])
 def test_every_choice_holds_everywhere_on_a_fine_grid(rail):
     assert_all_valid(rail, 641, 13)
 
 
 @pytest.mark.parametrize("place", list(PLACES))
 def test_tread_hardly_notices_and_a_flange_does(place):
-    """The source's finding of its section 7.1, and what it does not say: on a flange the vertical distance is the normal one
-    over the cosine, so that the patch is too narrow."""
+    """The source's finding of its section 7.1, and what it does not say: on a flange the vertical distance is
+    the normal one over the cosine, so that the patch is too narrow."""
     areas = {kind: wrcontact.ContactSystem(separation=kind, nodes=38).evaluate(PLACES[place]).right.area
              for kind in NUMBERS["separation"]}
     assert areas["equidistant"] == pytest.approx(areas["normal"], rel=0.02)

@@ -19,7 +19,8 @@ def test_the_example_runs(capsys):
     exec(re.search(r"```python\n(.*?)```", README, re.DOTALL).group(1), {})
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 4 and lines[0].startswith("0 -0.000369")        # two patches at 5 mm
-    assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)            # the S1002's 70 deg flank, and the roll
+    # the S1002's 70 deg flank, and the roll
+    assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -32,7 +33,8 @@ def test_linked_files_exist(page):
 def test_files_that_are_named_exist(page):
     """Paths in backticks, from the top of the repository or of the package, and names of tests."""
     words = set(re.findall(r"`([^`\s]+)`", page.read_text(encoding="utf-8")))
-    paths = {word.split("::")[0] for word in words if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
+    paths = {word.split("::")[0] for word in words
+             if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
     missing = {path for path in paths if not ((ROOT / path).exists() or (ROOT / "wrcontact" / path).exists())}
     assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
     tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
@@ -51,8 +53,8 @@ def test_tests_that_are_named_exist(page):
 
 
 #: A word that a test has if it runs the tool.
-TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"', "ecospy": '"ecospy"',
-         "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
+TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"',
+         "ecospy": '"ecospy"', "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
 
 
 def test_tools_that_are_said_to_run_are_run():

@@ -31,7 +31,7 @@ def test_a_profile_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatc
 
     class Changing:
         def __init__(self, *arguments):
-            self.file = open(*arguments)
+            self.file = open(*arguments)     # noqa: SIM115
             self.fileno = self.file.fileno
 
         def __enter__(self):
@@ -46,7 +46,9 @@ def test_a_profile_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatc
             return content or self.file.read(size)
 
     monkeypatch.setattr(files, "open", Changing, raising=False)
-    with pytest.raises(ValueError, match=f"^rail profile {re.escape(str(path))} changed while it was read; permitted are files "):
+    with pytest.raises(ValueError,
+                       match=f"^rail profile {re.escape(str(path))} changed while it was read; permitted "
+                       f"are files "):
         Profile.from_file(path, "rail")
     monkeypatch.undo()
     path.write_text(text)
@@ -91,4 +93,5 @@ def test_a_profile_is_read_once_for_an_fmu(tmp_path, monkeypatch):
     text = path.read_text()
     monkeypatch.setattr(files, "_text", read_and_remove)
     starts, profiles = native.packed_profiles(rail_profile=str(path))
-    assert read == [str(path)] and starts == {"rail_profile": "rail.txt"} and profiles["rail.txt"].kind == "rail"
+    assert read == [str(path)] and starts == {"rail_profile": "rail.txt"}
+    assert profiles["rail.txt"].kind == "rail"

@@ -25,7 +25,8 @@ def wait_for_part(program, folder):
         time.sleep(0.002)
 
 
-@pytest.mark.parametrize("blow, code", [(signal.SIGINT, 130), (signal.SIGKILL, -9)], ids=["interrupted", "killed"])
+@pytest.mark.parametrize("blow, code", [(signal.SIGINT, 130), (signal.SIGKILL, -9)],
+                         ids=["interrupted", "killed"])
 def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
     target = tmp_path / "sweep.csv"
     target.write_text("before\n")
@@ -42,7 +43,8 @@ def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
 @pytest.mark.parametrize("words, rounds", [
     (("demo", "--output", "{}"), 1),
     *(pytest.param(words, 4, marks=pytest.mark.complete) for words in (
-        ("sweep", "--step-mm", "0.0005", "--csv", "{}/a.csv"), ("figures", "--output", "{}"), ("demo", "--output", "{}")))])
+        ("sweep", "--step-mm", "0.0005", "--csv", "{}/a.csv"), ("figures", "--output", "{}"),
+        ("demo", "--output", "{}")))])
 def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
     """Of the group of processes, as a terminal sends it; the helper of the demo is in it too."""
     chance = random.Random(rounds)
@@ -62,7 +64,8 @@ def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
 @pytest.mark.slow
 @pytest.mark.complete
 def test_a_demo_that_is_killed(tmp_path):
-    """At random times: each of its files is whole or not there, and the next run is undisturbed by what was left."""
+    """At random times: each of its files is whole or not there, and the next run is
+    undisturbed by what was left."""
     chance = random.Random(12)
     for _ in range(12):
         program = cli("demo", "--output", tmp_path, start_new_session=True)
@@ -71,7 +74,8 @@ def test_a_demo_that_is_killed(tmp_path):
             os.killpg(program.pid, signal.SIGKILL)
         program.communicate()
         assert_files_are_whole(tmp_path)
-    done = start("-c", "from wrcontact.cli import main; main()", "demo", "--output", str(tmp_path), folder=tmp_path)
+    done = start("-c", "from wrcontact.cli import main; main()", "demo", "--output", str(tmp_path),
+                 folder=tmp_path)
     assert done.returncode == 0, done.stderr
     assert assert_files_are_whole(tmp_path) == 3
 

@@ -26,7 +26,8 @@ def contact_of(system, rows):
 @pytest.mark.slow
 @pytest.mark.parametrize("method", ["fork", "spawn"])
 def test_a_system_goes_on_in_other_processes(method):
-    """One that has been used before: after a fork with all that it keeps, after a spawn made anew from its parameters."""
+    """One that has been used before: after a fork with all that it keeps, after a spawn made
+    anew from its parameters."""
     system, rows = ContactSystem(rail="54E1"), poses(8)
     system.evaluate(2e-3)
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(method)) as pool:
@@ -56,9 +57,11 @@ found = hashlib.sha256()
 shifts = np.linspace(-7e-3, 7e-3, 41)
 for options in ({}, {"contact_mode": "elastic", "normal_model": "analyn_strip"}, {"wheel": sys.argv[1]},
                 {"wheel": sys.argv[1], "smoothing": 2e-5, "lateral_curvature": "smooth"}):
-    found.update(wrcontact.ContactSystem(**options).evaluate_many(lateral_shift=shifts, yaw=2e-3).values.tobytes())
+    table = wrcontact.ContactSystem(**options).evaluate_many(lateral_shift=shifts, yaw=2e-3)
+    found.update(table.values.tobytes())
 for shift in (0.0, 5.5e-3):
-    found.update(wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.02).evaluate(shift).values.tobytes())
+    state = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.02).evaluate(shift)
+    found.update(state.values.tobytes())
 print(found.hexdigest())
 """
 
@@ -72,8 +75,8 @@ def test_bits_do_not_depend_on_the_threads_of_blas(tmp_path):
     answers = set()
     for threads in ("1", "7"):
         limits = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), threads)
-        done = subprocess.run([sys.executable, "-c", ANSWERS, str(wheel)], env={**OUTSIDE, **limits}, text=True,
-                              capture_output=True, timeout=300)
+        done = subprocess.run([sys.executable, "-c", ANSWERS, str(wheel)], env={**OUTSIDE, **limits},
+                              text=True, capture_output=True, timeout=300)
         assert done.returncode == 0, done.stderr
         answers.add(done.stdout)
     assert len(answers) == 1

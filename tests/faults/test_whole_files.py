@@ -36,7 +36,8 @@ def is_whole(target):
     return len(content) == 3_000_000 and content == content[:1] * len(content)
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=[pytest.mark.slow, pytest.mark.complete]) for seed in range(2, 6))])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=[pytest.mark.slow, pytest.mark.complete])
+                                       for seed in range(2, 6))])
 def test_a_killed_writer_leaves_a_whole_file(tmp_path, seed):
     chance, target = random.Random(seed), tmp_path / "file"
     for _ in range(12):
@@ -77,7 +78,8 @@ def test_a_file_that_cannot_be_written_stays_as_it_was(tmp_path):
     write_atomically(target, b"before")
     with largest_file(1000), pytest.raises(OSError, match="File too large") as refused:
         write_atomically(target, b"x" * 2000)
-    assert refused.value.filename == str(target) and target.read_bytes() == b"before" and parts_in(tmp_path) == []
+    assert refused.value.filename == str(target) and target.read_bytes() == b"before"
+    assert parts_in(tmp_path) == []
     with pytest.raises(FileNotFoundError) as refused:
         write_atomically(tmp_path / "nowhere" / "file", b"")
     assert atomic.sentence_of(refused.value) == f"{tmp_path / 'nowhere' / 'file'}: No such file or directory"

@@ -1,4 +1,5 @@
-"""Libraries and wheels for other machines: what they need and export; those of Windows and aarch64 run under emulators."""
+"""Libraries and wheels for other machines: what they need and export; those of Windows and
+aarch64 run under emulators."""
 
 import os
 import platform
@@ -41,8 +42,8 @@ from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_pla
 ARM_ROOT = Path("/usr/aarch64-linux-gnu")
 WINE = shutil.which("wine") or shutil.which("wine64")
 
-# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan, atan2, sin and
-# cos differ in the last bit here and there.
+# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan,
+# atan2, sin and cos differ in the last bit here and there.
 SAME = 1e-12
 SEARCHED = 1e-11    # height and roll of elastic contact, which a search ends close to
 AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify what the positions differ by
@@ -56,7 +57,8 @@ AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify w
     ("linux", "aarch64", "linux-aarch64", "aarch64-linux", "_wrcontact_kernel-aarch64-linux.so"),
     ("linux", "riscv64", "linux-riscv64", "riscv64-linux", "_wrcontact_kernel-riscv64-linux.so"),
     ("win32", "AMD64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
-    ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),      # emulated there
+    # emulated there
+    ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
     ("win32", "AMD64", "win32", "x86-windows", "_wrcontact_kernel-x86-windows.dll"),
     ("darwin", "arm64", "macosx-11.0-universal2", "aarch64-darwin", "_wrcontact_kernel-aarch64-darwin.dylib"),
     ("darwin", "x86_64", "macosx-11.0-universal2", "x86_64-darwin", "_wrcontact_kernel-x86_64-darwin.dylib"),
@@ -74,7 +76,8 @@ def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
     monkeypatch.setenv("WRCONTACT_PLATFORM", "x86_64-windows")
     assert chosen_platform() == "x86_64-windows" and requirements() == ["ziglang"]
     monkeypatch.setenv("WRCONTACT_PLATFORM", "amiga")
-    with pytest.raises(kernel_compiler.CompilerProblem, match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
+    with pytest.raises(kernel_compiler.CompilerProblem,
+                       match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
         requirements()
 
 
@@ -121,7 +124,8 @@ def kernels():
 
 def library_of(folder, version, name):
     place = PLATFORMS[name]
-    return folder / "binaries" / (place.fmi2 if version == 2 else place.name) / f"WheelsetContact{place.suffix}"
+    return folder / "binaries" / (place.fmi2 if version == 2
+                                  else place.name) / f"WheelsetContact{place.suffix}"
 
 
 @pytest.mark.slow
@@ -155,12 +159,12 @@ def run_on(tmp_path_factory):
         if name not in made:
             made[name] = folder / f"{name} host.exe"
             headers = ["-I", str(Path(fmpy.__file__).parent / "c-code"), "-I", str(KERNEL / "native")]
-            subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HELPERS / "library_host.c"), "-o", str(made[name]),
-                            *([] if name.endswith("windows") else ["-ldl"])], check=True)
+            subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HELPERS / "library_host.c"), "-o",
+                            str(made[name]), *([] if name.endswith("windows") else ["-ldl"])], check=True)
         quiet = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml=", "DISPLAY": "",
                  "WINEPREFIX": str(folder / "wine")}
-        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True, capture_output=True,
-                              timeout=600, env={**os.environ, **quiet})
+        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True,
+                              capture_output=True, timeout=600, env={**os.environ, **quiet})
         assert done.returncode == 0, done.stderr
         return done.stdout.splitlines()
 
@@ -203,13 +207,15 @@ def plan_of(description, rows):
     """What the host reads: the references of an FMU's inputs and outputs, and rows of inputs."""
     variables = {v.name: v for v in description.modelVariables}
     outputs = [v for v in variables.values() if v.causality == "output" and v.type in ("Real", "Float64")]
-    words = listed([variables[name].valueReference for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
+    words = listed([variables[name].valueReference
+                    for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
     count = len([v for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
     return " ".join([*words, f"{count:x}", f"{variables['status'].valueReference:x}", f"{len(rows):x}",
                      *bits(sum(rows, []))])
 
 
-SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"}, {"normal_model": "hertz"},
+SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"},
+            {"normal_model": "hertz"},
             {"lateral_curvature": "smooth", "separation": "equidistant", "rail_profile": "54E1"}]
 NOMINAL = np.array([v.nominal or 1.0 for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
 
@@ -229,7 +235,8 @@ def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, setting
     rows = {run: rows_of(run) for run in RUNS}
     plan.write_text(plan_of(description, sum(rows.values(), [])))
     (ours, our_status), (theirs, status) = (
-        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid, plan, *texts))
+        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid,
+                       plan, *texts))
         for place in (REFERENCE, name))
     assert len(ours) == sum(map(len, rows.values())) and status == our_status and set(status) <= {0, 1}
     if name == "aarch64-linux":
@@ -239,7 +246,8 @@ def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, setting
     for run, start in zip(RUNS, np.cumsum([0, *map(len, rows.values())])):
         largest = difference[start:start + len(rows[run])].max()
         print(f"FMI {version} {settings} {run}: {largest:.1e}")
-        assert largest <= (AT_JUMPS if run == "jumps" else SEARCHED if "contact_mode" in settings else SAME), run
+        assert (largest
+                <= (AT_JUMPS if run == "jumps" else SEARCHED if "contact_mode" in settings else SAME)), run
 
 
 # --- the Python FMU -------------------------------------------------------------------------------
@@ -259,7 +267,8 @@ def packed_kernel(folder):
 @pytest.mark.slow
 @needs_zig
 def test_python_fmu_carries_the_kernel_of_each_platform_that_loads_it(python_fmu, kernels):
-    carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir() if file.suffix != ".py"}
+    carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir()
+               if file.suffix != ".py"}
     places = {place.fmi2: name for name, place in PLATFORMS.items()}
     names = {places[folder.name] for folder in python_fmu.joinpath("binaries").iterdir()} | {host_platform()}
     assert {"x86_64-linux", "x86_64-windows"} <= names
@@ -272,7 +281,8 @@ sys.path.insert(0, sys.argv[1])
 if len(sys.argv) > 3:
     platform.machine = lambda: sys.argv[3]
 library = __import__(sys.argv[2] + ".kernel.library", fromlist=["library"])
-print(library.default_kernel().compiled, library.default_kernel().compiled and library.default_kernel().library._name)
+kernel = library.default_kernel()
+print(kernel.compiled, kernel.compiled and kernel.library._name)
 """
 
 
@@ -281,13 +291,15 @@ print(library.default_kernel().compiled, library.default_kernel().compiled and l
 @needs(sys.platform != "win32", "the machine's name has another source there")
 def test_python_fmu_loads_the_kernel_of_its_platform(python_fmu):
     kernel = packed_kernel(python_fmu)
-    loads = [sys.executable, "-I", "-W", "always", "-c", LOAD, str(python_fmu / "resources"), kernel.parent.name]
+    loads = [sys.executable, "-I", "-W", "always", "-c", LOAD, str(python_fmu / "resources"),
+             kernel.parent.name]
     here = subprocess.run(loads, text=True, capture_output=True, check=True)
     assert here.stdout.split(maxsplit=1) == ["True", f"{kernel / LIBRARY_NAME}\n"] and not here.stderr
     elsewhere = subprocess.run([*loads, "riscv64"], text=True, capture_output=True, check=True)
     assert elsewhere.stdout.split() == ["False", "False"]
     assert elsewhere.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
-    assert f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}" in elsewhere.stderr
+    assert (f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}"
+            in elsewhere.stderr)
 
 
 @pytest.mark.slow

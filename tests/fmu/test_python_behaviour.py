@@ -17,7 +17,8 @@ from tests.helpers.fmus import WARM_START, assert_same, evaluated, run_scenario
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu
 
-#: From Python 3.13 on PythonFMU 0.7 loses the log line of a process's first refusal; the console has the sentence.
+#: From Python 3.13 on PythonFMU 0.7 loses the log line of a process's first refusal; the
+#: console has the sentence.
 LOST = 1 if sys.version_info >= (3, 13) else 0
 
 
@@ -45,7 +46,8 @@ def test_unloaded_wheel(run):
     assert left["left.patch_count"] == both["right.patch_count"] == 0 and left["right.patch_count"] > 0
     assert left["left.area"] == left["left.penetration"] == left["left.normal_force"] == 0.0
     assert left["right.normal_force"] == pytest.approx(2 * 78.5e3)
-    assert left["roll"] == pytest.approx(answer["left"]["before"]["roll"], abs=1e-9)  # [rad] geometry stays valid
+    # [rad] geometry stays valid
+    assert left["roll"] == pytest.approx(answer["left"]["before"]["roll"], abs=1e-9)
     assert len(answer["left"]["log"]) == 1
     assert answer["left"]["after"]["status"] == 0
 
@@ -63,7 +65,8 @@ def test_saved_states(run, mode):
     assert seen["restored"] == seen["before"]
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
     assert seen["refusals"] == [True] * 4 and seen["kept"]
-    assert {category for _, category, _ in seen["log"]} == {"logStatusError"} and len(seen["log"]) in (4, 4 - LOST)
+    assert {category for _, category, _ in seen["log"]} == {"logStatusError"}
+    assert len(seen["log"]) in (4, 4 - LOST)
     assert all("saved state" in sentence for *_, sentence in seen["log"])
     assert seen["after"]["status"] == 0
 
@@ -76,7 +79,8 @@ def test_damaged_states_are_refused(run):
 
 @pytest.mark.slow
 def test_numbers_have_a_point_in_a_locale_with_commas(run, comma):
-    for scenario, cases in (("outcomes", {"off": {"lateral_shift": 0.0812}}), ("refusals", {"gauge": {"gauge": 14.35}})):
+    for scenario, cases in (("outcomes", {"off": {"lateral_shift": 0.0812}}),
+                            ("refusals", {"gauge": {"gauge": 14.35}})):
         seen = run("localised", locale_name=comma, inner=scenario, arguments={"cases": cases})
         assert seen["one and a half"] == "1,5" and seen["answer"] == run(scenario, cases=cases)
 
@@ -112,7 +116,8 @@ def test_two_different_fmus_in_one_process(run, tmp_path):
 
 
 def test_path_with_spaces_and_other_letters(fmu, tmp_path):
-    """The FMU may lie anywhere; unpacked it may have spaces in its path (PythonFMU decodes no other characters)."""
+    """The FMU may lie anywhere; unpacked it may have spaces in its path (PythonFMU
+    decodes no other characters)."""
     folder = tmp_path / "Räder & Schienen 轮轨"
     folder.mkdir()
     copy = folder / "my FMU ä.fmu"
@@ -147,7 +152,9 @@ def test_unpacked_again_after_its_folder_was_removed(run, fmu, tmp_path):
 
 
 def test_memory_stays_flat(run, entries):
-    compiled = any(Path(name).suffix in (".so", ".dll", ".dylib") for name in entries if name.startswith("resources/"))
+    compiled = any(Path(name).suffix in (".so", ".dll", ".dylib") for name in entries
+                   if name.startswith("resources/"))
     grown = run("endurance", steps=100_000 if compiled else 2_000)
     assert grown["resident"] < 2e6, grown  # [bytes]
-    assert grown["blocks"] < 800, grown  # objects of Python; one lost per saved state would be 1000, per step 100 000
+    # objects of Python; one lost per saved state would be 1000, per step 100 000
+    assert grown["blocks"] < 800, grown

@@ -10,19 +10,24 @@ from tests.helpers.cases import RUNS, stored
 # What a stored trajectory may differ by, from the name of its column.
 RIGID = {"roll": 1e-9, "contact_angle": 1e-4, "curvature": math.inf}  # [rad], [rad], not compared
 POSITION = 1e-6  # [m]
-LOADED = {"penetration": 0.05, "area": 0.12, "max_pressure": 0.15}  # of the complete theory's value, but for a few rows
-#: where the load moves between two regions, which ANALYN sees as a jump (the run "jumps" is made of such rows):
+# of the complete theory's value, but for a few rows
+LOADED = {"penetration": 0.05, "area": 0.12, "max_pressure": 0.15}
+#: where the load moves between two regions, which ANALYN sees as a jump (the run
+#: "jumps" is made of such rows):
 WORST = {"penetration": 0.16, "area": 0.18, "max_pressure": 0.30}
 LEAST_WITHIN = {"hunting": 0.99, "jumps": 0.95, "load": 1.0}  # share of a run's values that LOADED holds for
-#: The wheel as printed has a step at y = -35 mm, on which the reference's contact rests for 1 um of lateral shift; ours
-#: is led over it within half a millimetre, half the step (6e-8 m) up or down.
-RESTING, ON_THE_STEP = -0.035, {"roll": 1e-7, "contact_angle": 0.065}  # [m]; [rad], and 77 1/m times the arc that belongs to
+#: The wheel as printed has a step at y = -35 mm, on which the reference's contact rests for 1 um of lateral
+#: shift; ours is led over it within half a millimetre, half the step (6e-8 m) up or down.
+# [m]; [rad], and 77 1/m times the arc that belongs to
+RESTING, ON_THE_STEP = -0.035, {"roll": 1e-7, "contact_angle": 0.065}
 POSITION_ON_THE_STEP = 6e-4  # [m]
-#: The stored patches are those of a half-space on one plane, the contact point's.  A flange patch that leans away from it
-#: has a plane of its own here, in which the half-space has its pressure too (test_halfspace.py): half of what is stored.
+#: The stored patches are those of a half-space on one plane, the contact point's. A flange patch that leans
+#: away from it has a plane of its own here, in which the half-space has its pressure too (test_halfspace.py):
+#: half of what is stored.
 LEANING, PRESSURE_LEANING = math.radians(15), 0.50  # [rad], of the stored value
 LEAST_UPRIGHT = 0.85  # share of a run's wheels that have no such patch
-PRESSURE_ON_THE_STEP = 0.40  # of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
+# of the complete theory's; two joints of S1002 lie in this patch, a sharp second contact beside it
+PRESSURE_ON_THE_STEP = 0.40
 
 
 # --- values ---------------------------------------------------------------------------------------
@@ -69,8 +74,10 @@ PATCH_NAMES = [f"{side}.patch[{k}].{name}" for side in ("left", "right") for k i
 
 def leans_away(found, side):
     """Whether a loaded patch leans away from the wheel's contact plane."""
-    patches = [(found[f"{side}.patch[{k}].normal_force"], found[f"{side}.patch[{k}].contact_angle"]) for k in (1, 2, 3)]
-    return any(force > 0.0 and abs(angle - found[f"{side}.contact_angle"]) > LEANING for force, angle in patches)
+    patches = [(found[f"{side}.patch[{k}].normal_force"], found[f"{side}.patch[{k}].contact_angle"])
+               for k in (1, 2, 3)]
+    return any(force > 0.0 and abs(angle - found[f"{side}.contact_angle"]) > LEANING
+               for force, angle in patches)
 
 
 def allowance(name, value, resting):

@@ -20,12 +20,14 @@ def test_first_instant(run):
 
 def test_methods_and_their_parameters_arrive(run):
     """The tables that they need are prepared inside the FMU."""
-    chosen = {"separation": "equidistant", "lateral_curvature": "rough", "curvature_step": 1e-3, "curvature_reach": 2e-3}
+    chosen = {"separation": "equidistant", "lateral_curvature": "rough", "curvature_step": 1e-3,
+              "curvature_reach": 2e-3}
     start = {"lateral_shift": 2e-3, "yaw": 1e-3}
     for more in ({}, {"lateral_curvature": "smooth"}):
         parameters = {**chosen, **more}
         seen = run("first_instant", start={**start, **parameters})
-        assert_same(seen["after_initialisation"], evaluated(start, ContactSystem(**parameters).stepper()), WARM_START)
+        assert_same(seen["after_initialisation"], evaluated(start, ContactSystem(**parameters).stepper()),
+                    WARM_START)
         assert seen["after_initialisation"]["right.area"] != seen["default"]["right.area"]
 
 
@@ -33,7 +35,8 @@ def test_contact_modes_arrive(run):
     """Elastic: height and roll follow the load; compliant: they are inputs, and the loads follow."""
     start = {"lateral_shift": 3e-3, "yaw": 1e-3, "contact_mode": "elastic", "load": "vertical"}
     elastic = run("first_instant", start=start)["after_initialisation"]
-    assert_same(elastic, evaluated(start, ContactSystem(contact_mode="elastic", load="vertical").stepper()), WARM_START)
+    assert_same(elastic, evaluated(start, ContactSystem(contact_mode="elastic", load="vertical").stepper()),
+                WARM_START)
     assert elastic["status"] == 0 and elastic["force.z"] == pytest.approx(-2 * 78.5e3, rel=1e-6)
     given = {"vertical_shift_input": elastic["vertical_shift"], "roll_input": elastic["roll"]}
     start = {**start, **given, "contact_mode": "compliant", "normal_force": 1.0}
@@ -57,7 +60,8 @@ def test_a_lifted_wheelset_is_a_status_with_a_sentence(run):
     """And a height that no wheelset can have; both with the next valid height forgotten."""
     cases = {"lifted": {"vertical_shift_input": -1e-3}, "deep": {"vertical_shift_input": 5e-3},
              "steep": {"roll_input": 0.3}, "nan": {"roll_input": math.nan}}
-    answers = run("outcomes", cases=cases, start={"contact_mode": "compliant"}, valid={"vertical_shift_input": 0.25e-3})
+    answers = run("outcomes", cases=cases, start={"contact_mode": "compliant"},
+                  valid={"vertical_shift_input": 0.25e-3})
     assert {name: answer["during"]["status"] for name, answer in answers.items()} == {
         "lifted": 1, "deep": 2, "steep": 2, "nan": 4}
     lifted = answers["lifted"]["during"]
@@ -75,7 +79,8 @@ def test_a_lifted_wheelset_is_a_status_with_a_sentence(run):
 def test_runs_its_own_code(run, tmp_path):
     modules = run("first_instant")["modules"]
     assert "wrcontact" not in modules
-    assert all(Path(file).is_relative_to(tmp_path / "unpacked" / "resources") for file in modules.values()), modules
+    assert all(Path(file).is_relative_to(tmp_path / "unpacked" / "resources")
+               for file in modules.values()), modules
 
 
 def test_fmu_returns_what_the_kernel_returns(run):

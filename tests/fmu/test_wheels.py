@@ -33,15 +33,18 @@ build_fmu(sys.argv[1])
 @pytest.mark.slow
 @needs_zig
 def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
-    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own, with the products of
-    matrices of two processors; the compiler's cache is that of this user for the one and empty for the other."""
+    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own,
+    with the products of matrices of two processors; the compiler's cache is that of this user for the
+    one and empty for the other."""
     made = []
     cache = {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")}
     for folder, processor, caches in (("one", "Haswell", {}), ("an other", "Prescott", cache)):
         place = tmp_path / folder
         (place / "scratch").mkdir(parents=True)
-        subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True, stderr=subprocess.DEVNULL,
-                       env={**os.environ, **caches, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
+        subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True,
+                       stderr=subprocess.DEVNULL,
+                       env={**os.environ, **caches,
+                            "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
                             "TMPDIR": str(place / "scratch"), "OPENBLAS_CORETYPE": processor})
         made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})
     assert len(made[0]) == 3
@@ -56,7 +59,8 @@ def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
 def sources(tmp_path_factory):
     """A copy of the checkout, with a library in it that belongs to no wheel."""
     copy = tmp_path_factory.mktemp("sources") / "wrcontact"
-    ignored = (".git", ".venv", "build", "dist", "out", "*.egg-info", "__pycache__", "*.so", "*.dll", "*.dylib")
+    ignored = (".git", ".venv", "build", "dist", "out", "*.egg-info", "__pycache__", "*.so", "*.dll",
+               "*.dylib")
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*ignored))
     (copy / "wrcontact" / "kernel" / "_wrcontact_kernel-amiga.so").write_bytes(b"a stray one")
     return copy
@@ -67,9 +71,10 @@ PACK = [sys.executable, "-m", "build", "--no-isolation"]
 
 def built_wheel(sources, folder, **settings):
     """``python -m build --wheel`` with these settings; the wheel."""
-    clean = {key: value for key, value in os.environ.items() if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")}
-    done = subprocess.run([*PACK, "--wheel", "--outdir", str(folder), str(sources)], text=True, capture_output=True,
-                          env={**clean, **settings})
+    clean = {key: value for key, value in os.environ.items()
+             if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")}
+    done = subprocess.run([*PACK, "--wheel", "--outdir", str(folder), str(sources)], text=True,
+                          capture_output=True, env={**clean, **settings})
     assert done.returncode == 0, done.stdout + done.stderr
     wheel, = folder.iterdir()
     return wheel
@@ -77,7 +82,8 @@ def built_wheel(sources, folder, **settings):
 
 def libraries_in(wheel):
     with zipfile.ZipFile(wheel) as archive:
-        return {name: archive.read(name) for name in archive.namelist() if name.endswith((".so", ".dll", ".dylib"))}
+        return {name: archive.read(name) for name in archive.namelist()
+                if name.endswith((".so", ".dll", ".dylib"))}
 
 
 def install(wheel, folder):
@@ -88,8 +94,10 @@ def install(wheel, folder):
     subprocess.run([*pip, "install", "-q", "--no-deps", "--no-index", str(wheel)], check=True,
                    env={**os.environ, "PATH": ""})
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
-    site = Path(subprocess.run([str(python), "-c", where], text=True, capture_output=True, check=True).stdout.strip())
-    site.joinpath("theirs.pth").write_text(f"{sysconfig.get_path('purelib')}\n{sysconfig.get_path('platlib')}\n")
+    site = Path(subprocess.run([str(python), "-c", where], text=True, capture_output=True,
+                               check=True).stdout.strip())
+    theirs = [sysconfig.get_path(name) for name in ("purelib", "platlib")]
+    site.joinpath("theirs.pth").write_text("".join(f"{path}\n" for path in theirs))
     return python
 
 
@@ -107,12 +115,14 @@ print(library.__file__, kernel.compiled, state.right.penetration.hex())
 @needs_build
 @pytest.mark.parametrize("name", PLATFORMS)
 def test_wheel_for_a_platform(sources, tmp_path, name):
-    """Its tag and its library, the right one alone; this machine's is installed without a compiler and runs compiled."""
+    """Its tag and its library, the right one alone; this machine's is installed without a
+    compiler and runs compiled."""
     wheel = built_wheel(sources, tmp_path / "wheels", WRCONTACT_PLATFORM=name)
     place = PLATFORMS[name]
     assert wheel.name.endswith(f"-py3-none-{place.wheel}.whl")
     with zipfile.ZipFile(wheel) as archive:
-        metadata = archive.read(next(entry for entry in archive.namelist() if entry.endswith(".dist-info/WHEEL"))).decode()
+        metadata = archive.read(next(entry for entry in archive.namelist()
+                                     if entry.endswith(".dist-info/WHEEL"))).decode()
     tags = [line for line in metadata.splitlines() if line.startswith("Tag: ")]
     assert tags == [f"Tag: py3-none-{tag}" for tag in place.wheel.split(".")]
     found = libraries_in(wheel)
@@ -126,7 +136,8 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
         assert done.returncode == 0, done.stderr
         file, compiled, penetration = done.stdout.split()
         assert Path(file).is_relative_to(tmp_path / "environment") and compiled == "True"
-        assert float.fromhex(penetration) == ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration
+        assert float.fromhex(penetration) == ContactSystem().evaluate(lateral_shift=5e-3,
+                                                                      yaw=1e-3).right.penetration
 
 
 @pytest.mark.slow
@@ -135,14 +146,16 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
 def test_wheel_of_this_machine(sources, tmp_path):
     wheel = built_wheel(sources, tmp_path / "wheels")
     tag = wheel.stem.split("-")[2:]
-    assert tag[:2] == ["py3", "none"] and tag[2] == sysconfig.get_platform().replace("-", "_").replace(".", "_")
+    assert tag[:2] == ["py3", "none"]
+    assert tag[2] == sysconfig.get_platform().replace("-", "_").replace(".", "_")
     assert list(libraries_in(wheel)) == [f"wrcontact/kernel/{LIBRARY_NAME}"]
 
 
 @pytest.mark.slow
 @needs_build
 def test_source_archive_has_no_library(sources, tmp_path):
-    subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True, capture_output=True)
+    subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True,
+                   capture_output=True)
     with tarfile.open(next(tmp_path.iterdir())) as archive:
         names = archive.getnames()
     assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []

@@ -41,5 +41,6 @@ def fuzz(program, version, seed, calls):
     counted = answer_of(program, "fuzz", seed, calls)
     assert counted["calls"] == calls and counted["odd_lines"] == counted["damage_accepted"] == 0
     assert counted["valid_steps"] > 0.03 * calls and counted["lines"] > 0.1 * calls
-    assert set(counted["functions"]) == set(header_functions(version)), "every function of the standard is called"
+    assert set(counted["functions"]) == set(header_functions(version)), (
+        "every function of the standard is called")
     return counted

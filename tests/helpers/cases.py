@@ -29,9 +29,11 @@ def pressed_poses(count):
 def stored(name):
     """Times, inputs and expected outputs of a stored trajectory; empty cells are left out."""
     with open(TRAJECTORIES / f"{name}.csv", newline="", encoding="utf-8") as file:
-        table = [{key: float(cell) for key, cell in row.items() if cell.strip()} for row in csv.DictReader(file)]
+        table = [{key: float(cell) for key, cell in row.items() if cell.strip()}
+                 for row in csv.DictReader(file)]
     times = [row["time"] for row in table]
-    rows = [{key: row[key] for key in INPUT_NAMES if key in row} for row in table]      # others keep their start values
+    # others keep their start values
+    rows = [{key: row[key] for key in INPUT_NAMES if key in row} for row in table]
     names = [name for name in dict.fromkeys(key for row in table for key in row) if name in OUTPUT_NAMES]
     return times, rows, [{name: row.get(name) for name in names} for row in table]
 
@@ -70,7 +72,8 @@ def profile_file(folder, kind):
 
 
 WRONG_PARAMETERS = {
-    "contact_mode": ({"contact_mode": "elastisch"}, ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
+    "contact_mode": ({"contact_mode": "elastisch"},
+                     ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
     "load": ({"contact_mode": "elastic", "load": "lateral"}, ["load", "lateral", "normal", "vertical"]),
     "normal_model": ({"normal_model": "kalker"}, ["normal_model", "kalker", "analyn", "hertz"]),
     "wheel": ({"wheel_profile": "S1003"}, ["wheel", "S1003", "S1002"]),

@@ -14,7 +14,8 @@ OUTSIDE = {**{k: v for k, v in os.environ.items() if k not in ("DISPLAY", "MPLBA
 
 def start(*words, folder):
     """Run Python with these words in a process of its own."""
-    settings = {"cwd": folder, "env": OUTSIDE, "capture_output": True, "text": True, "encoding": "utf-8", "timeout": 300}
+    settings = {"cwd": folder, "env": OUTSIDE, "capture_output": True, "text": True, "encoding": "utf-8",
+                "timeout": 300}
     return subprocess.run([sys.executable, *words], **settings)
 
 

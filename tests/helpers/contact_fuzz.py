@@ -11,17 +11,21 @@ SIDES = (("left", -1), ("right", 1))
 NAMES = ("penetration", "normal_force", "area", "max_pressure", "patch_length", "patch_width")
 #: Powers of length in these at the same pressure.
 POWERS = dict(zip(NAMES, (1, 2, 2, 0, 1, 1)))
-#: Where one pose has one roll: a flange of 70 deg on a radius above 2 arms / tan(70 deg) has several, and beyond 0.093 rad
-#: of yaw the outline folds back (test_rigid.py).
+#: Where one pose has one roll: a flange of 70 deg on a radius above 2 arms / tan(70 deg) has several, and
+#: beyond 0.093 rad of yaw the outline folds back (test_rigid.py).
 LARGEST_RADIUS = 0.54   # [m]
 LARGEST_YAW = 0.09      # [rad]
-#: Loads below this are less than a contact's place, known to 1e-12 m, tells of their patches: 1 kN sinks in by 5e-6 m.
+#: Loads below this are less than a contact's place, known to 1e-12 m, tells of their patches:
+#: 1 kN sinks in by 5e-6 m.
 HEAVY = 1e3             # [N]
-#: Under more a wheel can stand deeper in a rail's corner than elastic contact allows, and it is chance whether one is found.
+#: Under more a wheel can stand deeper in a rail's corner than elastic contact allows, and it is chance
+#: whether one is found.
 HEAVIEST = 3e5          # [N]
-#: A contact that moves farther under a small change has jumped, or stands on profiles that are conformal to a nanometre.
+#: A contact that moves farther under a small change has jumped, or stands on profiles that are
+#: conformal to a nanometre.
 JUMPED = 1e-7           # [m]
-#: The vertical load is met region by region, and added up again from the patches and their normals, to this, relative.
+#: The vertical load is met region by region, and added up again from the patches and their
+#: normals, to this, relative.
 VERTICAL = 1e-6
 
 
@@ -56,7 +60,7 @@ def numbers(table, names=NAMES):
     return np.array([[getattr(getattr(table, side), name) for name in names] for side, _ in SIDES])
 
 
-def differences(one, other, factors=(1.0,) * len(NAMES)):
+def differences(one, other, factors=1.0):
     """Largest relative difference of each pose's NAMES (n,), ``one``'s times ``factors``; zeros agree."""
     a, b = numbers(one) * np.reshape(factors, (1, -1, 1)), numbers(other)
     return (np.abs(a - b) / np.where(b == 0.0, 1.0, np.abs(b))).max(axis=(0, 1))
@@ -85,7 +89,8 @@ LENGTHS = {"gauge": 1.435, "gauge_depth": 0.014, "running_circle_distance": 1.5,
 def larger_zone(zone):
     k = LARGER
     if isinstance(zone, Arc):
-        return Arc(k * zone.start, k * zone.stop, k * zone.radius, k * zone.y_centre, k * zone.z_centre, zone.side)
+        return Arc(k * zone.start, k * zone.stop, k * zone.radius, k * zone.y_centre, k * zone.z_centre,
+                   zone.side)
     coefficients = tuple(c * k ** (1 - i) for i, c in enumerate(zone.coefficients))
     return type(zone)(k * zone.start, k * zone.stop, coefficients, k * zone.origin)
 

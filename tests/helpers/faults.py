@@ -14,7 +14,8 @@ from wrcontact.profiles import standard_profile
 from wrcontact.storage import atomic
 
 WRITER = Path(atomic.__file__)
-needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="signals, limits and devices are those of Linux")
+needs_linux = pytest.mark.skipif(sys.platform != "linux",
+                                 reason="signals, limits and devices are those of Linux")
 
 
 def parts_in(folder):
@@ -25,7 +26,8 @@ def parts_in(folder):
 def cli(*words, **settings):
     """The command line in a process of its own, running."""
     command = [sys.executable, "-c", "from wrcontact.cli import main; main()", *map(str, words)]
-    return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **settings)
+    return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            **settings)
 
 
 @contextlib.contextmanager
@@ -46,7 +48,8 @@ def assert_files_are_whole(folder):
         content = file.read_bytes()
         if file.suffix == ".csv":
             rows = content.decode().splitlines()
-            assert content.endswith(b"\n") and len({row.count(",") for row in rows if '"' not in row}) == 1, file
+            assert (content.endswith(b"\n")
+                    and len({row.count(",") for row in rows if '"' not in row}) == 1), file
         elif file.suffix == ".png":
             assert content.endswith(b"IEND\xaeB`\x82"), file
         elif file.suffix == ".fmu":
@@ -62,13 +65,15 @@ def fmpy_finds_nothing(file):
     return validate_fmu(str(file)) == []
 
 
-BUILD = "import sys; from wrcontact.fmu.native import build_native_fmus as build; print(*build(sys.argv[1], cache=sys.argv[2]))"
+BUILD = ("import sys; from wrcontact.fmu.native import build_native_fmus as build; "
+         "print(*build(sys.argv[1], cache=sys.argv[2]))")
 
 
 def building(folder, cache, **settings):
     """A process that builds the native FMUs."""
     command = [sys.executable, "-c", BUILD, str(folder), str(cache)]
-    return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **settings)
+    return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            **settings)
 
 
 def points_of(name):

@@ -67,7 +67,8 @@ class Instance:
         variables, slave = self.fmu.variables, self.slave
         chosen = [variables[n] for n in names] or [v for v in variables.values() if v.causality == "output"]
         found = {}
-        for kind, get_values in (("Real", slave.getReal), ("Integer", slave.getInteger), ("String", slave.getString)):
+        for kind, get_values in (("Real", slave.getReal), ("Integer", slave.getInteger),
+                                 ("String", slave.getString)):
             some = [v for v in chosen if v.type == kind]
             if some:
                 found.update(zip((v.name for v in some), get_values([v.valueReference for v in some])))

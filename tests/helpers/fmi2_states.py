@@ -32,7 +32,8 @@ def saved_states(fmu, rows, names, start):
     damaged[len(damaged) // 2] ^= 1
     present = other.get()
     other.told()
-    refusals = [refused(set_state_from, other.slave, bytes(bad)) for bad in (damaged, saved[:-8], b"", saved + b"x")]
+    refusals = [refused(set_state_from, other.slave, bytes(bad))
+                for bad in (damaged, saved[:-8], b"", saved + b"x")]
     kept = other.get() == present
     other.step(**rows[0])
     return {
@@ -62,8 +63,8 @@ def _go_on(instance, rows):
 
 
 def damaged_states(fmu, rows, seed, count, foreign=()):
-    """Bytes that are no state of this FMU, each offered to a running instance: how many, which were accepted or told in other
-    than one sentence, and whether the instance went on as one that was left alone."""
+    """Bytes that are no state of this FMU, each offered to a running instance: how many, which were accepted
+    or told in other than one sentence, and whether the instance went on as one that was left alone."""
     one, other = fmu.running("one"), fmu.running("other")
     for row in rows[:3]:
         one.step(**row), other.step(**row)
@@ -77,10 +78,11 @@ def damaged_states(fmu, rows, seed, count, foreign=()):
         if not refused(set_state_from, one.slave, bad):
             wrong.append([name, "accepted"])
         lines = [line[-1] for line in one.told() if line[1]]
-        if len(lines) > 1 or not all("the saved state" in line and "the present state is kept" in line for line in lines):
+        if (len(lines) > 1
+            or not all("the saved state" in line and "the present state is kept" in line for line in lines)):
             wrong.append([name, lines])
-    return {"count": len(cases), "wrong": wrong[:5], "equal": _go_on(one, rows[3:]) == _go_on(other, rows[3:]),
-            "saved": saved.hex()}
+    return {"count": len(cases), "wrong": wrong[:5],
+            "equal": _go_on(one, rows[3:]) == _go_on(other, rows[3:]), "saved": saved.hex()}
 
 
 def forked(fmu, rows):
@@ -98,7 +100,8 @@ def forked(fmu, rows):
     os.close(outlet)
     with open(inlet) as pipe:
         child = json.load(pipe)
-    command = [sys.executable, str(Path(__file__).with_name("fmu_process.py")), "spawned", str(fmu.file), fmu.folder + " spawned"]
+    command = [sys.executable, str(Path(__file__).with_name("fmu_process.py")), "spawned", str(fmu.file),
+               fmu.folder + " spawned"]
     spawned = subprocess.run(command, input=json.dumps({"rows": rows[3:], "saved": saved.hex()}), text=True,
                              capture_output=True, check=True)
     return {"parent": _go_on(instance, rows[3:]), "child": child, "spawned": json.loads(spawned.stdout)}

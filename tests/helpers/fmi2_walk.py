@@ -35,7 +35,8 @@ def endurance(fmu, steps):
 
 
 def walk(fmu, seed, steps, resumed=False):
-    """A random walk, now and then going on from a saved state: what was seen on it, as native_host.c's walks."""
+    """A random walk, now and then going on from a saved state: what was seen on it, as
+    native_host.c's walks."""
     instance, elsewhere = fmu.running(logging=False), Walker(~seed % 2**64)
     reference = {name: variable.valueReference for name, variable in fmu.variables.items()}
     reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"]
@@ -72,17 +73,18 @@ def walk(fmu, seed, steps, resumed=False):
             highest[half] = list(values) if first else list(map(max, highest[half], values))
         if 10 * k >= steps and k % 1000 == 0:
             sizes.append(resident())
-    kept = {"home": list((c_double * len(reals)).from_buffer_copy(home)), "low": lowest[0], "high": highest[0],
-            "late_low": lowest[1], "late_high": highest[1]}
-    return {**seen, **kept, "steps": steps, "first_bad": first_bad, "last": walker.at, "digest": digest.hexdigest(),
-            "resident": [sizes[0], min(sizes), max(sizes)]}
+    kept = {"home": list((c_double * len(reals)).from_buffer_copy(home)), "low": lowest[0],
+            "high": highest[0], "late_low": lowest[1], "late_high": highest[1]}
+    return {**seen, **kept, "steps": steps, "first_bad": first_bad, "last": walker.at,
+            "digest": digest.hexdigest(), "resident": [sizes[0], min(sizes), max(sizes)]}
 
 
 PARTING = 500  # steps from one saved state of a walk to the next, in the mean
 
 
 def part(fmu, instance, elsewhere):
-    """The instance that goes on from the saved state: this one after steps elsewhere or a reset, or another one."""
+    """The instance that goes on from the saved state: this one after steps elsewhere or a
+    reset, or another one."""
     slave, kind = instance.slave, int(1.5 + 1.5 * elsewhere.draw())
     state = slave.getFMUstate()
     if kind < 2:

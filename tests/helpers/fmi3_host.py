@@ -4,8 +4,8 @@ import fmpy
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
 
-TYPES = {"Float64": ("setFloat64", "getFloat64"), "Int32": ("setInt32", "getInt32"), "String": ("setString", "getString"),
-         "UInt64": ("setUInt64", "getUInt64")}
+TYPES = {"Float64": ("setFloat64", "getFloat64"), "Int32": ("setInt32", "getInt32"),
+         "String": ("setString", "getString"), "UInt64": ("setUInt64", "getUInt64")}
 
 
 class Fmu:
@@ -58,14 +58,17 @@ class Instance:
             getattr(self.slave, TYPES[variable.type][0])([variable.valueReference], [value])
 
     def get(self, *names):
-        """Values of the named variables, elements of arrays under their own names; of all outputs if there is no name."""
-        chosen = [self.fmu.variables[n] for n in names] or [v for v in self.fmu.variables.values() if v.causality == "output"]
+        """Values of the named variables, elements of arrays under their own names; of all
+        outputs if there is no name."""
+        chosen = ([self.fmu.variables[n] for n in names]
+                  or [v for v in self.fmu.variables.values() if v.causality == "output"])
         found = {}
         for v in chosen:
             count = self.stations if v.dimensions else 1
             values = getattr(self.slave, TYPES[v.type][1])([v.valueReference], nValues=count)
             values = [value.decode() if isinstance(value, bytes) else value for value in values]
-            found.update({f"{v.name}[{k + 1}]": value for k, value in enumerate(values)} if v.dimensions else {v.name: values[0]})
+            found.update({f"{v.name}[{k + 1}]": value for k, value in enumerate(values)} if v.dimensions
+                         else {v.name: values[0]})
         return found
 
     def step(self, size=1e-3, **inputs):
@@ -92,5 +95,6 @@ def go_on(instance, rows):
     seen = []
     for row in rows:
         instance.step(**row)
-        seen.append({name: value if isinstance(value, str) else float(value).hex() for name, value in instance.get().items()})
+        seen.append({name: value if isinstance(value, str) else float(value).hex()
+                     for name, value in instance.get().items()})
     return seen

@@ -3,6 +3,7 @@
 import math
 
 import fmpy
+
 from fmi3_host import go_on, refused
 
 
@@ -14,7 +15,8 @@ def outlines(fmu, stations, rows):
         for number, instance in instances.items():
             instance.step(**row)
             seen[number].append(instance.get())
-    return {"seen": [seen[number] for number in stations], "alone": [alone(fmu, number, rows) for number in stations]}
+    return {"seen": [seen[number] for number in stations],
+            "alone": [alone(fmu, number, rows) for number in stations]}
 
 
 def alone(fmu, stations, rows):
@@ -28,8 +30,8 @@ def alone(fmu, stations, rows):
 
 
 def stations_again(fmu, stations, other, rows):
-    """Bits of a run, of the same from a saved state, and of the same in an instance that had another number of stations; and
-    an outline before and after a step that is not possible, and after going back to that."""
+    """Bits of a run, of the same from a saved state, and of the same in an instance that had another number
+    of stations; and an outline before and after a step that is not possible, and after going back to that."""
     one, elsewhere = fmu.running(stations), fmu.running(other)
     for row in rows[:10]:
         one.step(**row)
@@ -102,12 +104,14 @@ def configuration(fmu):
     slave.reset()
     slave.enterInitializationMode()
     instance.stations = 31
-    return {"calls": answers, "kept": kept, "after": after, "running": running, "reset": reset, "again": again,
-            "fresh": fmu.running().get(), "twice": instance.get("left.station"), "log": instance.told()}
+    return {"calls": answers, "kept": kept, "after": after, "running": running, "reset": reset,
+            "again": again, "fresh": fmu.running().get(), "twice": instance.get("left.station"),
+            "log": instance.told()}
 
 
 def simulated_stations(fmu, stations, row):
-    """Outlines by simulate_fmu, with an instance that was configured; fmpy takes the shapes from the description."""
+    """Outlines by simulate_fmu, with an instance that was configured; fmpy takes the shapes
+    from the description."""
     description = fmpy.read_model_description(fmu.folder)
     names = [v.name for v in description.modelVariables if v.dimensions]
     for v in description.modelVariables:
@@ -117,6 +121,6 @@ def simulated_stations(fmu, stations, row):
     slave.enterConfigurationMode()
     slave.setUInt64([fmu.variables["stations"].valueReference], [stations])
     slave.exitConfigurationMode()
-    result = fmpy.simulate_fmu(fmu.folder, model_description=description, fmu_instance=slave, output=names, start_values=row,
-                               stop_time=1e-3, output_interval=1e-3)
+    result = fmpy.simulate_fmu(fmu.folder, model_description=description, fmu_instance=slave, output=names,
+                               start_values=row, stop_time=1e-3, output_interval=1e-3)
     return {name: result[name][-1].tolist() for name in names}

@@ -1,6 +1,6 @@
 """Runs one scenario with an FMU in a process of its own and prints what it saw as JSON.
 
-    python fmu_process.py <scenario> <FMU> <folder for unpacking>   (further arguments: JSON on standard input)
+    python fmu_process.py <scenario> <FMU> <folder for unpacking> (further arguments: JSON on standard input)
 
 The host's own wrcontact is shut out: what answers is the code in the FMU.
 """
@@ -18,9 +18,10 @@ from shut_out import shut_out
 
 shut_out()      # ahead of all that an FMU could find loaded
 
+import fmpy  # noqa: E402
+
 import fmi2_states  # noqa: E402
 import fmi2_walk  # noqa: E402
-import fmpy  # noqa: E402
 from fmi2_host import Fmu, refused  # noqa: E402
 
 
@@ -32,7 +33,8 @@ def first_instant(fmu, start=None):
     instance.set(**(start or {}))
     inside = instance.get()
     instance.slave.exitInitializationMode()
-    return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get(), "modules": modules()}
+    return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get(),
+            "modules": modules()}
 
 
 def modules():
@@ -52,7 +54,8 @@ def trajectory(fmu, rows, names, start=None):
 
 
 def simulated(fmu, rows, times, names):
-    """The same by simulate_fmu: inputs hold from one instant to the next, results are those at the end of each step."""
+    """The same by simulate_fmu: inputs hold from one instant to the next, results are those
+    at the end of each step."""
     import numpy as np
 
     rest = {v.name: float(v.start) for v in fmu.description.modelVariables if v.causality == "input"}
@@ -84,7 +87,8 @@ def outcomes(fmu, cases, start=None, valid=None):
         again = instance.told()
         instance.step(**valid)
         after, rest = instance.get(), instance.told()
-        answers[name] = {"before": before, "during": during, "log": log, "again": again, "after": after, "rest": rest}
+        answers[name] = {"before": before, "during": during, "log": log, "again": again, "after": after,
+                         "rest": rest}
     return answers
 
 
@@ -121,7 +125,8 @@ def localised(fmu, locale_name, inner, arguments):
 
 
 def derivatives(fmu, rows, outputs, inputs, start):
-    """Directional derivatives after steps, with whether the instance stayed as it was; and which calls are refused."""
+    """Directional derivatives after steps, with whether the instance stayed as it was; and
+    which calls are refused."""
     instance, seen = fmu.running(**start), []
     slave, reference = instance.slave, {v.name: v.valueReference for v in fmu.variables.values()}
     unknowns, knowns = ([reference[name] for name in names] for names in (outputs, inputs))
@@ -134,9 +139,10 @@ def derivatives(fmu, rows, outputs, inputs, start):
         seen.append({"matrix": found, "kept": slave.serializeFMUstate(again) == before})
         slave.freeFMUstate(state)
         slave.freeFMUstate(again)
-    calls = {"parameter": (unknowns, [reference["gauge"]]), "output as known": (unknowns, [reference["roll"]]),
-             "input as unknown": ([reference["yaw"]], knowns[:1]), "integer": ([reference["status"]], knowns[:1]),
-             "unknown reference": ([4711], knowns[:1])}
+    calls = {"parameter": (unknowns, [reference["gauge"]]),
+             "output as known": (unknowns, [reference["roll"]]),
+             "input as unknown": ([reference["yaw"]], knowns[:1]),
+             "integer": ([reference["status"]], knowns[:1]), "unknown reference": ([4711], knowns[:1])}
     del instance.log[:]
     answers = {}
     for name, (one, other) in calls.items():
@@ -161,7 +167,8 @@ def several(fmu, others, rows, shared):
         for library in Path(one.folder, "binaries").glob("*/*.so"):
             ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
     made = {name: one.running(name) for name, one in fmus.items()}
-    seen = {name: {"seen": [], "rail": instance.get("rail_profile")["rail_profile"]} for name, instance in made.items()}
+    seen = {name: {"seen": [], "rail": instance.get("rail_profile")["rail_profile"]}
+            for name, instance in made.items()}
     for row in rows:
         for name, instance in made.items():
             instance.step(**row)
@@ -170,7 +177,8 @@ def several(fmu, others, rows, shared):
 
 
 def refusals(fmu, cases):
-    """Wrong parameters: whether initialisation fails, what the log says, and whether the FMU works afterwards."""
+    """Wrong parameters: whether initialisation fails, what the log says, and whether
+    the FMU works afterwards."""
     answers = {}
     for name, start in cases.items():
         instance = fmu.instance(name)
@@ -203,7 +211,8 @@ def misuse(fmu):
     unready.step()
     instance.step(lateral_shift=1e-3)
     after = instance.get("status", "roll")
-    return {"refused": answers, "unready": unready.get("status"), "unready_log": unready.told(), "after": after}
+    return {"refused": answers, "unready": unready.get("status"), "unready_log": unready.told(),
+            "after": after}
 
 
 def illegal(fmu, cases):
@@ -233,8 +242,8 @@ if __name__ == "__main__":
     scenario, file, folder = sys.argv[1:]
     answer = scenario_of(scenario)(Fmu(file, folder), **json.load(sys.stdin))
     print(json.dumps(answer), flush=True)
-    # PythonFMU's binary reads and writes memory that it has freed when the process ends (its exit handler follows the
-    # destructor of what it uses; PythonFMU issue 228), which now and then aborts the process after all is done.  Every
-    # check is in the answer, so leave without exit handlers.
+    # PythonFMU's binary reads and writes memory that it has freed when the process ends (its exit handler
+    # follows the destructor of what it uses; PythonFMU issue 228), which now and then aborts the process
+    # after all is done. Every check is in the answer, so leave without exit handlers.
     sys.stderr.flush()
     os._exit(0)

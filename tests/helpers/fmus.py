@@ -30,7 +30,8 @@ WARM_START = 1e-7   # [relative] what the warm start leaves: other iterations, s
 def run_scenario(scenario, file, folder, arguments):
     """A scenario in a fresh process that is not in this repository."""
     command = [sys.executable, str(HELPERS / "fmu_process.py"), scenario, str(file), str(folder)]
-    settings = {"capture_output": True, "text": True, "encoding": "utf-8", "cwd": folder.parent, "timeout": 600}
+    settings = {"capture_output": True, "text": True, "encoding": "utf-8", "cwd": folder.parent,
+                "timeout": 600}
     done = subprocess.run(command, input=json.dumps(arguments), **settings)
     assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
     return json.loads(done.stdout)
@@ -41,7 +42,8 @@ def evaluated(inputs, stepper=None):
     stepper = stepper or ContactSystem().stepper()
     stepper.inputs[:] = [inputs.get(v.name, v.start) for v in VARIABLES[: len(INPUT_NAMES)]]
     status = stepper.step()
-    outputs = dict(zip((v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]), stepper.outputs.tolist()))
+    outputs = dict(zip((v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]),
+                       stepper.outputs.tolist()))
     return {**outputs, "status": status}
 
 
@@ -62,14 +64,16 @@ def has_compiler():
         return False
 
 
-needs_compiler = pytest.mark.skipif(not has_compiler(), reason="a native FMU is built by a C compiler, and none is here")
+needs_compiler = pytest.mark.skipif(not has_compiler(),
+                                    reason="a native FMU is built by a C compiler, and none is here")
 
 
 def session(lines=None, **start):
     """The session that the Python FMU runs, initialised."""
     made = Session(tell=(lambda sentence: None) if lines is None else lines.append)
     for name, value in start.items():
-        (made.set_strings if VARIABLES[REFERENCE[name]].type == STRING else made.set_reals)([REFERENCE[name]], [value])
+        (made.set_strings if VARIABLES[REFERENCE[name]].type == STRING
+         else made.set_reals)([REFERENCE[name]], [value])
     made.start()
     return made
 
@@ -79,7 +83,8 @@ def stepped(made, row):
     made.set_reals([REFERENCE[name] for name in row], list(row.values()))
     made.step()
     reals = [v.name for v in VARIABLES[variables.FIRST_OUTPUT:variables.STATUS]]
-    return {**dict(zip(reals, made._values[variables.FIRST_OUTPUT:variables.STATUS].tolist())), "status": made.status}
+    return {**dict(zip(reals, made._values[variables.FIRST_OUTPUT:variables.STATUS].tolist())),
+            "status": made.status}
 
 
 def header_functions(version):
@@ -92,8 +97,9 @@ def header_functions(version):
 
 def unpacked_library(fmu, version, folder):
     place = PLATFORMS[host_platform()]
+    inside = place.fmi2 if version == 2 else place.name
     with zipfile.ZipFile(fmu) as archive:
-        return Path(archive.extract(f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}", folder))
+        return Path(archive.extract(f"binaries/{inside}/WheelsetContact{place.suffix}", folder))
 
 
 def measured(name, file, step=1e-4):
@@ -108,8 +114,8 @@ def measured(name, file, step=1e-4):
 def outputs_of(script, fmu, folder, rows, start=None):
     """Outputs over rows of inputs, by fmu_process.py or native_process.py in a fresh process."""
     given = json.dumps({"rows": rows, "names": OUTPUT_NAMES, "start": start or {}})
-    done = subprocess.run([sys.executable, str(HELPERS / script), "trajectory", str(fmu), str(folder)], input=given, text=True,
-                          capture_output=True, encoding="utf-8", timeout=600)
+    done = subprocess.run([sys.executable, str(HELPERS / script), "trajectory", str(fmu), str(folder)],
+                          input=given, text=True, capture_output=True, encoding="utf-8", timeout=600)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)["seen"]
 
@@ -121,4 +127,5 @@ def outline_of_both(values):
             for side in ("left", "right") for name in ("station", "half_length", "pressure")}
 
 
-needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux", reason="no compiler for glibc here")
+needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux",
+                                 reason="no compiler for glibc here")

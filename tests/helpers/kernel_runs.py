@@ -31,18 +31,20 @@ np.save(sys.argv[2], np.array(rows))
 
 
 def run_steps(rows, folder, *, choice, package=PACKAGE, **parameters):
-    """[status, outputs] of each pose, from a fresh process in which ``package`` runs the ``choice`` of kernel."""
+    """[status, outputs] of each pose, from a fresh process in which ``package`` runs the
+    ``choice`` of kernel."""
     np.save(folder / "poses.npy", rows)
-    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy", folder / "steps.npy",
-                       json.dumps(parameters))
+    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy",
+                       folder / "steps.npy", json.dumps(parameters))
     assert child.returncode == 0, child.stderr
     return np.load(folder / "steps.npy")
 
 
 def run_python(code, path, choice, *arguments):
     """Run ``code`` with ``path`` in front of the module path, away from this checkout."""
-    return subprocess.run([sys.executable, "-W", "always", "-c", code, *map(str, arguments)], cwd=path, text=True,
-                          capture_output=True, env={**os.environ, "PYTHONPATH": str(path), "WRCONTACT_KERNEL": choice})
+    return subprocess.run([sys.executable, "-W", "always", "-c", code, *map(str, arguments)], cwd=path,
+                          text=True, capture_output=True,
+                          env={**os.environ, "PYTHONPATH": str(path), "WRCONTACT_KERNEL": choice})
 
 
 def bits(array):

@@ -1,6 +1,8 @@
-"""Runs one scenario with an FMU of FMI 3 in a process of its own and prints what it saw as JSON, as fmu_process.py for FMI 2.
+"""Runs one scenario with an FMU of FMI 3 in a process of its own and prints what it saw as JSON, as
+fmu_process.py for FMI 2.
 
-    python native_process.py <scenario> <FMU> <folder for unpacking>   (further arguments: JSON on standard input)
+    python native_process.py <scenario> <FMU> <folder for unpacking> (further
+    arguments: JSON on standard input)
 """
 
 import json
@@ -8,8 +10,9 @@ import math
 import sys
 from ctypes import c_double, c_size_t, c_uint32
 
-import fmi3_stations
 import fmpy
+
+import fmi3_stations
 from damages import damages
 from fmi3_host import Fmu, Instance, go_on, refused
 
@@ -39,7 +42,8 @@ def damaged_states(fmu, rows, seed, count, foreign=()):
         one.told()
         accepted = not refused(one.slave.deserializeFMUState, bad)
         lines = [line for _, line in one.told()]
-        if accepted or len(lines) != 1 or "the saved state" not in lines[0] or "the present state is kept" not in lines[0]:
+        if (accepted or len(lines) != 1 or "the saved state" not in lines[0]
+            or "the present state is kept" not in lines[0]):
             wrong.append([name, accepted, lines])
     equal = []
     for instance in (one, other):
@@ -67,8 +71,8 @@ def simulated(fmu, rows, times, names):
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)],
                        dtype=[(name, "f8") for name in ("time", *rows[0])])
     interval = (times[-1] - times[0]) / (len(times) - 1)
-    result = fmpy.simulate_fmu(fmu.folder, input=signals, output=names, start_time=times[0], stop_time=times[-1],
-                               output_interval=interval)
+    result = fmpy.simulate_fmu(fmu.folder, input=signals, output=names, start_time=times[0],
+                               stop_time=times[-1], output_interval=interval)
     return {"seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
 
 
@@ -86,7 +90,8 @@ def situations(fmu, start, cases):
 
 
 def refusals(fmu, cases):
-    """Wrong parameters: whether initialisation fails, what the log says, and whether the FMU works afterwards."""
+    """Wrong parameters: whether initialisation fails, what the log says, and whether
+    the FMU works afterwards."""
     answers = {}
     for name, start in cases.items():
         instance = fmu.instance()
@@ -102,7 +107,8 @@ def refusals(fmu, cases):
 
 
 def state_again(fmu, rows):
-    """Bits of a run, of the same from a saved state, and of the same in another instance; every input is met twice."""
+    """Bits of a run, of the same from a saved state, and of the same in another instance;
+    every input is met twice."""
     rows = [row for row in rows for _ in range(2)]
     one, other = fmu.running(), fmu.instance()
     for row in rows[:11]:
@@ -154,9 +160,10 @@ def misuse(fmu):
         "left twice": lambda: slave.exitInitializationMode(),
         "configuration": lambda: raw("fmi3EnterConfigurationMode"),
         "events": lambda: raw("fmi3EnterEventMode"),
-        "derivative": lambda: raw("fmi3GetDirectionalDerivative", two, c_size_t(1), two, c_size_t(1), values, c_size_t(1),
-                                  values, c_size_t(1)),
-        "output derivative": lambda: raw("fmi3GetOutputDerivatives", two, c_size_t(1), None, values, c_size_t(1)),
+        "derivative": lambda: raw("fmi3GetDirectionalDerivative", two, c_size_t(1), two, c_size_t(1), values,
+                                  c_size_t(1), values, c_size_t(1)),
+        "output derivative": lambda: raw("fmi3GetOutputDerivatives", two, c_size_t(1), None, values,
+                                         c_size_t(1)),
         "category": lambda: slave.setDebugLogging(True, ["everything"]),
     }
     instance.told()
@@ -175,13 +182,14 @@ def misuse(fmu):
 
 
 def derivatives(fmu, rows, outputs, inputs, stations, start):
-    """Directional and adjoint derivatives after steps and in initialisation mode, each with whether the instance stayed as it
-    was; and which calls are refused, each with its log lines."""
+    """Directional and adjoint derivatives after steps and in initialisation mode, each with whether the
+    instance stayed as it was; and which calls are refused, each with its log lines."""
     unknowns, knowns = ([fmu.variables[name].valueReference for name in names] for names in (outputs, inputs))
     count = sum(stations if fmu.variables[name].dimensions else 1 for name in outputs)
 
     def matrix(slave):
-        return [slave.getDirectionalDerivative(unknowns, [known], [1.0], nSensitivity=count) for known in knowns]
+        return [slave.getDirectionalDerivative(unknowns, [known], [1.0], nSensitivity=count)
+                for known in knowns]
 
     def saved(slave):
         state = slave.getFMUState()
@@ -194,8 +202,10 @@ def derivatives(fmu, rows, outputs, inputs, stations, start):
         instance.step(**row)
         before, values = saved(instance.slave), instance.get()
         found = matrix(instance.slave)
-        together = instance.slave.getDirectionalDerivative(unknowns, knowns, [1.0] * len(knowns), nSensitivity=count)
-        adjoint = instance.slave.getAdjointDerivative(unknowns, knowns, [1.0] * count, nSensitivity=len(knowns))
+        together = instance.slave.getDirectionalDerivative(unknowns, knowns, [1.0] * len(knowns),
+                                                           nSensitivity=count)
+        adjoint = instance.slave.getAdjointDerivative(unknowns, knowns, [1.0] * count,
+                                                      nSensitivity=len(knowns))
         kept = saved(instance.slave) == before and instance.get() == values
         seen.append({"matrix": found, "together": together, "adjoint": adjoint, "kept": kept})
     early = fmu.instance()
@@ -207,16 +217,20 @@ def derivatives(fmu, rows, outputs, inputs, stations, start):
     slave, reference = instance.slave, {v.name: v.valueReference for v in fmu.variables.values()}
     fresh = fmu.instance(log=instance.log).slave
     calls = {
-        "parameter": lambda: slave.getDirectionalDerivative(unknowns, [reference["gauge"]], [1.0], nSensitivity=count),
-        "output as known": lambda: slave.getDirectionalDerivative(unknowns, [reference["roll"]], [1.0], nSensitivity=count),
+        "parameter": lambda: slave.getDirectionalDerivative(unknowns, [reference["gauge"]], [1.0],
+                                                            nSensitivity=count),
+        "output as known": lambda: slave.getDirectionalDerivative(unknowns, [reference["roll"]], [1.0],
+                                                                  nSensitivity=count),
         "input as unknown": lambda: slave.getDirectionalDerivative([reference["yaw"]], knowns[:1], [1.0]),
         "integer": lambda: slave.getDirectionalDerivative([reference["status"]], knowns[:1], [1.0]),
         "time": lambda: slave.getDirectionalDerivative(unknowns, [1], [1.0], nSensitivity=count),
         "stations": lambda: slave.getDirectionalDerivative(unknowns, [2], [1.0], nSensitivity=count),
         "unknown reference": lambda: slave.getDirectionalDerivative([4711], knowns[:1], [1.0]),
-        "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count - 1),
+        "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0],
+                                                                        nSensitivity=count - 1),
         "too many seeds": lambda: slave.getAdjointDerivative(unknowns, knowns[:1], [1.0] * (count + 1)),
-        "not a number": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [math.nan], nSensitivity=count),
+        "not a number": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [math.nan],
+                                                               nSensitivity=count),
         "too early": lambda: fresh.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count),
     }
     instance.told()

@@ -1,7 +1,9 @@
-"""Calls a native FMU's library as C does, past the checks of an importer's own wrappers, and prints what it saw as JSON.
+"""Calls a native FMU's library as C does, past the checks of an importer's own wrappers, and
+prints what it saw as JSON.
 
-    python native_raw.py <version of FMI> <library> <folder of FMI headers>     (JSON on standard input: "token", and the
-                                                                                "references" of the variables by name)
+    python native_raw.py <version of FMI> <library> <folder of FMI headers> (JSON on standard input: "token",
+                                                                                and the "references" of the
+                                                                                variables by name)
 
 Every answer is what one call returned, and the lines that it left in the log.
 """
@@ -22,22 +24,27 @@ from raw_library import ERROR, OK, Library, check_run, run, switch
 def signatures(version, headers):
     """[(function, types of its arguments)] of the standard's header: p pointer, d number, i anything else."""
     functions = Path(headers, f"fmi{version}Functions.h").read_text()
-    types = re.sub(r"/\*.*?\*/", " ", Path(headers, f"fmi{version}FunctionTypes.h").read_text(), flags=re.DOTALL)
+    types = re.sub(r"/\*.*?\*/", " ", Path(headers, f"fmi{version}FunctionTypes.h").read_text(),
+                   flags=re.DOTALL)
     found = []
-    for name in re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +fmi{version}(\w+);", functions, re.MULTILINE):
-        arguments = re.search(rf"typedef\s+[\w ]+\*?\s+fmi{version}{name}TYPE\s*\(([^)]*)\)", types)[1].split(",")
-        found.append((name, "".join(kind_of(argument) for argument in arguments if argument.strip() != "void")))
+    for name in re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +fmi{version}(\w+);", functions,
+                           re.MULTILINE):
+        arguments = re.search(rf"typedef\s+[\w ]+\*?\s+fmi{version}{name}TYPE\s*\(([^)]*)\)",
+                              types)[1].split(",")
+        found.append((name,
+                      "".join(kind_of(argument) for argument in arguments if argument.strip() != "void")))
     return found
 
 
 def kind_of(argument):
     pointers = r"[*\[]|fmi2Component|fmi3Instance|fmi\dFMU[sS]tate|fmi\dString|Callback"
-    return "p" if re.search(pointers, argument) else "d" if re.search(r"fmi2Real|fmi3Float64", argument) else "i"
+    return "p" if re.search(pointers, argument) else "d" if re.search(r"fmi2Real|fmi3Float64",
+                                                                      argument) else "i"
 
 
 #: The variable that a function's values have; there is one of it in its arguments.
-TYPED = {"GetInteger": "status", "SetInteger": "status", "GetInt32": "status", "SetInt32": "status", "GetString": "load",
-         "SetString": "load"}
+TYPED = {"GetInteger": "status", "SetInteger": "status", "GetInt32": "status", "SetInt32": "status",
+         "GetString": "load", "SetString": "load"}
 
 
 def null_pointers(fmi, headers):
@@ -51,20 +58,25 @@ def null_pointers(fmi, headers):
             continue
         answers[f"{name}, no component"] = call(fmi, name, None, kinds, "lateral_shift", none=0)
         for place in (k for k, kind in enumerate(kinds) if kind == "p" and k > 0):
-            answers[f"{name}, {place}"] = call(fmi, name, c, kinds, TYPED.get(name, "lateral_shift"), none=place)
+            answers[f"{name}, {place}"] = call(fmi, name, c, kinds, TYPED.get(name, "lateral_shift"),
+                                               none=place)
     fmi.function("FreeInstance")(None)
-    refused = {name: call(fmi, name, c, kinds, "lateral_shift", none=-1) for name, kinds in signatures(fmi.version, headers)
+    refused = {name: call(fmi, name, c, kinds, "lateral_shift", none=-1)
+               for name, kinds in signatures(fmi.version, headers)
                if name not in THERE and not name.startswith("Instantiate")}
     return {"answers": answers, "refused": refused, "after": check_run(fmi, c, wanted)}
 
 
 #: Functions that do something; all others are refused, with whatever arguments.
-THERE = {"GetVersion", "GetTypesPlatform", "FreeInstance", "SetDebugLogging", "SetupExperiment", "EnterInitializationMode",
-         "ExitInitializationMode", "Terminate", "Reset", "DoStep", "GetReal", "SetReal", "GetInteger", "SetInteger", "GetString",
-         "SetString", "GetFloat64", "SetFloat64", "GetInt32", "SetInt32", "GetRealStatus", "GetBooleanStatus",
-         *(f"{verb}FMU{word}" for verb in ("Get", "Set", "Free", "Serialize", "DeSerialize", "Deserialize", "Serialized")
+THERE = {"GetVersion", "GetTypesPlatform", "FreeInstance", "SetDebugLogging", "SetupExperiment",
+         "EnterInitializationMode", "ExitInitializationMode", "Terminate", "Reset", "DoStep", "GetReal",
+         "SetReal", "GetInteger", "SetInteger", "GetString", "SetString", "GetFloat64", "SetFloat64",
+         "GetInt32", "SetInt32", "GetRealStatus", "GetBooleanStatus",
+         *(f"{verb}FMU{word}"
+           for verb in ("Get", "Set", "Free", "Serialize", "DeSerialize", "Deserialize", "Serialized")
            for word in ("state", "State", "stateSize", "StateSize")),
-         "GetDirectionalDerivative", "GetAdjointDerivative", "EnterConfigurationMode", "ExitConfigurationMode"}
+         "GetDirectionalDerivative", "GetAdjointDerivative", "EnterConfigurationMode",
+         "ExitConfigurationMode"}
 
 
 def call(fmi, name, c, kinds, variable, none):
@@ -72,7 +84,8 @@ def call(fmi, name, c, kinds, variable, none):
     buffers = [create_string_buffer(4096) for _ in kinds]
     for buffer in buffers:
         c_uint32.from_buffer(buffer).value = fmi.references[variable]
-    arguments = [None if k == none else buffers[k] if kind == "p" else c_double(0.0) if kind == "d" else c_size_t(1)
+    arguments = [None if k == none else buffers[k] if kind == "p" else c_double(0.0) if kind == "d"
+                 else c_size_t(1)
                  for k, kind in enumerate(kinds)]
     arguments[0] = None if c is None else c_void_p(c)
     return fmi.function(name)(*arguments), fmi.told()
@@ -89,11 +102,13 @@ def legal(fmi):
         for present in PHASES:
             one = brought_to(fmi, saved)
             state, size = c_void_p(), c_size_t()
-            assert fmi.state("Get", one, byref(state)) == OK and fmi.state("Size", one, state, byref(size)) == OK
+            assert fmi.state("Get", one, byref(state)) == OK
+            assert fmi.state("Size", one, state, byref(size)) == OK
             data = create_string_buffer(size.value)
             assert fmi.state("Serialize", one, state, data, size) == OK
             other, taken = brought_to(fmi, present), c_void_p()
-            assert fmi.state("Deserialize", other, data, size, byref(taken)) == OK and fmi.state("Set", other, taken) == OK
+            assert fmi.state("Deserialize", other, data, size, byref(taken)) == OK
+            assert fmi.state("Set", other, taken) == OK
             answers[f"{saved} into {present}"] = goes_on(fmi, other, saved) == wanted
             fmi.free(one), fmi.free(other)
     return {"ahead": ahead, "then": fmi.get(c, "roll"), "phases": answers}
@@ -105,7 +120,8 @@ PHASES = ("new", "initialising", "running", "terminated")
 def brought_to(fmi, phase):
     """A component in a phase of its life."""
     c = fmi.instantiate()
-    calls = fmi.enter, *(lambda c, name=name: fmi.plain(name, c) for name in ("ExitInitializationMode", "Terminate"))
+    calls = fmi.enter, *(lambda c, name=name: fmi.plain(name, c)
+                         for name in ("ExitInitializationMode", "Terminate"))
     for call in calls[:PHASES.index(phase)]:
         assert call(c) == OK
     return c
@@ -126,15 +142,16 @@ def goes_on(fmi, c, phase):
 def creation(fmi):
     """Instances that cannot be made, and some that can with odd arguments."""
     refused = {
-        "empty name": {"name": b""}, "no name": {"name": None}, "wrong token": {"token": b"{0}"}, "no token": {"token": b""},
-        **({"model exchange": {"kind": 0}} if fmi.version == 2 else {}),
+        "empty name": {"name": b""}, "no name": {"name": None}, "wrong token": {"token": b"{0}"},
+        "no token": {"token": b""}, **({"model exchange": {"kind": 0}} if fmi.version == 2 else {}),
     }
     answers = {name: (fmi.instantiate(**options), fmi.told()) for name, options in refused.items()}
     wanted = run(fmi, fmi.ready())
-    places = (None, b"", b"/nowhere/at all", "file:///R\u00e4der & Schienen/\u8f6e\u8f68".encode(), b"%s%n", b"x" * 5000)
+    places = (None, b"", b"/nowhere/at all", "file:///R\u00e4der & Schienen/\u8f6e\u8f68".encode(), b"%s%n",
+              b"x" * 5000)
     odd = {f"resources {place!r:.30}": {"resources": place} for place in places}
-    odd |= {"other letters": {"name": "Radsatz \u00e4 \u8f6e\u5bf9 %s".encode()}, "long name": {"name": b"x" * 5000},
-            "silent": {"logging": False}}
+    odd |= {"other letters": {"name": "Radsatz \u00e4 \u8f6e\u5bf9 %s".encode()},
+            "long name": {"name": b"x" * 5000}, "silent": {"logging": False}}
     made = {}
     for name, options in odd.items():
         c = fmi.ready(**options)
@@ -152,7 +169,8 @@ def categories(fmi):
     fmi.told()
 
     def lines():
-        assert fmi.set(c, lateral_shift=math.nan) == OK and fmi.step(c) == OK and fmi.step(c, 0.0, -1.0) == ERROR
+        assert fmi.set(c, lateral_shift=math.nan) == OK and fmi.step(c) == OK
+        assert fmi.step(c, 0.0, -1.0) == ERROR
         assert fmi.set(c, lateral_shift=0.0) == OK and fmi.step(c) == OK
         return [category for _, category, _ in fmi.told()]
 
@@ -160,8 +178,9 @@ def categories(fmi):
         return switch(fmi, c, on, *names), len(fmi.told()), lines()
 
     return {"first": lines(), "all off": after(0), "warnings on": after(1, b"logStatusWarning"),
-            "unknown": after(0, b"logStatusWarning", b"logAll"), "errors on, too": after(1, b"logStatusError"),
-            "warnings off": after(0, b"logStatusWarning"), "all on": after(1)}
+            "unknown": after(0, b"logStatusWarning", b"logAll"),
+            "errors on, too": after(1, b"logStatusError"), "warnings off": after(0, b"logStatusWarning"),
+            "all on": after(1)}
 
 
 def threads(fmi, count=4, rounds=40):
@@ -181,7 +200,8 @@ def threads(fmi, count=4, rounds=40):
 
 
 def memory(fmi, rounds=300):
-    """Growth of the process [bytes] over instances that are made, misused, and freed with states that nobody has freed."""
+    """Growth of the process [bytes] over instances that are made, misused, and freed with
+    states that nobody has freed."""
     if sys.platform != "linux":
         return {}
 

@@ -4,8 +4,9 @@ import numpy as np
 
 
 def overlap(track, pose, x, abscissa):
-    """How deep the right wheel is below the rail's point at ``abscissa`` and ``x`` along the track [m], along the rail's
-    normal, broadcast; the wheel is the surface of revolution hypot(q_x, q_z) = R_0 + z(q_y), by Newton's method."""
+    """How deep the right wheel is below the rail's point at ``abscissa`` and ``x`` along the track
+    [m], along the rail's normal, broadcast; the wheel is the surface of revolution hypot(q_x, q_z) =
+    R_0 + z(q_y), by Newton's method."""
     z, slope, _ = track.rail(abscissa)
     cosine = 1 / np.sqrt(1 + slope**2)
     turn = pose.rotation()
@@ -24,7 +25,8 @@ def overlap(track, pose, x, abscissa):
 
 
 def deepest(track, pose, near, reach=1.5e-3):
-    """Largest overlap, x and abscissa [m] within ``reach`` of the rail's abscissa ``near``: grids of ever smaller cells."""
+    """Largest overlap, x and abscissa [m] within ``reach`` of the rail's abscissa ``near``:
+    grids of ever smaller cells."""
     x, y, wide, high = 0.0, near, 0.06, reach
     for _ in range(9):
         grid_x, grid_y = x + np.linspace(-wide, wide, 41)[:, None], y + np.linspace(-high, high, 41)[None, :]

@@ -1,15 +1,16 @@
 """Do the quick tests see an error in the kernel?  Plant one, run them, and see which test fails.
 
-    python -m tests.helpers.plant_errors                            all errors below; exit code 1 if one is not seen
-    python -m tests.helpers.plant_errors roll_sign hertz_power      only these
-    python -m tests.helpers.plant_errors --list                     names, places and meanings
-    python -m tests.helpers.plant_errors --random 20 --seed 1       as many at random places instead, to measure the tests
+    python -m tests.helpers.plant_errors all errors below; exit code 1 if one is not seen python -m
+    tests.helpers.plant_errors roll_sign hertz_power only these python -m tests.helpers.plant_errors --list
+    names, places and meanings python -m tests.helpers.plant_errors --random 20 --seed 1 as many at random
+    places instead, to measure the tests
 
-Needs Pyccel (``pip install ".[dev]"``) and a C compiler.  Each error is planted in a copy of the repository, never here, and
-the copy's kernel is translated and compiled as tools/transpile_kernel.py and tools/compile_kernel.py do it.  So the compiled
-kernel of a copy agrees with its source, and no test sees an error by that alone.  All copies are translated in one run of
-Pyccel: a module with an error stands there beside the others, under another name, since what it calls and what calls it is
-translated as before.  In the end the tests that have failed are run without any error, and have to pass.
+Needs Pyccel (``pip install ".[dev]"``) and a C compiler. Each error is planted in a copy of the repository,
+never here, and the copy's kernel is translated and compiled as tools/transpile_kernel.py and
+tools/compile_kernel.py do it. So the compiled kernel of a copy agrees with its source, and no test sees an
+error by that alone. All copies are translated in one run of Pyccel: a module with an error stands there
+beside the others, under another name, since what it calls and what calls it is translated as before. In the
+end the tests that have failed are run without any error, and have to pass.
 """
 
 import argparse
@@ -30,44 +31,51 @@ from pathlib import Path
 
 from tests.helpers.paths import ROOT, TESTS
 
-#: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room ``first`` run before all others.
-#: ``module`` is the flat name of the file; without it the file is the one in which ``old`` occurs.
+#: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room
+#: ``first`` run before all others. ``module`` is the flat name of the file; without it the
+#: file is the one in which ``old`` occurs.
 Error = namedtuple("Error", "name old new meaning first module", defaults=[""])
 
 ERRORS = [
-    Error("roll_sign", "difference = work.sides[1].best - work.sides[0].best\n    rate",
-          "difference = work.sides[1].best + work.sides[0].best\n    rate",
+    Error("roll_sign", "difference = sides[1].best - sides[0].best\n    rate",
+          "difference = sides[1].best + sides[0].best\n    rate",
           "a sign in the equation of the roll", "search"),
-    Error("missed_minimum", "    march(tables, work, side, place, at, state, node, -1)",
-          "    march(tables, work, side, place, at, state, node, 1)",
+    Error("missed_minimum", "    walk(tables, side, state, node, -1, 0)",
+          "    walk(tables, side, state, node, 1, 1)",
           "the gap is searched to one side only: a minimum on the other is missed", "search"),
     Error("stale_minima", "if known == 1 and before_left ==", "if known == 1 or before_left ==",
           "the minima of the step before are taken though the search has found a smaller one", "search"),
-    Error("stale_outputs", "workspace.known = 0.0", "workspace.known = 1.0",
+    Error("stale_outputs", "workspace.known = False", "workspace.known = True",
           "after a step that failed, its inputs count as those of the outputs", "wheelset"),
     Error("swapped_loads", "sign = float(2 * index - 1)", "sign = float(1 - 2 * index)",
           "load is transferred to the other side", "normal"),
-    Error("mirror_yaw", "to.sin_yaw = -at.sin_yaw", "to.sin_yaw = at.sin_yaw", "the left wheel is mirrored without its yaw", "search"),
+    Error("mirror_yaw", "to.sin_yaw = -at.sin_yaw", "to.sin_yaw = at.sin_yaw",
+          "the left wheel is mirrored without its yaw", "search"),
     Error("yaw_term", "(around * around / r - bend * e2 * e2) / steep", "around * around / (r * steep)",
           "the longitudinal curvature lacks its term of yaw", "normal"),
     Error("wrong_profile", "(tables.rail_curvature, abscissa)", "(tables.wheel_curvature, abscissa)",
           "the rail's curvature is read in the wheel's table", "contact"),
     Error("off_profile", "    if fabs(mismatch) >= PARALLEL:", "    if fabs(mismatch) >= 1e9:",
           "a wheel on the end of a profile is not reported by its status", "search"),
-    Error("hertz_power", "stiffness)) ** (2.0 / 3.0)", "stiffness)) ** (3.0 / 4.0)", "the power 3/4 for Hertz's 2/3", "normal"),
+    Error("hertz_power", "stiffness)) ** (2.0 / 3.0)", "stiffness)) ** (3.0 / 4.0)",
+          "the power 3/4 for Hertz's 2/3", "normal"),
     Error("hertz_cell", "at = base + TABLE_CELLS + TABLE_ROW * cell + column",
-          "at = base + TABLE_CELLS + TABLE_ROW * (cell + 1) + column", "Hertz's table is read one cell too far", "normal"),
-    Error("analyn_axes", "beta = table_value(tables.raw, base, 0, log(A / side))", "beta = table_value(tables.raw, base, 0, log(side / A))",
+          "at = base + TABLE_CELLS + TABLE_ROW * (cell + 1) + column",
+          "Hertz's table is read one cell too far", "normal"),
+    Error("analyn_axes", "beta = table_value(tables.raw, base, 0, log(A / side))",
+          "beta = table_value(tables.raw, base, 0, log(side / A))",
           "ANALYN's 1 + beta is taken for the other axis", "normal"),
-    Error("last_node", "region.last = after", "region.last = after - 1", "a region ends one node early", "normal"),
-    Error("isolated_patches", "    result *= planes_cosine(one, other)", "    result *= 0.0 * planes_cosine(one, other)",
-          "patches side by side do not press on each other", "normal"),
+    Error("last_node", "region.last = after", "region.last = after - 1", "a region ends one node early",
+          "normal"),
+    Error("isolated_patches", "    result *= planes_cosine(one, other)",
+          "    result *= 0.0 * planes_cosine(one, other)", "patches side by side do not press on each other",
+          "normal"),
     Error("early_end", "NEARLY_SHARP: Final[float] = 1e-9", "NEARLY_SHARP: Final[float] = 1e-4",
           "Newton's method for the force gives up some steps early", "normal"),
     Error("strip_near", "row[j] += near_share(", "row[j] -= near_share(",
           "the correction of neighbouring strips has the wrong sign", "normal"),
-    Error("elastic_loads", "outcome = carry_side(tables, work, state, 1, right, height)",
-          "outcome = carry_side(tables, work, state, 1, left, height)",
+    Error("elastic_loads", "outcome = balance_side(tables, work, state, 1, right, height)",
+          "outcome = balance_side(tables, work, state, 1, left, height)",
           "the right elastic wheel carries the left one's load", "wheelset"),
     Error("elastic_sharp", "ELASTIC_SHARP: Final[float] = 1e-13", "ELASTIC_SHARP: Final[float] = 1e-10",
           "the elastic equilibrium is found to a tolerance a thousand times wider", "tangent"),
@@ -75,21 +83,24 @@ ERRORS = [
           "a sign in the moment of a patch", "wheelset"),
     Error("piece", "-15.0 * rest + 7.0 * slope - bend", "-15.0 * rest + 8.0 * slope - bend",
           "a wrong coefficient of the profiles' quintics", "prepare"),
-    Error("scan_bound", "tables[row + RAIL_LEAST_BENDS + level] = least", "tables[row + RAIL_LEAST_BENDS + level] = most",
+    Error("scan_bound", "cell.least_bends[exponent] = least", "cell.least_bends[exponent] = most",
           "the search takes the rail's largest bend for its smallest one", "search"),
     Error("tangent_rule", "y = moving(y, -mismatch / held(rate))", "y = moving(y, mismatch / held(rate))",
           "the contact moves the wrong way in the derivatives", "tangent"),
 ]
 
 #: Rooms whose tests run before the others: those of the kernel, the short ones first.
-KERNEL_ROOMS = ("normal", "prepare", "system", "tangent", "contact", "wheelset", "search", "patch", "methods", "profiles",
-                "study", "reference", "reference_theory")
-#: Tests that report that something has changed and not what is right; this script's own ones would see every error.
-NO_WITNESS = ("tests/study/test_figures.py::test_documentation_has_today_s_numbers", "tests/structure/test_planted_errors.py",
+KERNEL_ROOMS = ("normal", "prepare", "system", "tangent", "contact", "wheelset", "search", "patch", "methods",
+                "profiles", "study", "reference", "reference_theory")
+#: Tests that report that something has changed and not what is right; this script's own ones
+#: would see every error.
+NO_WITNESS = ("tests/study/test_figures.py::test_documentation_has_today_s_numbers",
+              "tests/structure/test_planted_errors.py",
               "tests/binding/test_native_library.py::test_generated_c_is_of_this_source")
-#: What is no part of a copy.  Without conftest.py a copy's tests see the copy's wrcontact, whatever is installed.
-NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "venv", "__pycache__", ".*_cache", ".hypothesis", "*.so", "*.dylib",
-                                    "*.dll", "build", "dist", "*.egg-info")
+#: What is no part of a copy. Without conftest.py a copy's tests see the copy's wrcontact,
+#: whatever is installed.
+NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "venv", "__pycache__", ".*_cache", ".hypothesis", "*.so",
+                                    "*.dylib", "*.dll", "build", "dist", "*.egg-info")
 #: The quick tests end within this on a slow machine [s]; an error that keeps them running is seen.
 PATIENCE = 1800
 
@@ -113,7 +124,8 @@ def source_of(error, root=ROOT):
         return next(path for path in paths if flat_name(path) == error.module)
     found = [path for path in paths if error.old in path.read_text(encoding="utf-8")]
     if len(found) != 1:
-        raise ValueError(f"{error.name}: {error.old!r} occurs in {len(found)} files of the kernel, and should occur in one")
+        raise ValueError(f"{error.name}: {error.old!r} occurs in {len(found)} files of the kernel, and "
+                         f"should occur in one")
     return found[0]
 
 
@@ -121,14 +133,17 @@ def random_errors(count, seed):
     """Errors at random places of the kernel's functions: another operator, comparison or constant."""
     from tools.transpile_kernel import flat_name
 
-    places = [(path, *place) for path in kernel_modules() for place in changes(path.read_text(encoding="utf-8"))]
+    places = [(path, *place) for path in kernel_modules()
+              for place in changes(path.read_text(encoding="utf-8"))]
     for number, (path, at, old, new, line) in enumerate(random.Random(seed).sample(places, count)):
         text = path.read_text(encoding="utf-8")
         # so much around the place that it is there once
-        reach = next(reach for reach in range(len(text)) if text.count(text[max(at - reach, 0):at + len(old) + reach]) == 1)
+        reach = next(reach for reach in range(len(text))
+                     if text.count(text[max(at - reach, 0):at + len(old) + reach]) == 1)
         before, after = text[max(at - reach, 0):at], text[at + len(old):at + len(old) + reach]
         yield Error(f"random_{seed}_{number}", before + old + after, before + new + after,
-                    f"line {line}: {old} -> {new} in {text.splitlines()[line - 1].strip()}", "normal", flat_name(path))
+                    f"line {line}: {old} -> {new} in {text.splitlines()[line - 1].strip()}", "normal",
+                    flat_name(path))
 
 
 def kernel_modules():
@@ -138,8 +153,8 @@ def kernel_modules():
 
 
 def changes(text):
-    """(place, old, new, line) of what can be changed in a module's functions without changing a type: signs, comparisons and
-    constants, but for those in an index, which soon end outside an array."""
+    """(place, old, new, line) of what can be changed in a module's functions without changing a type: signs,
+    comparisons and constants, but for those in an index, which soon end outside an array."""
     starts = [0]
     for line in text.splitlines(keepends=True):
         starts.append(starts[-1] + len(line))
@@ -159,10 +174,12 @@ def changes(text):
         if not isinstance(function, ast.FunctionDef):
             continue
         body = function.body
-        if sum(isinstance(node, ast.Return) for node in ast.walk(function)) == 1 and ast.unparse(body[-1]) == "return 0":
+        if (sum(isinstance(node, ast.Return) for node in ast.walk(function)) == 1
+            and ast.unparse(body[-1]) == "return 0"):
             body = body[:-1]                                    # nobody reads it
         nodes = [node for statement in body for node in ast.walk(statement)]
-        places = {inner for node in nodes if isinstance(node, ast.Subscript) for inner in ast.walk(node.slice)}
+        places = {inner for node in nodes if isinstance(node, ast.Subscript)
+                  for inner in ast.walk(node.slice)}
         for node in [node for node in nodes if node not in places]:
             if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub)):
                 yield between(node.left, node.right, signs)
@@ -173,7 +190,8 @@ def changes(text):
             elif isinstance(node, ast.Constant) and type(node.value) in (int, float):
                 at = place(node.lineno, node.col_offset)
                 old = text[at:place(node.end_lineno, node.end_col_offset)]
-                other = node.value + 1 if isinstance(node.value, int) or node.value == 0.0 else 1.1 * node.value
+                other = node.value + 1 if isinstance(node.value,
+                                                     int) or node.value == 0.0 else 1.1 * node.value
                 yield at, old, repr(other), node.lineno
 
 
@@ -184,7 +202,8 @@ def translate_all(trees):
     kernels = [tree / "wrcontact" / "kernel" for tree in trees]
     of_kernel = [tool.read_modules(kernel) for kernel in kernels]
     plain = {module.name: module for module in of_kernel[0]}
-    others = {}                                                 # (number of the kernel, name): the module under another name
+    # (number of the kernel, name): the module under another name
+    others = {}
     for number, modules in enumerate(of_kernel):
         for module in modules:
             if module.text != plain[module.name].text:
@@ -201,7 +220,8 @@ def translate_all(trees):
 
 
 def compile_tree(tree):
-    """Compile the copy's kernel; with less optimising the bits are the same, and the compiler is done in half the time."""
+    """Compile the copy's kernel; with less optimising the bits are the same, and the compiler
+    is done in half the time."""
     code = "import kernel_compiler as k; k.compile_library(k.KERNEL, extra_flags=['-O1'])"
     subprocess.run([sys.executable, "-c", code], cwd=tree / "build_hooks", check=True)
 
@@ -210,8 +230,8 @@ def run_tests(tree, tests, *options):
     """Exit code of pytest in a copy, None if it had no end, and the first test that failed."""
     command = [sys.executable, "-m", "pytest", "-q", "-rfE", "-p", "no:cacheprovider", *options, *tests]
     environment = {**os.environ, "PYTHONPATH": str(tree), "WRCONTACT_KERNEL": "compiled", "COLUMNS": "1000"}
-    run = subprocess.Popen(command, cwd=tree, env=environment, text=True, errors="replace", stdout=subprocess.PIPE,
-                           stderr=subprocess.STDOUT, start_new_session=True)
+    run = subprocess.Popen(command, cwd=tree, env=environment, text=True, errors="replace",
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
     try:
         said, _ = run.communicate(timeout=PATIENCE)
     except subprocess.TimeoutExpired:
@@ -225,9 +245,11 @@ def run_tests(tree, tests, *options):
 
 
 def ordered_tests(first, short):
-    """The test files: those of the room named first, of the kernel's rooms, and all others unless ``short``."""
+    """The test files: those of the room named first, of the kernel's rooms, and all
+    others unless ``short``."""
     folders = [TESTS / room for room in (first, *KERNEL_ROOMS)] + ([] if short else [TESTS])
-    names = dict.fromkeys(path.relative_to(ROOT).as_posix() for folder in folders for path in sorted(folder.rglob("test_*.py")))
+    names = dict.fromkeys(path.relative_to(ROOT).as_posix() for folder in folders
+                          for path in sorted(folder.rglob("test_*.py")))
     return [name for name in names if name not in NO_WITNESS]
 
 
@@ -265,8 +287,8 @@ def copies(errors, folder):
 
 
 def plant(errors, workers, short):
-    """Plant each error in a copy of its own and run the tests there; what came of it, and whether the tests that have failed
-    pass without any error."""
+    """Plant each error in a copy of its own and run the tests there; what came of it, and whether the tests
+    that have failed pass without any error."""
     with tempfile.TemporaryDirectory() as folder:
         plain, trees = copies(errors, folder)
         for tree, files in zip([plain, *trees], translate_all([plain, *trees])):
@@ -280,12 +302,16 @@ def plant(errors, workers, short):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--workers", type=int, default=2, help="copies that are tested at a time (default: 2)")
-    parser.add_argument("--short", action="store_true", help="run the kernel's tests only, not all quick tests")
-    parser.add_argument("--random", type=int, default=0, metavar="N", help="plant so many errors at random places instead")
+    parser.add_argument("--workers", type=int, default=2,
+                        help="copies that are tested at a time (default: 2)")
+    parser.add_argument("--short", action="store_true",
+                        help="run the kernel's tests only, not all quick tests")
+    parser.add_argument("--random", type=int, default=0, metavar="N",
+                        help="plant so many errors at random places instead")
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args(arguments)
     unknown = set(options.names) - {error.name for error in ERRORS}

@@ -11,7 +11,8 @@ from wrcontact.profiles import standard_profile
 
 MM = 1e-3
 SHIFTS = np.arange(-6.0, 6.01, 0.5) * MM
-#: Smallest y [mm] and largest, where heights are compared: short of the vertical back of the flange, and of the field side.
+#: Smallest y [mm] and largest, where heights are compared: short of the vertical back of the flange,
+#: and of the field side.
 INSIDE = {"wheel": (-60.0, 55.0), "rail": (-33.0, 33.0)}
 
 
@@ -57,8 +58,10 @@ Y, Z = points("wheel")
 
 def simpack(y, z, kind, keys="units.len.f = 1000", row="{:.12g}  {:.12g}\n"):
     rows = "".join(row.format(a, b) for a, b in zip(y, z))
-    return (f"! a comment\nheader.begin\n  version = 1\n  type = {int(kind == 'wheel')}   ! 0 rail, 1 wheel\nheader.end\n"
-            f"spline.begin\n  comment = 'worn'\n{keys}\n  point.begin\n! y z\n{rows}  point.end\nspline.end\n")
+    return (f"! a comment\nheader.begin\n  version = 1\n  type = {int(kind == 'wheel')}   ! 0 rail, 1 "
+            f"wheel\nheader.end\n"
+            f"spline.begin\n  comment = 'worn'\n{keys}\n  point.begin\n! y z\n{rows}  "
+            f"point.end\nspline.end\n")
 
 
 def miniprof(y, z, definition="ColumnDef=X,Y,A,C,N\n"):

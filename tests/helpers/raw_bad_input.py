@@ -55,8 +55,8 @@ def bad_input(fmi):
             "no values": lambda: fmi.values(get, c, [reference["lateral_shift"]], one, 0),
             "values without references": lambda: fmi.values(put, c, [], one, 1),
             "two texts": lambda: fmi.values("GetString", c, [reference["load"]], (c_char_p * 2)(), 2),
-            "step without room": lambda: fmi.function("DoStep")(c_void_p(c), c_double(0.0), c_double(1.0), c_int(1), None, None,
-                                                               None, None),
+            "step without room": lambda: fmi.function("DoStep")(c_void_p(c), c_double(0.0), c_double(1.0),
+                                                                c_int(1), None, None, None, None),
         }
     cases |= {f"state: {name}": case for name, case in state_cases(fmi, c, other).items()}
     before = fmi.get(c, *WORK)
@@ -111,7 +111,8 @@ def state_cases(fmi, c, other):
 
 
 def every_input(fmi):
-    """Numbers that are none, in every input: the status, whether outputs are kept, the lines, and the recovery."""
+    """Numbers that are none, in every input: the status, whether outputs are kept,
+    the lines, and the recovery."""
     c = fmi.ready()
     wanted = run(fmi, c)
     answers = {}
@@ -158,8 +159,8 @@ def order(fmi):
     }
     long_steps = fmi.ready()
     sizes += [fmi.step(long_steps, time, size) for time, size in ((0.0, 1e6), (-3.0, 1.0), (7.0, 0.0))]
-    return {"answers": answers, "input_before": input_before, "inside": inside, "sizes": sizes, "at_the_end": at_the_end,
-            "last": last, "after": check_run(fmi, c, wanted)}
+    return {"answers": answers, "input_before": input_before, "inside": inside, "sizes": sizes,
+            "at_the_end": at_the_end, "last": last, "after": check_run(fmi, c, wanted)}
 
 
 def last_time(fmi, c):

@@ -16,7 +16,8 @@ from ctypes import (
 )
 
 OK, ERROR = 0, 3
-INPUTS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input", "roll_input")
+INPUTS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input",
+          "roll_input")
 NOWHERE = 0x10      # an address that nothing may look at
 
 
@@ -42,7 +43,8 @@ class Library:
 
     def function(self, name):
         found = getattr(self.library, f"fmi{self.version}{name}")
-        found.restype = c_void_p if name.startswith("Instantiate") else None if name == "FreeInstance" else c_int
+        found.restype = (c_void_p if name.startswith("Instantiate") else None if name == "FreeInstance"
+                         else c_int)
         return found
 
     def instantiate(self, name=b"instance", token=None, resources=None, logging=True, kind=1, callbacks=True):
@@ -50,10 +52,11 @@ class Library:
         token = self.token.encode() if token is None else token or None
         if self.version == 2:
             return self.function("Instantiate")(name, c_int(kind), token, resources,
-                                                byref(self.callbacks) if callbacks else None, c_int(0), c_int(logging))
+                                                byref(self.callbacks) if callbacks else None, c_int(0),
+                                                c_int(logging))
         return self.function("InstantiateCoSimulation")(
-            name, token, resources, c_bool(False), c_bool(logging), c_bool(False), c_bool(False), None, c_size_t(0), None,
-            self.note if callbacks else None, None)
+            name, token, resources, c_bool(False), c_bool(logging), c_bool(False), c_bool(False), None,
+            c_size_t(0), None, self.note if callbacks else None, None)
 
     def enter(self, c, start=0.0, stop=None):
         experiment = c_double(start), c_int(stop is not None), c_double(stop or 0.0)
@@ -75,7 +78,8 @@ class Library:
         self.function("FreeInstance")(c_void_p(c))
 
     def step(self, c, time=0.0, size=1e-3):
-        results = () if self.version == 2 else (byref(c_bool()), byref(c_bool()), byref(c_bool()), byref(c_double()))
+        results = () if self.version == 2 else (byref(c_bool()), byref(c_bool()), byref(c_bool()),
+                                                byref(c_double()))
         return self.function("DoStep")(c_void_p(c), c_double(time), c_double(size), c_int(1), *results)
 
     def values(self, name, c, references, values, count=None):
@@ -109,12 +113,15 @@ class Library:
 
     def state(self, verb, c, *arguments):
         """A function for saved states, as FMI 3 calls it."""
-        name = {"Deserialize": "DeSerialize"}.get(verb, verb) + "FMUstate" if self.version == 2 else verb + "FMUState"
+        name = verb + "FMUState"
+        if self.version == 2:
+            name = {"Deserialize": "DeSerialize"}.get(verb, verb) + "FMUstate"
         name = f"Serialized{name.removeprefix('Size')}Size" if verb == "Size" else name
         return self.function(name)(c_void_p(c), *arguments)
 
     def told(self):
-        lines, self.log[:] = [[part if part is None else part.decode() for part in line] for line in self.log], []
+        lines, self.log[:] = [[part if part is None else part.decode() for part in line]
+                              for line in self.log], []
         return lines
 
 

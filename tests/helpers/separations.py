@@ -14,11 +14,13 @@ from wrcontact.profiles.compiled import evaluate_table, table_pieces
 PLACES = {"tread": 1e-3, "root": 6e-3, "flange": 6.5e-3}
 YAWS = {"no_yaw": 0.0, "yaw": 0.03, "yaw_back": -0.02}
 EVERY_PLACE = pytest.mark.parametrize("shift, yaw", [pytest.param(shift, yaw, id=f"{place}-{turned}")
-                                                     for place, shift in PLACES.items() for turned, yaw in YAWS.items()])
+                                                     for place, shift in PLACES.items()
+                                                     for turned, yaw in YAWS.items()])
 
 
 class Curve:
-    """A curve across the track: ``point(u)`` and ``angle(u)`` of its tangent over a profile's abscissa u, its pieces' ends."""
+    """A curve across the track: ``point(u)`` and ``angle(u)`` of its tangent over a profile's
+    abscissa u, its pieces' ends."""
 
     def __init__(self, table):
         self.table = table
@@ -38,7 +40,8 @@ class Curve:
         """Arc length by scipy's adaptive quadrature, broken where the curvature may jump."""
         inside = np.sort([u for u in self.ends if min(start, stop) < u < max(start, stop)])
         edges = [start, *(inside if stop > start else inside[::-1]), stop]
-        return sum(quad(self.speed, a, b, epsabs=self.error, epsrel=0.0)[0] for a, b in zip(edges[:-1], edges[1:]))
+        return sum(quad(self.speed, a, b, epsabs=self.error, epsrel=0.0)[0]
+                   for a, b in zip(edges[:-1], edges[1:]))
 
     def at_arc(self, start, length):
         return self._root(lambda u: self.arc(start, u) - length, start, length)
@@ -53,7 +56,8 @@ class Curve:
 
 
 class Outline(Curve):
-    """The wheel's outline, seen along the track: of each circle around the axle the point whose normal has no x part.
+    """The wheel's outline, seen along the track: of each circle around the axle the point
+    whose normal has no x part.
 
     That point is found numerically, with the wheelset's attitude as a product of two rotation matrices.
     """
@@ -62,7 +66,8 @@ class Outline(Curve):
         super().__init__(table)
         c, s = np.cos(float(state.inputs[1])), np.sin(float(state.inputs[1]))
         cr, sr = np.cos(float(state.roll)), np.sin(float(state.roll))
-        self.turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+        self.turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, cr, -sr],
+                                                                             [0, sr, cr]])
         self.radius = system.parameters["nominal_radius"]
         self.arm = system.parameters["running_circle_distance"] / 2
         self.error = 1e-14 if c == 1.0 else 3e-13
@@ -87,12 +92,14 @@ class Outline(Curve):
         return np.arctan2(-normal[1], normal[2])
 
     def speed(self, u, step=2e-5):
-        """By differences of sixth order on one side of a piece's end; without yaw the profile's, whose roll does not count."""
+        """By differences of sixth order on one side of a piece's end; without yaw the profile's,
+        whose roll does not count."""
         if self.turn[0, 1] == 0.0:
             return np.hypot(1.0, evaluate_table(self.table, u)[1])
         low, high = self.piece(u)
         step = min(step, 0.99 * (high - u) / 3, 0.99 * (u - low) / 3)
-        one, two, three = ((self.point(u + k * step) - self.point(u - k * step)) / (2 * k * step) for k in (1, 2, 3))
+        one, two, three = ((self.point(u + k * step) - self.point(u - k * step)) / (2 * k * step)
+                           for k in (1, 2, 3))
         return np.hypot(*(1.5 * one - 0.6 * two + 0.1 * three))
 
     def piece(self, u):
@@ -112,16 +119,19 @@ class Contact:
         assert stepper.step() == 0
         self.state = self.system.evaluate(shift, yaw)
         self.tables, self.memory, self.work = stepper._tables, stepper.state, stepper._workspace
-        self.rail = Curve(self.tables[int(self.tables[layout.SET_RAIL]):int(self.tables[layout.SET_SCAN])])
-        self.wheel = Outline(self.tables[int(self.tables[layout.SET_WHEEL]):int(self.tables[layout.SET_RAIL])], self.system,
-                             self.state)
+        wheel, rail, end = (int(self.tables[at])
+                            for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
+        self.rail = Curve(self.tables[rail:end])
+        self.wheel = Outline(self.tables[wheel:rail], self.system, self.state)
         frame = layout.Work.at(self.work).frame
         self.u_rail, self.u_wheel = frame.abscissa, frame.y
         self.angle = np.arctan2(frame.sin, frame.cos)
 
     def kernel(self, kind, stations, spacing=0.0):
-        """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at ``stations`` from the contact."""
-        tables, work, state = layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy()), layout.State.at(self.memory)
+        """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at
+        ``stations`` from the contact."""
+        tables, work, state = (layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy()),
+                               layout.State.at(self.memory))
         tables.separation = NUMBERS["separation"][kind]
         contact_plane.start_tracer(work, 0.0, self.u_rail, self.u_wheel)
         separation.open_origin(tables, work, 0.0, 0.0, self.u_rail, self.u_wheel, spacing)
@@ -140,12 +150,13 @@ class Contact:
     def vertical(self, station):
         lateral = station * np.cos(self.angle)
         start = self.wheel.point(self.u_wheel)[0]
-        u = brentq(lambda u: self.wheel.point(u)[0] - start - lateral, self.u_wheel - 5e-3, self.u_wheel + 5e-3, xtol=1e-16,
-                   rtol=8.9e-16)
+        u = brentq(lambda u: self.wheel.point(u)[0] - start - lateral, self.u_wheel - 5e-3,
+                   self.u_wheel + 5e-3, xtol=1e-16, rtol=8.9e-16)
         return -self.between(self.u_rail + lateral, u)[1]
 
     def equidistant(self, station):
-        return self.along_mean_normal(self.rail.at_arc(self.u_rail, station), self.wheel.at_arc(self.u_wheel, station))
+        return self.along_mean_normal(self.rail.at_arc(self.u_rail, station),
+                                      self.wheel.at_arc(self.u_wheel, station))
 
     def chords(self, count, spacing):
         u_rail, u_wheel = self.u_rail, self.u_wheel

@@ -28,7 +28,8 @@ def errors(side, truth):
 
 
 def random_poses(count, seed, low=3e3, high=2e5):
-    """Inputs (count, 7): S1002's tread to flange, ``low`` to ``high`` N, half of them with up to 2 degrees of yaw."""
+    """Inputs (count, 7): S1002's tread to flange, ``low`` to ``high`` N, half of them
+    with up to 2 degrees of yaw."""
     rng = np.random.default_rng(seed)
     rows = np.zeros((count, layout.INPUT_COUNT))
     rows[:, layout.IN_LATERAL_SHIFT] = rng.uniform(-6.6e-3, 6.6e-3, count)
@@ -38,7 +39,8 @@ def random_poses(count, seed, low=3e3, high=2e5):
 
 
 def step_all(stepper, rows, before=lambda stepper: None):
-    """Outputs (n, m) of all rows, one after the other, ``before`` done to the stepper ahead of each; NaN where not valid."""
+    """Outputs (n, m) of all rows, one after the other, ``before`` done to the stepper ahead
+    of each; NaN where not valid."""
     outputs = np.full((len(rows), layout.OUTPUT_COUNT), np.nan)
     for row, values in zip(outputs, rows):
         before(stepper)

@@ -34,8 +34,8 @@ from wrcontact.profiles.zones import Arc
 
 @pytest.mark.parametrize("t", [1e-4, 1e-2, 0.1, 0.5, 1.0, 3.0, 30.0, 1000.0])
 def test_influence_is_the_integral_over_the_line(t):
-    integral = 2 * quad(lambda u: math.sqrt(1 - u * u) / math.hypot(u, t), 0, 1, epsabs=0, epsrel=1e-12, limit=400,
-                        points=[min(t, 0.5)])[0]
+    integral = 2 * quad(lambda u: math.sqrt(1 - u * u) / math.hypot(u, t), 0, 1, epsabs=0, epsrel=1e-12,
+                        limit=400, points=[min(t, 0.5)])[0]
     value, slope = influence(np.array([t]))
     assert value[0] == pytest.approx(integral, rel=1e-9)
     step = 1e-5
@@ -56,17 +56,20 @@ def test_influence_table_holds_it_to_1e_6():
 
 
 def test_influence_close_by_is_a_logarithm_and_far_away_a_point():
-    """2 ln(4 / t) - 2 for t -> 0, whose mean over a strip is the system's diagonal, 2 ln(8 a / h); pi / (2 t) far away."""
+    """2 ln(4 / t) - 2 for t -> 0, whose mean over a strip is the system's diagonal, 2 ln(8 a
+    / h); pi / (2 t) far away."""
     assert influence(np.array([1e-5]))[0][0] == pytest.approx(2 * math.log(4e5) - 2, abs=1e-8)
     assert influence(np.array([1e3]))[0][0] == pytest.approx(math.pi / 2e3, rel=1e-6)
     half, width = 3.0, 0.01
-    mean = quad(lambda eta: influence(np.array([eta / half]))[0][0], 0, width / 2, epsrel=1e-12)[0] / (width / 2)
+    mean = quad(lambda eta: influence(np.array([eta / half]))[0][0], 0, width / 2,
+                epsrel=1e-12)[0] / (width / 2)
     assert 2 * math.log(8 * half / width) == pytest.approx(mean, abs=1e-4)
 
 
 @pytest.mark.parametrize("share", [0.05, 0.2, 0.4, 0.5])
 def test_near_share_is_the_mean_of_the_logarithm(share):
-    """Mean of -2 ln(distance) over a strip of half-width ``share`` times the distance, less its middle value."""
+    """Mean of -2 ln(distance) over a strip of half-width ``share`` times the
+    distance, less its middle value."""
     mean = quad(lambda v: -2 * math.log(1 + share * v), -1, 1, epsabs=1e-14)[0] / 2
     assert near_share(share) == pytest.approx(mean, abs=1e-15 + share**12 / 60)
     assert near_share(share) < mean + 1e-15
@@ -87,7 +90,8 @@ def test_elimination(size):
     others = np.ones_like(array, dtype=bool)
     others[layout.WORK_EQUATIONS:][:rows.size].reshape(rows.shape)[:size, :size + 2] = False
     eliminate(equations, size)
-    np.testing.assert_allclose(rows[:size, size:size + 2], np.linalg.solve(matrix, sides), rtol=1e-11, atol=1e-14)
+    np.testing.assert_allclose(rows[:size, size:size + 2], np.linalg.solve(matrix, sides), rtol=1e-11,
+                               atol=1e-14)
     assert not array[others].any()
 
 
@@ -95,21 +99,25 @@ def test_elimination(size):
 
 
 def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
-    """The strip correction on the gap B s^2 and constant A: relative errors in penetration, area and pressure (3,)."""
-    tables, work, state, hertzian = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count, sweeps=sweeps)
+    """The strip correction on the gap B s^2 and constant A: relative errors in penetration,
+    area and pressure (3,)."""
+    tables, work, state, hertzian = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count,
+                                                            sweeps=sweeps)
     predicted, met = analyn.solve_levels(tables, work.regions, work.nodes, state, 1, force, 0.7 * hertzian, 0)
     assert met == 1
     problem = work.strip_problem
     place_strips(problem, work.regions, work.nodes, 1, tables.strips, predicted)
     assert problem.count == count
     strip_surfaces.describe_strips(problem, work.regions, work.nodes)
-    penetration, found = solve_strips(problem, work.regions, work.nodes, work.equations, tables, state, force, 0)
+    penetration, found = solve_strips(problem, work.regions, work.nodes, work.equations, tables, state, force,
+                                      0)
     assert found == 1
     fill_from_strips(problem, work.regions, work.solved)
     exact, a, b, pressure = hertz(A, B, force)
     totals = work.solved.totals
     assert totals.load == pytest.approx(force, rel=1e-12)
-    return np.array([penetration / exact, totals.area / (math.pi * a * b), totals.max_pressure / pressure]) - 1
+    return np.array([penetration / exact, totals.area / (math.pi * a * b),
+                     totals.max_pressure / pressure]) - 1
 
 
 @pytest.mark.parametrize("ratio", [0.05, 0.1, 0.3, 0.7, 1.0, 1.5, 5.0, 20.0, 60.0])
@@ -122,7 +130,8 @@ def test_strips_on_constant_curvatures_are_nearly_hertz(ratio):
 
 @pytest.mark.parametrize("ratio", [0.05, 0.2, 1.0, 5.0, 20.0])
 def test_error_falls_with_the_strips(ratio):
-    """16, 32, 64 strips with as many sweeps as it takes: each doubling takes away a quarter or more of the largest error."""
+    """16, 32, 64 strips with as many sweeps as it takes: each doubling takes away a quarter or more
+    of the largest error."""
     worst = [np.abs(solve_constant_curvatures(1.0, ratio, 1e4, count=count, sweeps=4, half_nodes=30)).max()
              for count in (16, 32, 64)]
     assert worst[1] < 0.75 * worst[0] and worst[2] < 0.75 * worst[1], worst
@@ -130,8 +139,8 @@ def test_error_falls_with_the_strips(ratio):
 
 
 def test_halves_of_strips_stay_above_half_their_width(monkeypatch):
-    """The floor SQUARE is there for patches that are short along the track: below an eighth of its width a strip would pull
-    itself down by its own pressure.  A patch a twenty-fifth as long as wide shows it."""
+    """The floor SQUARE is there for patches that are short along the track: below an eighth of its width a
+    strip would pull itself down by its own pressure. A patch a twenty-fifth as long as wide shows it."""
     short = (1.0, 0.003, 1.0)
     assert np.all(np.abs(solve_constant_curvatures(*short)) < 0.1)
     monkeypatch.setattr(strip_surfaces, "SQUARE", 0.01)
@@ -143,8 +152,9 @@ def test_halves_of_strips_stay_above_half_their_width(monkeypatch):
 
 
 def skewed_hertz(A, B, slant):
-    """1 + alpha, 1 + beta, n r of A (x - slant s)^2 + B s^2 from the eigenvectors of its quadratic form: half-length on the
-    line s = 0, half-width of its shadow on s, and pressure, of the ellipse that Hertz finds for the eigenvalues."""
+    """1 + alpha, 1 + beta, n r of A (x - slant s)^2 + B s^2 from the eigenvectors of its quadratic form:
+    half-length on the line s = 0, half-width of its shadow on s, and pressure, of the ellipse that Hertz
+    finds for the eigenvalues."""
     form = np.array([[A, -A * slant], [-A * slant, A * slant**2 + B]])
     (small, large), axes = np.linalg.eigh(form)
     along, across, nr = hertz_coefficients(hertz_table(), 0, small, large)
@@ -156,7 +166,8 @@ def skewed_hertz(A, B, slant):
     return length / A, width / B, nr * math.sqrt(length / (along * small))
 
 
-SKEWED = [(A, B, slant) for A, B in ((1.0, 0.2), (1.0, 1.0), (0.7, 5.0), (0.3, 60.0)) for slant in (-0.3, 0.01, 0.1, 0.3)
+SKEWED = [(A, B, slant) for A, B in ((1.0, 0.2), (1.0, 1.0), (0.7, 5.0), (0.3, 60.0))
+          for slant in (-0.3, 0.01, 0.1, 0.3)
           if A * slant**2 <= STEEPEST * B]
 
 
@@ -181,7 +192,8 @@ def test_a_steep_slant_counts_as_the_steepest_permitted():
 
 @pytest.mark.parametrize("A, B, slant", SKEWED)
 def test_upright_coefficients_give_the_same_axes_and_pressure(A, B, slant):
-    """The upright ellipse of penetration share d has the half-length, half-width and pressure of the tilted one of d."""
+    """The upright ellipse of penetration share d has the half-length, half-width and pressure
+    of the tilted one of d."""
     alpha, beta, nr = skewed_coefficients(hertz_table(), 0, A, B, slant)
     upright_A, upright_B, share = upright_coefficients(hertz_table(), 0, alpha * A, beta * B, nr)
     one_alpha, one_beta, one_nr = hertz_coefficients(hertz_table(), 0, upright_A, upright_B)
@@ -193,18 +205,22 @@ def test_upright_coefficients_give_the_same_axes_and_pressure(A, B, slant):
 
 def test_upright_coefficients_of_an_upright_ellipse_are_its_own():
     alpha, beta, nr = hertz_coefficients(hertz_table(), 0, 1.3, 4.0)
-    np.testing.assert_allclose(upright_coefficients(hertz_table(), 0, alpha * 1.3, beta * 4.0, nr), (1.3, 4.0, 1.0), rtol=1e-9)
+    np.testing.assert_allclose(upright_coefficients(hertz_table(), 0, alpha * 1.3, beta * 4.0, nr),
+                               (1.3, 4.0, 1.0), rtol=1e-9)
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.01, 0.035])
 def test_yawed_ball_end_to_end(yaw):
-    """Constant radii on both bodies, flank contact of a yawed wheel: Hertz's tilted ellipse; against the half-space."""
+    """Constant radii on both bodies, flank contact of a yawed wheel: Hertz's tilted ellipse;
+    against the half-space."""
     wheel = Profile("ball", "wheel", (Arc(-50.0, 50.0, 200.0, 20.0, -199.0, 1),))
     rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 90.0, 0.0, 90.0, -1),))
     bodies = {model: wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4, gauge_depth=6e-3,
-                                             normal_model=model) for model in ("analyn", "analyn_strip", "halfspace")}
+                                             normal_model=model)
+              for model in ("analyn", "analyn_strip", "halfspace")}
     state = {model: body.evaluate(2e-3, yaw, normal_force=2e4) for model, body in bodies.items()}
     for side in ("left", "right"):
         truth = getattr(state["halfspace"], side)
         assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < (0.004, 0.01, 0.004)), side
-        assert np.all(np.abs(errors(getattr(state["analyn_strip"], side), truth)) < (0.004, 0.01, 0.004)), side
+        assert np.all(np.abs(errors(getattr(state["analyn_strip"], side), truth))
+                      < (0.004, 0.01, 0.004)), side

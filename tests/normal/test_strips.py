@@ -27,7 +27,8 @@ def truth_at(shift):
 
 
 def errors_at(model, shifts):
-    return np.array([errors(system_of(model).evaluate(shift * 1e-3).right, truth_at(shift)) for shift in shifts])
+    return np.array([errors(system_of(model).evaluate(shift * 1e-3).right, truth_at(shift))
+                     for shift in shifts])
 
 
 @pytest.mark.parametrize("shift", FEW)
@@ -44,11 +45,13 @@ def test_half_space_on_two_positions(shift):
 def test_half_space_on_positions_from_tread_to_flange(model, mean, worst):
     """Penetration, area, peak pressure; analyn measures 0.7, 2.0, 1.4 % mean, strips 0.27, 0.55, 0.34 %."""
     error = np.abs(errors_at(model, POSITIONS))
-    assert np.all(error.mean(axis=0) <= mean) and np.all(error.max(axis=0) <= worst), (error.mean(axis=0), error.max(axis=0))
+    assert (np.all(error.mean(axis=0) <= mean)
+            and np.all(error.max(axis=0) <= worst)), (error.mean(axis=0), error.max(axis=0))
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("model, worst", [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.012, 0.04, 0.03))])
+@pytest.mark.parametrize("model, worst",
+                         [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.012, 0.04, 0.03))])
 def test_half_space_where_a_region_appears(model, worst):
     error = np.abs(errors_at(model, HARD))
     assert np.all(error.max(axis=0) <= worst), dict(zip(HARD, error.round(4).tolist()))
@@ -56,7 +59,8 @@ def test_half_space_where_a_region_appears(model, worst):
 
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_complete_theory_on_the_planar_gap(case):
-    """CONTACT's solution of the same gap; their area follows elements of 0.1 mm and is up to 0.6 % too large."""
+    """CONTACT's solution of the same gap; their area follows elements of 0.1 mm and
+    is up to 0.6 % too large."""
     truth = case["solution"]
     side = system_of().evaluate(case["y_ws_mm"] * 1e-3).right
     assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.01)
@@ -72,8 +76,8 @@ def test_complete_theory_on_the_planar_gap(case):
 PAIRS = [(rail, inclination) for inclination in (1 / 40, 1 / 20) for rail in ("UIC60", "60E1", "54E1")]
 #: A rigid contact that moves this far [m] within
 JUMP = 5e-4
-#: this lateral shift [m] to either side is near a jump: the surfaces nearly touch in a second place, whose load hangs on the
-#: last micrometre of the gap.
+#: this lateral shift [m] to either side is near a jump: the surfaces nearly touch in a second place, whose
+#: load hangs on the last micrometre of the gap.
 NEAR_JUMP = 1e-4
 
 
@@ -85,7 +89,8 @@ def near_jump(system, pose, side):
 
 
 def compare_on_random_poses(count, seed, **parameters):
-    """Errors (n, 3) of analyn_strip against the package's half-space on both sides, with whether a jump is near, and where."""
+    """Errors (n, 3) of analyn_strip against the package's half-space on both sides, with whether a
+    jump is near, and where."""
     found, near, where = [], [], []
     for k, pose in enumerate(random_poses(count, seed)):
         rail, inclination = PAIRS[k % len(PAIRS)]
@@ -110,21 +115,25 @@ def assert_near_the_half_space(found, near, where, worst, worst_near_jump):
 
 
 def test_half_space_on_random_poses():
-    """Three rails, two inclinations, tread to flange, 3 to 200 kN, half of them yawed: mean 0.2, 0.4, 0.4 %."""
-    assert_near_the_half_space(*compare_on_random_poses(24, 31), worst=(0.02, 0.06, 0.06), worst_near_jump=(0.03, 0.10, 0.35))
+    """Three rails, two inclinations, tread to flange, 3 to 200 kN, half of them
+    yawed: mean 0.2, 0.4, 0.4 %."""
+    assert_near_the_half_space(*compare_on_random_poses(24, 31), worst=(0.02, 0.06, 0.06),
+                               worst_near_jump=(0.03, 0.10, 0.35))
 
 
 @pytest.mark.slow
 @pytest.mark.complete
 def test_half_space_on_more_random_poses():
-    assert_near_the_half_space(*compare_on_random_poses(150, 32), worst=(0.02, 0.06, 0.06), worst_near_jump=(0.03, 0.10, 0.35))
+    assert_near_the_half_space(*compare_on_random_poses(150, 32), worst=(0.02, 0.06, 0.06),
+                               worst_near_jump=(0.03, 0.10, 0.35))
 
 
 @pytest.mark.slow
 def test_half_space_of_another_material():
     """Aluminium: patches are larger under the same force."""
     found, near, where = compare_on_random_poses(18, 33, youngs_modulus=70e9, poisson_ratio=0.33)
-    assert_near_the_half_space(found, near, where, worst=(0.02, 0.06, 0.06), worst_near_jump=(0.03, 0.10, 0.35))
+    assert_near_the_half_space(found, near, where, worst=(0.02, 0.06, 0.06),
+                               worst_near_jump=(0.03, 0.10, 0.35))
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.02])
@@ -137,4 +146,5 @@ def test_force_over_modulus_decides_the_patch(shift, yaw):
         shift, yaw, normal_force=5e4 * modulus["aluminium"] / modulus["steel"]).right
     for name in ("penetration", "area", "patch_length", "patch_width"):
         assert getattr(soft, name) == pytest.approx(getattr(one, name), rel=1e-9), name
-    assert soft.max_pressure / modulus["aluminium"] == pytest.approx(one.max_pressure / modulus["steel"], rel=1e-9)
+    assert soft.max_pressure / modulus["aluminium"] == pytest.approx(one.max_pressure / modulus["steel"],
+                                                                     rel=1e-9)

@@ -59,7 +59,8 @@ def damaged_files(draw):
                                 "rail": [".txt", ".csv", ".prr", ".ban", ".json"]}[kind]))
     y, z = damaged(COARSE[kind], draw(st.lists(DAMAGE, max_size=3)))
     if end in (".prw", ".prr"):
-        names = ["shift.y", "mirror.z", "rotate", "units.len.f", "units.ang.f", "bound.z.max", "point.dist.min", "inversion"]
+        names = ["shift.y", "mirror.z", "rotate", "units.len.f", "units.ang.f", "bound.z.max",
+                 "point.dist.min", "inversion"]
         keys = draw(st.dictionaries(st.sampled_from(names), VALUES, max_size=3))
         text = simpack(y, z, kind, "\n".join(f"{key} = {value}" for key, value in keys.items()))
     elif end in (".whl", ".ban"):
@@ -72,8 +73,8 @@ def damaged_files(draw):
     for _ in range(draw(st.integers(0, 2))):
         place = draw(st.integers(0, len(content)))
         junk = draw(st.binary(max_size=40))
-        content = draw(st.sampled_from([content[:place], content[place:], content[:place] + junk + content[place:],
-                                        content[:place] + content]))
+        content = draw(st.sampled_from([content[:place], content[place:],
+                                        content[:place] + junk + content[place:], content[:place] + content]))
     return content, end, kind
 
 
@@ -115,14 +116,16 @@ def test_many_damaged_files_are_read_or_refused(tmp_path, file):
 
 
 @settings(max_examples=60, deadline=None, suppress_health_check=QUIET, derandomize=True, print_blob=True)
-@given(content=st.binary(max_size=2000), end=st.sampled_from([".txt", ".prw", ".whl", ".prr", ".ban", ".json"]),
+@given(content=st.binary(max_size=2000),
+       end=st.sampled_from([".txt", ".prw", ".whl", ".prr", ".ban", ".json"]),
        kind=st.sampled_from(sorted(NAMES)))
 def test_any_bytes_are_read_or_refused(tmp_path, content, end, kind):
     check_any_file(tmp_path, content, end, kind)
 
 
 @pytest.mark.parametrize("text", [b"1" * 3_000_000 + b"x", b"\n" * 3_000_000, b" " * 3_000_000,
-                                  b'{"a":' + b"[" * 3_000_000, b"point.begin\n" * 200_000, b"1,2,3," * 50_000],
+                                  b'{"a":' + b"[" * 3_000_000, b"point.begin\n" * 200_000,
+                                  b"1,2,3," * 50_000],
                          ids=["digits", "lines", "blanks", "brackets", "sections", "fields"])
 def test_large_nonsense_does_not_hang(tmp_path, text):
     check_any_file(tmp_path, text, ".txt", "wheel")

@@ -1,6 +1,8 @@
-"""Profiles from the world: formats, what is repaired, what is refused, smoothing, and files damaged at random.
+"""Profiles from the world: formats, what is repaired, what is refused, smoothing, and
+files damaged at random.
 
-Files are written here from S1002 and UIC60 at even arc lengths, with noise of known seeds; a failing case names its seed.
+Files are written here from S1002 and UIC60 at even arc lengths, with noise of known seeds; a
+failing case names its seed.
 """
 
 import math
@@ -40,9 +42,11 @@ TEXTS = {
     "tab": columns(Y, Z, "\t"),
     "decimal comma, semicolon": "\ufeffy [mm];z [mm]\n" + columns(Y, Z, ";").replace(".", ","),
     "decimal comma, blank": columns(Y, Z).replace(".", ","),
-    "decimal comma, comma and blank": "".join(f"{a:.9f}\u002c {b:.9f}\n".replace(".", ",") for a, b in zip(Y, Z)),
+    "decimal comma, comma and blank": "".join(f"{a:.9f}\u002c {b:.9f}\n".replace(".", ",")
+                                              for a, b in zip(Y, Z)),
     "CRLF": columns(Y, Z).replace("\n", "\r\n"),
-    "comments and header": "# wheel 7\n! left\nmeasured 2024 10 12\n700\n" + columns(Y, Z).replace("\n", " % point\n"),
+    "comments and header": "# wheel 7\n! left\nmeasured 2024 10 12\n700\n"
+    + columns(Y, Z).replace("\n", " % point\n"),
     "columns by name": "s,z,y\n" + "".join(f"{k},{b:.12g},{a:.12g}\n" for k, (a, b) in enumerate(zip(Y, Z))),
     "more columns": "".join(f"{a:.12g} {b:.12g} 0.5 1\n" for a, b in zip(Y, Z)),
     "Fortran": columns(Y, Z).replace("e", "D"),
@@ -54,7 +58,8 @@ TEXTS = {
 @pytest.mark.parametrize("case", TEXTS)
 def test_plain_text_is_read(tmp_path, case):
     profile, said = read(tmp_path, TEXTS[case])
-    assert said == "" and error(profile) < 1e-4    # the spline through points 0.2 mm apart; S1002's own steps are 1.2e-4
+    # the spline through points 0.2 mm apart; S1002's own steps are 1.2e-4
+    assert said == "" and error(profile) < 1e-4
 
 
 TURN = 0.02
@@ -66,7 +71,8 @@ SIMPACK = {
     "shifted": (Y + 3.0, Z - 2.0, "units.len.f = 1000\nshift.y = -3\nshift.z = 2"),
     "turned": (np.cos(TURN) * Y + np.sin(TURN) * Z, np.cos(TURN) * Z - np.sin(TURN) * Y,
                f"units.len.f = 1000\nunits.ang.f = {180 / math.pi!r}\nrotate = {math.degrees(TURN)!r}"),
-    "bounded": (np.append(Y, 90.0), np.append(Z, 77.0), "units.len.f = 1000\nbound.y.min = -80\nbound.y.max = 65\n"
+    "bounded": (np.append(Y, 90.0), np.append(Z, 77.0),
+                "units.len.f = 1000\nbound.y.min = -80\nbound.y.max = 65\n"
                 "bound.z.min = 1\nbound.z.max = 0"),
     "near points": (np.repeat(Y, 2), np.repeat(Z, 2), "units.len.f = 1000\npoint.dist.min = 0.01"),
 }
@@ -119,12 +125,15 @@ def dense(values):
 REPAIRED = {
     "outliers": (Y, changed(Z, SINGLE, RNG.uniform(0.1, 2.0, 30) * RNG.choice([-1, 1], 30)), "wheel",
                  r"30 outliers of up to 1\.\d+ mm left out \(y = -\d+.* mm\)", 2e-4),
-    "outliers in y": (changed(Y, SINGLE[:9], 0.5), Z, "wheel", r"outliers? of up to 0\.\d+ mm left out", 3e-3),
-    "runs of outliers": (Y, changed(Z, SINGLE[:8, None] + np.arange(3), 0.7), "wheel", "24 outliers of up to 0.5", 2e-4),
+    "outliers in y": (changed(Y, SINGLE[:9], 0.5), Z, "wheel", r"outliers? of up to 0\.\d+ mm left out",
+                      3e-3),
+    "runs of outliers": (Y, changed(Z, SINGLE[:8, None] + np.arange(3), 0.7), "wheel",
+                         "24 outliers of up to 0.5", 2e-4),
     "not in order": (Y[HALF], Z[HALF], "wheel", r"76\d points sorted by y", 1e-4),
     "two exchanged": (Y[np.r_[:300, 301, 300, 302:len(Y)]], Z[np.r_[:300, 301, 300, 302:len(Y)]], "wheel",
                       r"2 points sorted by y \(y = -32", 1e-4),
-    "reversed": (Y[::-1], Z[::-1], "wheel", "the points ran from the largest y to the smallest; reversed", 1e-4),
+    "reversed": (Y[::-1], Z[::-1], "wheel", "the points ran from the largest y to the smallest; reversed",
+                 1e-4),
     "repeated": (np.repeat(Y, 2), np.repeat(Z, 2), "wheel", "767 repeated points left out", 1e-4),
     "measured twice": (np.tile(Y, 2), np.concatenate([Z, Z + 2e-3]), "wheel",
                        r"sorted by y .*at the same y as others averaged \(y = .*z up to 2 um apart\)", 3e-3),
@@ -139,7 +148,8 @@ REPAIRED = {
     "mirrored": (-Y, Z, "wheel", "the flange was at the larger y; mirrored", 1e-4),
     "upside down": (RAIL_Y, -RAIL_Z, "rail", "z was positive upwards; its sign is changed", 1e-4),
     "from the flange's back": (Y + 70.0, Z - 9.0, "wheel",
-                               "running circle is assumed 70 mm from the back of the flange; y shifted by -70 mm", 9.1),
+                               "running circle is assumed 70 mm from the back of the flange; y shifted by "
+                               "-70 mm", 9.1),
     "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle; shifted to 0", 1e-4),
     "gap": (Y[EDGE], Z[EDGE], "wheel", r"gap of 4\.\d+ mm bridged \(y = -34\.\d+ \.\.\. -29\.\d+ mm\)", 0.05),
     "straight gap": (Y[(Y < 35.0) | (Y > 50.0)], Z[(Y < 35.0) | (Y > 50.0)], "wheel",
@@ -186,7 +196,8 @@ WORN = {
     "conformal": ((Y, hollow(1.5)), (RAIL_Y, worn_rail(0.3)), "kink"),
     "kink": ((Y, Z - np.tan(np.radians(10.0)) * np.maximum(Y - 3.05, 0.0)), None,
              r"1 kink of up to 9\.\d+ deg rounded over 1 mm \(y = 3\.05 mm\), by up to 0\.04\d* mm"),
-    "chamfer": ((Y, Z - np.maximum(Y - 50.0, 0.0)), None, r"1 kink of up to 4\d.* deg rounded over 1 mm \(y = 50 mm\)"),
+    "chamfer": ((Y, Z - np.maximum(Y - 50.0, 0.0)), None,
+                r"1 kink of up to 4\d.* deg rounded over 1 mm \(y = 50 mm\)"),
     "vertical gauge face": (None, (np.r_[np.full(60, -34.0), RAIL_Y[np.abs(RAIL_Y) < 34]],
                                    np.r_[np.linspace(25.0, 8.7, 60), RAIL_Z[np.abs(RAIL_Y) < 34]]), ""),
 }
@@ -201,7 +212,8 @@ def test_worn_and_difficult_shapes_solve(tmp_path, case, deviation):
             table = [part + rng.normal(0.0, deviation, len(part)) for part in table]
             given_profiles[kind], words = read(tmp_path, columns(*table), kind)
             said += words
-    assert re.search("noise of .* um smoothed, points moved by up to" if deviation else WORN[case][2], said), said
+    assert re.search("noise of .* um smoothed, points moved by up to" if deviation else WORN[case][2],
+                     said), said
     state = swept(**given_profiles)
     assert not state.status.any()
     assert np.all(state.right.area > 0.0) and np.all(state.right.max_pressure > 0.0)
@@ -212,7 +224,8 @@ def test_worn_and_difficult_shapes_solve(tmp_path, case, deviation):
 
 SPIKED = changed(Z, RNG.choice(len(Z), 150, replace=False), 3.0)
 REFUSED = {
-    "empty": (b"", "wheel", "own.txt", "contains no lines of two numbers; permitted are text files with y and z in mm"),
+    "empty": (b"", "wheel", "own.txt",
+              "contains no lines of two numbers; permitted are text files with y and z in mm"),
     "too few": (columns(Y[::100], Z[::100]), "wheel", "own.txt", "has 8 points; permitted are 10 or more"),
     "too many": (columns(np.tile(Y, 30), np.tile(Z, 30)), "wheel", "own.txt",
             "has 23010 points; permitted are at most 20000"),
@@ -220,11 +233,15 @@ REFUSED = {
             "has more than 4 MB; permitted are files of at most that"),
     "only NaN": ("nan nan\n" * 50, "wheel", "own.txt",
             "has only points that are not finite numbers; permitted are numbers in mm"),
-    "unknown unit": (columns(Y * 7, Z * 7), "wheel", "own.txt", r"is 908\.\d+ mm wide; permitted are 20 \.\.\. 200 mm"),
-    "too high": (columns(Y, 30 * Z), "wheel", "own.txt", r"is \d+\.?\d* mm high; permitted are 300 mm or less"),
+    "unknown unit": (columns(Y * 7, Z * 7), "wheel", "own.txt",
+                     r"is 908\.\d+ mm wide; permitted are 20 \.\.\. 200 mm"),
+    "too high": (columns(Y, 30 * Z), "wheel", "own.txt",
+                 r"is \d+\.?\d* mm high; permitted are 300 mm or less"),
     "no flange": (columns(Y[Y > -25], Z[Y > -25]), "wheel", "own.txt",
-                  r"has the tip of its flange, or its deepest point, at y = -24.* mm; permitted are -80 \.\.\. -30 mm"),
-    "low flange": (columns(Y, Z / 4), "wheel", "own.txt", r"has a flange of \d.* mm, .*; permitted are 10 \.\.\. 60 mm"),
+                  r"has the tip of its flange, or its deepest point, at y = -24.* mm; permitted are -80 "
+                  r"\.\.\. -30 mm"),
+    "low flange": (columns(Y, Z / 4), "wheel", "own.txt",
+                   r"has a flange of \d.* mm, .*; permitted are 10 \.\.\. 60 mm"),
     "rail for wheel": (columns(RAIL_Y, RAIL_Z), "wheel", "own.txt",
             "has its field side 39.* mm deeper than the running circle, as a rail's head"),
     "wheel for rail": (columns(Y, Z), "rail", "own.txt",
@@ -232,7 +249,8 @@ REFUSED = {
     "half a rail": (columns(RAIL_Y[RAIL_Y > 0], RAIL_Z[RAIL_Y > 0]), "rail", "own.txt",
             "permitted are heads with 10 mm or more on either side"),
     "gap": (columns(Y[(Y < -5) | (Y > 15)], Z[(Y < -5) | (Y > 15)]), "wheel", "own.txt",
-            r"has no points between y = -5\.\d+ and 15\.\d+ mm, a gap of 20\.\d mm; permitted are 10 mm or a straight"),
+            r"has no points between y = -5\.\d+ and 15\.\d+ mm, a gap of 20\.\d mm; permitted are 10 mm or "
+            r"a straight"),
     "outliers everywhere": (columns(Y, SPIKED), "wheel", "own.txt",
             r"has \d+ outliers or more among its 767 points; permitted are at most 10%"),
     "strong noise": (columns(Y, Z + np.random.default_rng(1).normal(0, 1.5, len(Z))), "wheel", "own.txt",
@@ -240,7 +258,8 @@ REFUSED = {
     "fold": (columns(np.r_[Y[:400], Y[395:]], np.r_[Z[:400], Z[395:] + 3.0]), "wheel", "own.txt",
             "a spike or a fold; permitted are at most 90 deg"),
     "a wall too high": (columns(np.round(RAIL_Y[::4]), RAIL_Z[::4]), "rail", "own.txt",
-                        r"folds back or is vertical at y = .* mm, z = .* mm; permitted is that from z = 5 mm on$"),
+                        r"folds back or is vertical at y = .* mm, z = .* mm; permitted is that from z = 5 "
+                        r"mm on$"),
     "commas": ("".join(f"{k},5,{k},25\n" for k in range(60)), "wheel", "own.csv",
             "has commas that may be decimal signs or separators"),
     "other kind by name": (columns(Y, Z), "rail", "own.prw",
@@ -249,10 +268,11 @@ REFUSED = {
             "says header type 0, which is a rail profile; permitted are wheel"),
     "no Simpack points": ("header.begin\nheader.end\n", "wheel", "own.prw",
             "contains no points between point.begin and point.end"),
-    "no MiniProf points": ("ColumnDef=X,Y\n\n", "rail", "own.ban", "contains no lines of numbers after its header"),
+    "no MiniProf points": ("ColumnDef=X,Y\n\n", "rail", "own.ban",
+                           "contains no lines of numbers after its header"),
     "not prepared": ('{"zones": 3}', "wheel", "own.json", "is not a prepared profile"),
-    "prepared, not finite": (prepared_text(standard_profile("UIC60")).replace("300.0", "NaN"), "rail", "own.json",
-                             "values that are not finite numbers"),
+    "prepared, not finite": (prepared_text(standard_profile("UIC60")).replace("300.0", "NaN"), "rail",
+                             "own.json", "values that are not finite numbers"),
 }
 
 

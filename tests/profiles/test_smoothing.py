@@ -40,7 +40,8 @@ def test_exact_points_are_left_as_they_are(tmp_path, kind, spacing):
     profile, said = read(tmp_path, "".join(f"{a!r} {b!r}\n" for a, b in zip(y.tolist(), z.tolist())), kind)
     assert said == ""
     inside = (y > INSIDE[kind][0]) & (y < INSIDE[kind][1])
-    shift = 0.0 if kind == "wheel" else profile.zones[0].start - y[0]     # a rail's origin moves to its highest point
+    # a rail's origin moves to its highest point
+    shift = 0.0 if kind == "wheel" else profile.zones[0].start - y[0]
     heights = profile.height((y[inside] + shift) * MM) / MM
     assert np.ptp(heights - z[inside]) < 1e-4                             # 1e-7 m
 
@@ -61,14 +62,15 @@ def test_noise_in_z_alone_counts_less_on_flanks():
     assert np.median(certainty[np.abs(y) < 20]) < 1.1 and np.median(certainty[np.abs(y + 39) < 0.4]) > 1.5
 
 
-#: Noise [mm]; median and 90 % of: contact position [mm], patch area, largest pressure.  About twice what docs/profiles.md
-#: tabulates, the most that a share of its seeds has shown.
+#: Noise [mm]; median and 90 % of: contact position [mm], patch area, largest pressure. About twice what
+#: docs/profiles.md tabulates, the most that a share of its seeds has shown.
 ACCURACY = {1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12), 1e-2: (0.8, 2.4, 0.07, 0.2, 0.13, 0.45),
             5e-2: (3.0, 8.0, 0.26, 0.7, 0.45, 1.5)}
 
 
 @pytest.mark.parametrize("spacing, both, seeds", [
-    (0.2, True, 2), *(pytest.param(*row, 6, marks=pytest.mark.slow) for row in ((0.1, True), (0.5, True), (0.2, False)))])
+    (0.2, True, 2),
+    *(pytest.param(*row, 6, marks=pytest.mark.slow) for row in ((0.1, True), (0.5, True), (0.2, False)))])
 @pytest.mark.parametrize("deviation", ACCURACY)
 def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, both, seeds):
     off, bad = case(spacing, deviation, both, tmp_path, range(seeds))
@@ -78,15 +80,18 @@ def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, both, seeds
 
 
 def test_smoothing_is_worth_it(tmp_path):
-    """Noise of 10 um read as it is makes asperities of every pressure; smoothed it moves the median by a few per cent."""
-    pressures = [np.nanmedian(case(0.2, 1e-2, False, tmp_path, [3], smoothing)[0][2]) for smoothing in (None, 0.0)]
+    """Noise of 10 um read as it is makes asperities of every pressure; smoothed it moves the
+    median by a few per cent."""
+    pressures = [np.nanmedian(case(0.2, 1e-2, False, tmp_path, [3], smoothing)[0][2])
+                 for smoothing in (None, 0.0)]
     assert pressures[0] < 0.15 and pressures[1] > 1.0
 
 
 def test_exact_points_give_exact_contacts(tmp_path):
     profiles = {kind: read(tmp_path, columns(*points(kind)), kind)[0] for kind in NAMES}
     off = differences(contacts(**profiles)[0], contacts()[0])
-    assert np.all(np.max(off, axis=1) < (0.01, 1e-3, 2e-3))        # [mm, 1, 1]; joints of curvature between points
+    # [mm, 1, 1]; joints of curvature between points
+    assert np.all(np.max(off, axis=1) < (0.01, 1e-3, 2e-3))
 
 
 def test_the_asked_tolerance_is_kept(tmp_path):
@@ -114,7 +119,9 @@ def test_a_fold_where_wheel_and_rail_meet_is_refused(tmp_path):
     """Noise that takes y back is smoothed; without smoothing the curve folds back there."""
     y, z = noisy("wheel", 2e-3, 6, 0.1)
     y = np.where(np.arange(len(y)) == 800, y[799] - 0.02, y)
-    with pytest.raises(ValueError, match=r"folds back or is vertical at y = -\d+\.\d+ mm, z = .* mm; permitted is that from "
+    with pytest.raises(ValueError,
+                       match=r"folds back or is vertical at y = -\d+\.\d+ mm, z = .* mm; permitted is that "
+                       r"from "
                                          r"z = 5 mm on and beyond y = 25 mm$"):
         read(tmp_path, columns(y, z), smoothing=0.0)
     assert "noise of 2" in read(tmp_path, columns(y, z))[1]
@@ -164,13 +171,16 @@ def test_the_command_line_says_it_in_one_line_each(measured, capsys):
             main(words + more, prog_name="wrcontact")
         said = capsys.readouterr().err.splitlines()
         assert not ended.value.code and len(said) == 2
-        assert re.match(f"wrcontact: wheel profile worn.csv: 3 outliers of up to .*; {done}, points moved by up to", said[0])
-        assert re.match(f"wrcontact: rail profile worn.prr: z was positive upwards; its sign is changed; {done}", said[1])
+        assert re.match(f"wrcontact: wheel profile worn.csv: 3 outliers of up to .*; {done}, points moved "
+                        f"by up to", said[0])
+        assert re.match(f"wrcontact: rail profile worn.prr: z was positive upwards; its sign is changed; "
+                        f"{done}", said[1])
 
 
 def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     with remarks_in_lines("build_fmu.py"):
-        _, own = chosen_profiles(wheel_profile=str(measured / "worn.csv"), rail_profile=str(measured / "worn.prr"))
+        _, own = chosen_profiles(wheel_profile=str(measured / "worn.csv"),
+                                 rail_profile=str(measured / "worn.prr"))
         starts, profiles = packed_profiles(2e-5, wheel_profile=str(measured / "worn.csv"))
     said = capsys.readouterr().err.splitlines()
     assert len(said) == 3 and all(line.startswith("build_fmu.py: ") for line in said)
@@ -178,5 +188,6 @@ def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     (measured / "packed" / "worn.csv").write_text(prepared_text(own["worn.csv"]))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ProfileWarning)
-        assert Profile.from_file(measured / "packed" / "worn.csv", "wheel") == Profile.from_file(measured / "worn.csv", "wheel")
+        assert Profile.from_file(measured / "packed" / "worn.csv",
+                                 "wheel") == Profile.from_file(measured / "worn.csv", "wheel")
         assert profiles[starts["wheel_profile"]] == Profile.from_file(measured / "worn.csv", "wheel", 2e-5)

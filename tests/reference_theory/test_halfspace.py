@@ -46,9 +46,11 @@ def test_convolution_is_the_sum():
 @pytest.mark.parametrize("ratio", [0.03, 0.2, 1.0, 5.0, 60.0])
 @pytest.mark.parametrize("force", [1e-3, 78.5e3, 1e6])
 def test_hertz(ratio, force):
-    """Ellipses up to 1:8, nanometres to a millimetre of penetration: 0.1 % in peak pressure, 0.5 % in area."""
+    """Ellipses up to 1:8, nanometres to a millimetre of penetration: 0.1 % in peak
+    pressure, 0.5 % in area."""
     penetration, a, b, pressure = hertz(1.087, 1.087 * ratio, force)
-    found = halfspace.solve_contact(paraboloid(1.087, 1.087 * ratio), WIDE, contact_modulus=MODULUS, force=force)
+    found = halfspace.solve_contact(paraboloid(1.087, 1.087 * ratio), WIDE, contact_modulus=MODULUS,
+                                    force=force)
     assert found.penetration == pytest.approx(penetration, rel=3e-4)
     assert found.max_pressure == pytest.approx(pressure, rel=1e-3)
     assert found.area == pytest.approx(math.pi * a * b, rel=5e-3)
@@ -57,7 +59,8 @@ def test_hertz(ratio, force):
 
 
 def test_peak_between_cells():
-    """The peak of Hertz's pressure a third of a cell away from the nearest centre; the centre itself is 1e-3 lower."""
+    """The peak of Hertz's pressure a third of a cell away from the nearest centre; the centre
+    itself is 1e-3 lower."""
     _, a, _, pressure = hertz(1.0, 1.0, 1e4)
     cells, third = 24, 1 / 3
     x = a * (1 + 4 / cells) * (2 * np.arange(cells + 4) + 1 - cells - 4) / (cells + 4)
@@ -70,32 +73,37 @@ def test_peak_between_cells():
 
 @pytest.mark.parametrize("aspect", [1.0, 3.0])
 def test_area_of_an_exact_pressure_field(aspect):
-    """Edges within cells: Hertz's own pressure at the centres of 30 cells across; counting cells is off by up to 1 %."""
+    """Edges within cells: Hertz's own pressure at the centres of 30 cells across; counting
+    cells is off by up to 1 %."""
     errors = []
     for offset in np.linspace(0.0, 0.5, 6):
         x, s = np.arange(-30, 31) + offset, np.arange(-30, 31) + 0.7 * offset
-        square = 1 - (x[:, None] / 15) ** 2 - (aspect * s / 30) ** 2 if aspect > 1 else 1 - (x[:, None] ** 2 + s**2) / 225
+        square = 1 - (x[:, None] / 15) ** 2 - (aspect * s / (30 if aspect > 1 else 15)) ** 2
         area = math.pi * 15 * (30 / aspect if aspect > 1 else 15)
         field = edge.edge_field(np.sqrt(np.maximum(square, 0.0)))
-        bias = edge.EDGE_BIAS * 2 * math.pi * 15     # the correction belongs to solved pressures, not to exact ones
+        # the correction belongs to solved pressures, not to exact ones
+        bias = edge.EDGE_BIAS * 2 * math.pi * 15
         errors.append((edge.edge_area(field) + bias * (30 / aspect / 15 + 1) / 2) / area - 1 if aspect > 1
                       else (edge.edge_area(field) + bias) / area - 1)
     assert np.max(np.abs(errors)) < 4e-3
 
 
 def test_flat_punch():
-    """A rigid cylinder of radius a: N = 2 E* a delta (Johnson 1985, eq. 3.36); an edge, and no surface beyond it."""
+    """A rigid cylinder of radius a: N = 2 E* a delta (Johnson 1985, eq. 3.36); an edge, and
+    no surface beyond it."""
     radius, cells = 5e-3, 120
     x = radius * 1.1 * (2 * np.arange(cells) + 1 - cells) / cells
     gap = np.where(np.hypot(x[:, None], x) < radius, 0.0, np.inf)
     found = one_grid.solve(x, x, gap, contact_modulus=MODULUS, penetration=1e-5)
-    assert found.force == pytest.approx(2 * MODULUS * radius * 1e-5, rel=0.01)      # the edge is known to half a cell
+    # the edge is known to half a cell
+    assert found.force == pytest.approx(2 * MODULUS * radius * 1e-5, rel=0.01)
     by_force = one_grid.solve(x, x, gap, contact_modulus=MODULUS, force=found.force)
     assert by_force.penetration == pytest.approx(1e-5, rel=1e-6)
 
 
 def test_two_separate_patches_press_each_other_down():
-    """Two balls 40 mm apart, patches of 2 mm: each as Hertz under half the load, and N/2 / (pi E* D) deeper."""
+    """Two balls 40 mm apart, patches of 2 mm: each as Hertz under half the load, and
+    N/2 / (pi E* D) deeper."""
     distance, force = 0.04, 2e4
     curvature = 5.0
 
@@ -126,7 +134,8 @@ def test_contact_conditions_hold():
 
 
 def test_grid_error_falls_with_the_cells():
-    """Twice the cells, a quarter of the error in penetration (measured 2.1 as exponent), half in area before correction."""
+    """Twice the cells, a quarter of the error in penetration (measured 2.1 as exponent), half
+    in area before correction."""
     errors = {"penetration": [], "max_pressure": []}
     for cells in (18, 36, 72):
         found, (penetration, _, _, pressure) = on_hertz(1.0, 2.0, 1e4, cells)
@@ -143,7 +152,8 @@ def test_estimated_error_bounds_the_real_one(ratio):
     penetration, a, b, pressure = hertz(1.0, ratio, 1e4)
     sizes = []
     for tolerance in (0.05, 0.01, 3e-3, 1e-3):
-        found = halfspace.solve_contact(paraboloid(1.0, ratio), WIDE, contact_modulus=MODULUS, force=1e4, tolerance=tolerance)
+        found = halfspace.solve_contact(paraboloid(1.0, ratio), WIDE, contact_modulus=MODULUS, force=1e4,
+                                        tolerance=tolerance)
         assert max(found.error.values()) <= tolerance
         assert abs(found.area / (math.pi * a * b) - 1) < tolerance
         assert abs(found.penetration / penetration - 1) < tolerance
@@ -163,7 +173,8 @@ def test_prescribed_penetration_is_the_inverse_on_a_grid():
 def test_a_guess_changes_the_cost_and_not_the_answer():
     plain, _ = on_hertz(1.0, 3.0, 4e4, 40)
     gap = paraboloid(1.0, 3.0)(plain.x, plain.s)
-    warm = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, guess=plain.pressure, precision=1e-8)
+    warm = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, guess=plain.pressure,
+                          precision=1e-8)
     bad = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, precision=1e-8,
                           guess=np.random.default_rng(2).random(gap.shape))
     assert warm.iterations <= 2 < plain.iterations < bad.iterations
@@ -171,9 +182,11 @@ def test_a_guess_changes_the_cost_and_not_the_answer():
 
 
 def test_scaling_with_size():
-    """All lengths times k, the load times k^2: the same pressures on the same cells, to the residual that is left."""
-    one, large = (halfspace.solve_contact(lambda x, s, k=k: paraboloid(1.0, 3.0)(x / k, s / k) * k, np.array(WIDE) * k,
-                                          contact_modulus=MODULUS, force=1e4 * k**2) for k in (1.0, 32.0))
+    """All lengths times k, the load times k^2: the same pressures on the same cells, to the
+    residual that is left."""
+    one, large = (halfspace.solve_contact(lambda x, s, k=k: paraboloid(1.0, 3.0)(x / k, s / k) * k,
+                                          np.array(WIDE) * k, contact_modulus=MODULUS, force=1e4 * k**2)
+                  for k in (1.0, 32.0))
     assert large.pressure.shape == one.pressure.shape
     np.testing.assert_allclose(large.pressure, one.pressure, atol=2e-5 * one.max_pressure)
     assert large.penetration == pytest.approx(32.0 * one.penetration, rel=1e-6)
@@ -181,9 +194,11 @@ def test_scaling_with_size():
 
 
 def test_force_rises_with_penetration():
-    loads = [halfspace.solve_contact(paraboloid(1.0, 3.0), WIDE, contact_modulus=MODULUS, penetration=depth).force
+    loads = [halfspace.solve_contact(paraboloid(1.0, 3.0), WIDE, contact_modulus=MODULUS,
+                                     penetration=depth).force
              for depth in np.geomspace(1e-9, 1e-4, 11)]
-    np.testing.assert_allclose(np.diff(np.log(loads)) / np.diff(np.log(np.geomspace(1e-9, 1e-4, 11))), 1.5, atol=2e-3)
+    np.testing.assert_allclose(np.diff(np.log(loads)) / np.diff(np.log(np.geomspace(1e-9, 1e-4, 11))), 1.5,
+                               atol=2e-3)
 
 
 def test_no_load_and_no_contact():
@@ -191,8 +206,8 @@ def test_no_load_and_no_contact():
     gap = paraboloid(1.0, 1.0)(x, x) + 1e-6
     empty = one_grid.solve(x, x, gap, contact_modulus=MODULUS, force=0.0)
     assert (empty.force, empty.area, empty.penetration) == (0.0, 0.0, pytest.approx(1e-6))
-    apart = halfspace.solve_contact(lambda x, s: paraboloid(1.0, 1.0)(x, s) + 1e-6, WIDE, contact_modulus=MODULUS,
-                                    penetration=5e-7)
+    apart = halfspace.solve_contact(lambda x, s: paraboloid(1.0, 1.0)(x, s) + 1e-6, WIDE,
+                                    contact_modulus=MODULUS, penetration=5e-7)
     assert apart.force == 0.0 and not apart.pressure.any() and apart.clearance.min() >= 5e-7 - 1e-15
 
 
@@ -208,9 +223,11 @@ GRID = (np.linspace(0, 1e-3, 5), np.linspace(0, 1e-3, 4), np.zeros((5, 4)))
     (GRID, {"force": -1.0}, "force is -1.0 N; permitted is force >= 0 N"),
     (GRID, {"force": math.nan}, "force is nan N"),
     (GRID, {"penetration": math.inf}, "penetration is inf m; permitted are finite"),
-    (GRID, {"force": 1.0, "contact_modulus": 0.0}, "contact_modulus is 0.0 Pa; permitted is contact_modulus > 0 Pa"),
+    (GRID, {"force": 1.0, "contact_modulus": 0.0},
+     "contact_modulus is 0.0 Pa; permitted is contact_modulus > 0 Pa"),
     ((GRID[0][::-1], *GRID[1:]), {"force": 1.0}, "x has shape (5,); permitted are two or more rising"),
-    ((GRID[0], np.array([0.0, 1e-3, 3e-3, 4e-3]), GRID[2]), {"force": 1.0}, "s has shape (4,); permitted are"),
+    ((GRID[0], np.array([0.0, 1e-3, 3e-3, 4e-3]), GRID[2]), {"force": 1.0},
+     "s has shape (4,); permitted are"),
     ((*GRID[:2], np.zeros((4, 5))), {"force": 1.0}, "gap has shape (4, 5); permitted is (5, 4)"),
     ((*GRID[:2], np.full((5, 4), np.nan)), {"force": 1.0}, "gap holds nan"),
 ])

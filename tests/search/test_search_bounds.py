@@ -18,8 +18,9 @@ PER_CELL = 8                             # samples of the gap in a cell of the s
 
 
 def sampled_placements(count, seed, largest_roll):
-    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of the search: tables, inputs, the
-    wheel's place, abscissae, gaps, slope differences and whether the rail is below, (n,) each."""
+    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of
+    the search: tables, inputs, the wheel's place, abscissae, gaps, slope differences and
+    whether the rail is below, (n,) each."""
     rng = np.random.default_rng(seed)
     array = system_tables()
     tables, work = layout.Tables.at(array), layout.Work.at(np.zeros(layout.WORK_SIZE))
@@ -37,7 +38,8 @@ def sampled_placements(count, seed, largest_roll):
 
 
 def test_no_cell_of_the_search_holds_more_than_its_bound_says():
-    """The certificate of the global minimum, against dense sampling of the gap at random placements up to 6 deg."""
+    """The certificate of the global minimum, against dense sampling of the gap at random
+    placements up to 6 deg."""
     checked = 0
     for tables, inputs, place, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
         for cell in range(len(y) // PER_CELL):
@@ -77,8 +79,8 @@ def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
 
 
 def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
-    """``clear_exponent`` may not clear a stretch in which the sampled gap falls further than allowed, nor ``rising_exponent`` one
-    that does not rise; and it has to clear most of those far above."""
+    """``clear_exponent`` may not clear a stretch in which the sampled gap falls further than allowed, nor
+    ``rising_exponent`` one that does not rise; and it has to clear most of those far above."""
     checked = cleared = 0
     for tables, inputs, place, y, gaps, _, below in sampled_placements(16, 22, 0.013):
         for node in np.flatnonzero(below[::PER_CELL]):
@@ -107,9 +109,10 @@ def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
 
 
 def test_smallest_gap_of_rough_profiles(tmp_path):
-    """S1002 on UIC60 from points with 1 um of noise every 0.2 mm, not smoothed: the gap has several minima in a cell of the search,
-    of which it took the first that it met. 14 of these 320 wheels had a smaller gap elsewhere, by up to 1.7 um; at -5.35, -6.25
-    and 7.55 mm a node of the search was left as the smallest and taken for the end of a profile."""
+    """S1002 on UIC60 from points with 1 um of noise every 0.2 mm, not smoothed: the gap has several minima in
+    a cell of the search, of which it took the first that it met. 14 of these 320 wheels had a smaller gap
+    elsewhere, by up to 1.7 um; at -5.35, -6.25 and 7.55 mm a node of the search was left as the smallest and
+    taken for the end of a profile."""
     profiles = []
     for seed, kind in ((1, "wheel"), (2, "rail")):
         path = tmp_path / f"{kind}.txt"
@@ -127,15 +130,18 @@ def test_smallest_gap_of_rough_profiles(tmp_path):
             below = sign * arm * np.sin(state.roll) + radius * np.cos(state.roll) - 0.46
             above = (across >= rail[0]) & (across <= rail[1])
             gap_there = evaluate_table(rail, across[above])[0] - below[above]
-            assert state.vertical_shift - gap_there.min() < 2e-9, (shift, sign)     # [m] what a cell of 32 um may hide
+            # [m] what a cell of 32 um may hide
+            assert state.vertical_shift - gap_there.min() < 2e-9, (shift, sign)
 
 
 def system_tables():
-    wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435,
-                                                        gauge_depth=0.014)
-    return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
+    wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40,
+                                                        gauge=1.435, gauge_depth=0.014)
+    return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5,
+                        contact_modulus=1e11,
                         methods={"normal_model": layout.MODEL_ANALYN,
-                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=Analyn().resolution)
+                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE},
+                        resolution=Analyn().resolution)
 
 
 def on_rail(tables, place, y):

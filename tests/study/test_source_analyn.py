@@ -33,7 +33,8 @@ def test_nodes_with_no_curvature_drop_out_unless_corrected():
     s = np.linspace(-5e-3, 5e-3, 401)
     B = np.where(np.abs(s - 1e-3) < 0.5e-3, -0.5, 2.0)
     columns = s, 2.0 * s**2, np.ones_like(s), B
-    bare, mended = (solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree) for degree in (None, 2))
+    bare, mended = (solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree)
+                    for degree in (None, 2))
     assert not bare.loaded[np.abs(s - 1e-3) < 0.4e-3].any() and bare.regions == 2
     assert mended.regions == 1 and mended.penetration < bare.penetration
     assert np.isnan(corrected(B, np.abs(s) < 3e-3, None)[np.abs(s - 1e-3) < 0.4e-3]).all()
@@ -41,11 +42,13 @@ def test_nodes_with_no_curvature_drop_out_unless_corrected():
 
 @pytest.mark.parametrize("shift", [1.0, 6.0, 6.5])
 def test_separations_near_the_contact_are_what_the_curvature_says(shift):
-    """B s^2 along the normal and between equal arcs, and 1 / cos(contact angle) more vertically at the same place."""
+    """B s^2 along the normal and between equal arcs, and 1 / cos(contact angle) more
+    vertically at the same place."""
     section = STUDY.section(shift)
     near = 5e-6   # [m]
     B = float(section.exact_lateral(section.normal(near, 1))[1])
-    for nodes in (section.normal(near, 8), section.equidistant(near, 8), section.equidistant(near, 8, chords=True)):
+    for nodes in (section.normal(near, 8), section.equidistant(near, 8),
+                  section.equidistant(near, 8, chords=True)):
         assert nodes.gap == pytest.approx(B * nodes.station**2, rel=0.02, abs=1e-13)
     vertical, cosine = section.vertical(near, 8), math.cos(section.angle)
     assert vertical.gap == pytest.approx(B * (vertical.station / cosine)**2 / cosine, rel=0.04, abs=1e-13)
@@ -57,7 +60,8 @@ def test_chords_are_arcs_in_the_limit():
         count = round(8e-3 / ds)
         chords, arcs = section.equidistant(ds, count, chords=True), section.equidistant(ds, count)
         errors.append(abs(chords.rail[0] - arcs.rail[0]))
-    assert errors[0] / errors[1] == pytest.approx(4, rel=0.3) and errors[1] / errors[2] == pytest.approx(4, rel=0.3)
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.3)
+    assert errors[1] / errors[2] == pytest.approx(4, rel=0.3)
 
 
 def test_arc_lengths_on_a_circle():
@@ -75,22 +79,27 @@ def test_curvatures_are_those_of_the_kernels_tables(shift):
     for curve, t in ((section.rail, nodes.rail), (section.wheel, nodes.wheel)):
         table, own = compile_profile(curve.profile), rough_curvature(curve.point(t))
         # 31 points along the chord, 61 along the tangent
-        assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02, abs=0.05)
-        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0   # [1/m], not beside a step of the heights
+        assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02,
+                                                                 abs=0.05)
+        # [1/m], not beside a step of the heights
+        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0
         assert np.median(np.abs(own - turned_curvature(table, t, 0.2e-3))[even]) < 0.01
 
 
 @pytest.mark.parametrize("shift", [6.0, 6.5])
 @pytest.mark.parametrize("separation", ["normal", "equidistant", "equidistant_chord"])
 def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
-    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the kernel with the same options."""
+    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the
+    kernel with the same options."""
     from wrcontact.study.patch_tables import study_patch
 
     section = STUDY.section(shift)
     nodes = {"normal": section.normal, "equidistant": section.equidistant,
-             "equidistant_chord": lambda ds, count: section.equidistant(ds, count, chords=True)}[separation](0.02e-3, 400)
+             "equidistant_chord": lambda ds,
+             count: section.equidistant(ds, count, chords=True)}[separation](0.02e-3, 400)
     patch = study_patch(nodes, section, section.smooth_lateral(nodes, 3e-3))
-    side = ContactSystem(separation=separation, lateral_curvature="smooth").evaluate(lateral_shift=shift / 1e3).right
+    side = ContactSystem(separation=separation,
+                         lateral_curvature="smooth").evaluate(lateral_shift=shift / 1e3).right
     assert patch.penetration == pytest.approx(side.penetration, rel=0.005)
     assert patch.pressure.max() == pytest.approx(side.max_pressure, rel=0.005)
     assert patch.length == pytest.approx(side.patch_length, rel=0.003)

@@ -18,13 +18,15 @@ from wrcontact.profiles.zones import Arc, Polynomial
 
 @pytest.mark.parametrize("radius, side", [(13.0, -1), (80.0, +1), (300.0, -1)])
 @pytest.mark.parametrize("curvature, scales", [(fitted_curvature, (0.1e-3, 3e-3, 10e-3)),
-                                               (turned_curvature, (0.02e-3, 0.2e-3, 5e-3))], ids=["smooth", "rough"])
+                                               (turned_curvature, (0.02e-3, 0.2e-3, 5e-3))],
+                         ids=["smooth", "rough"])
 def test_curvature_of_a_circle_is_exact_up_to_its_ends(radius, side, curvature, scales):
     table = compile_profile(Profile("arc", "rail", (Arc(-9.0, 9.0, radius, 0.0, -side * radius, side),)))
     y = np.linspace(-9e-3, 9e-3, 41)
     for scale in scales:
         # heights are exact to 1e-12 m between the ends of the kernel's pieces
-        np.testing.assert_allclose(curvature(table, y, scale), -side * 1e3 / radius, atol=8 * 1e-12 / scale**2 + 1e-6)
+        np.testing.assert_allclose(curvature(table, y, scale), -side * 1e3 / radius,
+                                   atol=8 * 1e-12 / scale**2 + 1e-6)
 
 
 @pytest.mark.parametrize("curvature", [fitted_curvature, turned_curvature])
@@ -33,13 +35,14 @@ def test_curvature_of_a_straight_line_is_none(curvature):
     np.testing.assert_allclose(curvature(table, np.linspace(-9e-3, 9e-3, 41), 1e-3), 0.0, atol=1e-8)
 
 
-@pytest.mark.parametrize("parameters", [dict(curvature_step=5e-3), dict(curvature_step=0.02e-3), dict(curvature_reach=10e-3),
-                                        dict(curvature_reach=0.1e-3)], ids=str)
+@pytest.mark.parametrize("parameters", [dict(curvature_step=5e-3), dict(curvature_step=0.02e-3),
+                                        dict(curvature_reach=10e-3), dict(curvature_reach=0.1e-3)], ids=str)
 @pytest.mark.parametrize("rail", RAILS)
 def test_tables_hold_numbers_at_every_scale(rail, parameters):
     kind = "rough" if "curvature_step" in parameters else "smooth"
     system = wrcontact.ContactSystem(rail=rail, lateral_curvature=kind, **parameters)
-    for setting, end in ((layout.SET_WHEEL_CURVATURE, layout.SET_RAIL_CURVATURE), (layout.SET_RAIL_CURVATURE, None)):
+    for setting, end in ((layout.SET_WHEEL_CURVATURE, layout.SET_RAIL_CURVATURE),
+                         (layout.SET_RAIL_CURVATURE, None)):
         start = int(system._tables[setting])
         table = system._tables[start:int(system._tables[end]) if end else None]
         assert np.all(np.isfinite(table)) and np.abs(table[3:]).max() < 2000.0
@@ -67,7 +70,8 @@ def orthogonal_fit(profile, y, reach):
         square = c * (u**2 + v**2)
         return 2 * (0.5 * square - v) / (1 + np.sqrt(np.maximum(1 + c * (square - 2 * v), 0.0)))
 
-    found = least_squares(distances, [0.0, np.arctan(profile.slope(y)), profile.curvature(y) * reach], xtol=1e-14, ftol=1e-14)
+    found = least_squares(distances, [0.0, np.arctan(profile.slope(y)), profile.curvature(y) * reach],
+                          xtol=1e-14, ftol=1e-14)
     return found.x[2] / reach
 
 
@@ -88,7 +92,8 @@ def chord_angles(profile, y, step):
     ("smooth", orthogonal_fit, 3e-3, 0.02), ("smooth", orthogonal_fit, 0.5e-3, 0.002),
     ("rough", chord_angles, 0.2e-3, 1e-3), ("rough", chord_angles, 0.7e-3, 1e-4)])
 def test_curvature_at_the_contact_against_its_definition(place, kind, witness, scale, error):
-    system = wrcontact.ContactSystem(lateral_curvature=kind, curvature_step=scale, curvature_reach=max(scale, 0.1e-3))
+    system = wrcontact.ContactSystem(lateral_curvature=kind, curvature_step=scale,
+                                     curvature_reach=max(scale, 0.1e-3))
     side = system.evaluate(PLACES[place]).right
     wheel, rail = profiles(system)
     expected = witness(rail, side.contact.y_rail, scale) - witness(wheel, side.contact.y_wheel, scale)
@@ -100,8 +105,8 @@ def test_curvature_of_a_small_scale_is_the_profile_s_own(kind):
     system = wrcontact.ContactSystem(lateral_curvature=kind, curvature_step=0.02e-3, curvature_reach=0.1e-3)
     own = wrcontact.ContactSystem()
     for place in ("root", "flange"):
-        assert system.evaluate(PLACES[place]).right.curvature_y == pytest.approx(own.evaluate(PLACES[place]).right.curvature_y,
-                                                                                 rel=1e-3)
+        found, wanted = (one.evaluate(PLACES[place]).right.curvature_y for one in (system, own))
+        assert found == pytest.approx(wanted, rel=1e-3)
 
 
 def test_hertz_takes_the_chosen_lateral_curvature():
@@ -112,8 +117,8 @@ def test_hertz_takes_the_chosen_lateral_curvature():
 
 
 def test_rough_and_smooth_are_what_the_source_shows():
-    """Sections 7.2 and 7.3 of the source: at 1 mm the rough curvature of wheel and rail together jumps within the patch, even
-    below zero, and the smooth one does not."""
+    """Sections 7.2 and 7.3 of the source: at 1 mm the rough curvature of wheel and rail together jumps within
+    the patch, even below zero, and the smooth one does not."""
     system = wrcontact.ContactSystem()
     tables = system._tables
     wheel, rail = (tables[int(tables[a]):int(tables[b])] for a, b in ((layout.SET_WHEEL, layout.SET_RAIL),

@@ -1,8 +1,8 @@
 """Normal and elastic contact at very many random poses (fuzzing.py): what has to hold at every one of them.
 
-No number here is compared with one that the kernel has computed in the same way: a load is with the one prescribed, a pose
-with its mirror image, with itself after another history, with the same bodies in another size and of another stiffness, and
-with the poses beside it.
+No number here is compared with one that the kernel has computed in the same way: a load is with the one
+prescribed, a pose with its mirror image, with itself after another history, with the same bodies in another
+size and of another stiffness, and with the poses beside it.
 
 A failure prints the line of Python that is its pose.
 """
@@ -41,7 +41,8 @@ from wrcontact import Status
 def check_sound(scene, poses):
     """Statuses, loads and patches of one batch; how many of its poses have not converged."""
     table = scene.system().evaluate_many(**poses.arguments)
-    compliant, vertical = scene.arguments["contact_mode"] == "compliant", scene.arguments["load"] == "vertical"
+    compliant, vertical = (scene.arguments["contact_mode"] == "compliant",
+                           scene.arguments["load"] == "vertical")
     lost = table.status == Status.NOT_CONVERGED
     assert_none(table.status > Status.NOT_CONVERGED, scene, poses, "status", table.status)
     good = table.status <= Status.UNLOADED
@@ -49,8 +50,10 @@ def check_sound(scene, poses):
         side = getattr(table, name)
         loaded = good & ((side.normal_force > 0) if compliant else (force > 0))
         values = np.array([getattr(side, name) for name in NAMES] + [side.patch_count])
-        assert_none(loaded & ~np.all(np.isfinite(values) & (values > 0), axis=0), scene, poses, f"{name} is not positive")
-        assert_none(good & ~loaded & np.any(values != 0, axis=0), scene, poses, f"{name} has no load but a patch")
+        assert_none(loaded & ~np.all(np.isfinite(values) & (values > 0), axis=0), scene, poses,
+                    f"{name} is not positive")
+        assert_none(good & ~loaded & np.any(values != 0, axis=0), scene, poses,
+                    f"{name} has no load but a patch")
         if not compliant and not vertical:
             # solved to 1e-12, and added up over strips and nodes
             off = np.where(loaded, np.abs(side.normal_force - force) / np.where(loaded, force, 1.0), 0.0)
@@ -71,8 +74,8 @@ def check_sound(scene, poses):
 
 @amounts((8, 100), (100, 100), (400, 1000))
 def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
-    """All modes, models and methods, profiles that are cut off among them.  Status 3 on whole profiles: none in 10 000
-    poses, and 1 of 100 000, elastic with "vertical" distances under 700 kN."""
+    """All modes, models and methods, profiles that are cut off among them. Status 3 on whole profiles: none
+    in 10 000 poses, and 1 of 100 000, elastic with "vertical" distances under 700 kN."""
     whole = every = 0
     for scene, drawn in batches(seed, scenes, poses):
         found = check_sound(scene, drawn)
@@ -86,8 +89,9 @@ def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
 
 
 def patch_error(scene):
-    """What 1e-12 m of a contact's place may change of its patch, relative: a kilonewton's is 5e-6 m deep, next to a joint
-    that bends 10 times as much; a strip at the edge of a conformal patch takes up load or does not: 1 % of it, measured."""
+    """What 1e-12 m of a contact's place may change of its patch, relative: a kilonewton's is 5e-6 m deep,
+    next to a joint that bends 10 times as much; a strip at the edge of a conformal patch takes up load or
+    does not: 1 % of it, measured."""
     return 0.03 if scene.arguments["normal_model"] == "analyn_strip" else 1e-5
 
 
@@ -100,12 +104,15 @@ def check_mirror(scene, poses):
     twin = np.array([right, left])
     if scene.arguments["contact_mode"] == "compliant":
         # given height and roll, both sides compute the same numbers
-        assert_none(np.any((numbers(one) != twin)[..., good], axis=(0, 1)), scene, poses[good], "in the mirror")
-    for name, sum_or_difference in (("roll", one.roll + other.roll), ("height", one.vertical_shift - other.vertical_shift)):
+        assert_none(np.any((numbers(one) != twin)[..., good], axis=(0, 1)), scene, poses[good],
+                    "in the mirror")
+    for name, sum_or_difference in (("roll", one.roll + other.roll),
+                                    ("height", one.vertical_shift - other.vertical_shift)):
         off = np.where(good, np.abs(sum_or_difference), 0.0)
         assert_none(off > 1e-12, scene, poses, f"{name} in the mirror off by", off)       # [rad, m]
     off = np.max(np.abs(numbers(one) - twin) / np.where(twin == 0, 1.0, np.abs(twin)), axis=(0, 1))
-    assert_none(np.where(good, off, 0.0) > patch_error(scene), scene, poses, "patches in the mirror off by", off)
+    assert_none(np.where(good, off, 0.0) > patch_error(scene), scene, poses, "patches in the mirror off by",
+                off)
     return off[good]
 
 
@@ -121,7 +128,8 @@ def check_history(scene, poses):
     order = np.random.default_rng(len(poses)).permutation(len(poses))
     one, other = system.evaluate_many(**poses.arguments), system.evaluate_many(**poses[order].arguments)
     back = np.argsort(order)
-    assert_none(one.status != other.status[back], scene, poses, "status after other poses", other.status[back])
+    assert_none(one.status != other.status[back], scene, poses, "status after other poses",
+                other.status[back])
     good = one.status <= Status.UNLOADED
     for name in ("roll", "vertical_shift"):
         off = np.where(good, np.abs(getattr(one, name) - getattr(other, name)[back]), 0.0)
@@ -142,7 +150,8 @@ def test_what_came_before_changes_nothing(seed, scenes, poses):
 
 @amounts((3, 100), (60, 60), (400, 500))
 def test_loads_times_stiffness_are_the_same_patches(seed, scenes, poses):
-    """No force is hidden in the kernel: modulus and loads k-fold give the same lengths, and pressures k-fold."""
+    """No force is hidden in the kernel: modulus and loads k-fold give the same
+    lengths, and pressures k-fold."""
     factors = [STIFFER if name in ("normal_force", "max_pressure") else 1.0 for name in NAMES]
     for scene, drawn in unique(seed, scenes, poses):
         drawn = heavy(drawn)
@@ -177,13 +186,16 @@ def check_size(scene, poses):
 def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
     """Lengths k-fold and loads k^2-fold give the same angles and pressures.
 
-    The search's raster of 0.5 mm does not grow with the profiles, so that a second region beside a jump can be found in one
-    size and not in the other: measured, 1 % of the poses, half of which lie beside a jump, differ by more than 1 %.
+    The search's raster of 0.5 mm does not grow with the profiles, so that a second region beside a jump can
+    be found in one size and not in the other: measured, 1 % of the poses, half of which lie beside a jump,
+    differ by more than 1 %.
     """
-    every = [check_size(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)]
+    every = [check_size(scene, heavy(drawn))
+             for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)]
     kept, off = (np.concatenate(part) for part in zip(*every))
     assert kept.mean() > 0.9        # the others stand within a nanometre of a jump
-    assert np.median(off[kept]) < 1e-5          # nodes are laid over widths that are known to 2.5e-6 (regions.WIDTH_SHARP)
+    # nodes are laid over widths that are known to 2.5e-6 (regions.WIDTH_SHARP)
+    assert np.median(off[kept]) < 1e-5
     assert np.percentile(off[kept], 80) < 1e-3
     assert np.mean(off[kept] > 0.02) < 0.02 + 6 / len(off)
     assert np.mean(off[kept] > 0.5) < 2e-3 + 3 / len(off)
@@ -197,8 +209,8 @@ LOADS = np.geomspace(1e-3, 1e6, 40)             # [N]
 
 @amounts((2, 6), (40, 12), (300, 60))
 def test_penetration_rises_with_the_load(seed, scenes, poses):
-    """Rigid contact, from 1 mN to 1 MN.  Hertz always, with the power 2/3.  ANALYN and its strips step back where a second
-    region opens or joins; measured in 0.1 % of the steps, and by a power of 1.1 at most."""
+    """Rigid contact, from 1 mN to 1 MN. Hertz always, with the power 2/3. ANALYN and its strips step back
+    where a second region opens or joins; measured in 0.1 % of the steps, and by a power of 1.1 at most."""
     back = steps = 0
     for scene, drawn in unique(seed, scenes, poses, contact_mode="rigid"):
         ladder = Poses(np.repeat(drawn.inputs, len(LOADS), axis=0)).changed(
@@ -225,8 +237,8 @@ STEPS = (4e-9, 1e-9)                            # [m]
 
 
 def bends(scene, poses, step):
-    """Largest second difference over three lateral shifts ``step`` apart, as a share of the value (n,), of 1 rad for the
-    roll; and which of the poses carry and stay on one side of every jump."""
+    """Largest second difference over three lateral shifts ``step`` apart, as a share of the value (n,), of 1
+    rad for the roll; and which of the poses carry and stay on one side of every jump."""
     system = scene.system()
     three = [system.evaluate_many(**poses.changed(lateral_shift=poses.lateral_shift + away).arguments)
              for away in (-step, 0.0, step)]
@@ -240,8 +252,8 @@ def bends(scene, poses, step):
 
 
 def check_smooth(seed, scenes, poses, mode):
-    """Hops of all poses (n,): second differences that do not fall with the step, as those of a smooth function or a kink
-    would, at poses away from jumps of the rigid contact."""
+    """Hops of all poses (n,): second differences that do not fall with the step, as those of a smooth
+    function or a kink would, at poses away from jumps of the rigid contact."""
     hops = []
     for scene, drawn in unique(seed, scenes, poses, contact_mode=mode):
         drawn = heavy(drawn)
@@ -258,8 +270,8 @@ def check_smooth(seed, scenes, poses, mode):
 @amounts((2, 60), (40, 40), (300, 400))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
 def test_outputs_hop_nowhere_but_at_jumps(mode, seed, scenes, poses):
-    """A real hop of a model that opens a region is met by a step of 1e-9 m once in 10^4 poses; chatter, as of two answers
-    that take turns, would be met at every one."""
+    """A real hop of a model that opens a region is met by a step of 1e-9 m once in 10^4 poses; chatter, as of
+    two answers that take turns, would be met at every one."""
     hops = check_smooth(seed, scenes, poses, mode)
     assert np.mean(hops > 1e-5) <= 2e-3 + 2 / len(hops), np.sort(hops)[-5:]
     assert np.mean(hops > 1e-7) <= 1e-2 + 2 / len(hops), np.sort(hops)[-5:]
@@ -273,13 +285,16 @@ EXAMPLES = settings(deadline=None, derandomize=True, database=None,
 
 
 @pytest.mark.parametrize("examples", [
-    8, pytest.param(80, marks=pytest.mark.slow), pytest.param(2000, marks=[pytest.mark.slow, pytest.mark.complete])])
+    8, pytest.param(80, marks=pytest.mark.slow),
+    pytest.param(2000, marks=[pytest.mark.slow, pytest.mark.complete])])
 def test_hypothesis_finds_nothing(examples):
-    """Hypothesis picks the scene by its number and changes shift, yaw and load of its poses, to round numbers above all."""
+    """Hypothesis picks the scene by its number and changes shift, yaw and load of its poses,
+    to round numbers above all."""
 
     @settings(EXAMPLES, max_examples=examples)
-    @given(number=st.integers(0, 10_000), shift=st.floats(-12e-3, 12e-3), yaw=st.floats(-LARGEST_YAW, LARGEST_YAW),
-           force=st.floats(1e-3, 1e6), transfer=st.floats(-1.0, 1.0))
+    @given(number=st.integers(0, 10_000), shift=st.floats(-12e-3, 12e-3),
+           yaw=st.floats(-LARGEST_YAW, LARGEST_YAW), force=st.floats(1e-3, 1e6),
+           transfer=st.floats(-1.0, 1.0))
     def holds(number, shift, yaw, force, transfer):
         (scene, drawn), = batches(4, 1, 2, first=number)
         if scene.arguments["contact_mode"] != "compliant":

@@ -18,12 +18,13 @@ from tests.helpers.paths import REFERENCE_DATA
 
 
 def manchester():
-    """The Manchester contact benchmark (Shackleton and Iwnicki 2008), case A-2.2: shift, yaw, roll, force, load transfer."""
+    """The Manchester contact benchmark (Shackleton and Iwnicki 2008), case A-2.2: shift, yaw, roll,
+    force, load transfer."""
     with open(REFERENCE_DATA / "manchester_a22_rolls.csv", newline="") as file:
         for row in csv.DictReader(file):
             left, right = float(row["normal_force_left_N"]), float(row["normal_force_right_N"])
-            yield (float(row["lateral_shift_mm"]) * 1e-3, float(row["yaw_rad"]), float(row["roll_rad"]), (left + right) / 2,
-                   (right - left) / (left + right))
+            yield (float(row["lateral_shift_mm"]) * 1e-3, float(row["yaw_rad"]), float(row["roll_rad"]),
+                   (left + right) / 2, (right - left) / (left + right))
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
@@ -55,9 +56,9 @@ def steps_of(quantity, start, stop, step, yaw):
 @pytest.mark.parametrize("yaw", [0.0, math.radians(1), math.radians(2)])
 @pytest.mark.parametrize("window", [(4.4e-3, 5.5e-3, 1e-6), (5.8e-3, 6.5e-3, 1e-6), (6.2e-3, 6.4e-3, 2e-7)])
 def test_roll_does_not_jump(window, yaw):
-    """The steepest slope is 17 rad/m (measured, at 2 deg and 5.995 mm).  Without yaw two equilibria stand side by side from
-    6.2926 to 6.2985 mm, on root and on flange, 3e-5 rad apart, and which one is found changes some ten times; at 1 deg
-    regions that come and go make steps of 8e-6 rad near 6.233 mm."""
+    """The steepest slope is 17 rad/m (measured, at 2 deg and 5.995 mm). Without yaw two equilibria stand side
+    by side from 6.2926 to 6.2985 mm, on root and on flange, 3e-5 rad apart, and which one is found changes
+    some ten times; at 1 deg regions that come and go make steps of 8e-6 rad near 6.233 mm."""
     steps = steps_of("roll", *window, yaw)
     assert steps.max() < 4e-5                                   # [rad]; measured 3.0e-5
     jumps = np.count_nonzero(steps > 20.0 * window[2] + 2e-6)
@@ -84,7 +85,8 @@ def test_a_light_wheelset_stands_as_a_rigid_one(shift, yaw):
     lacks = {"roll": table.roll - rigid.roll, "height": table.vertical_shift - rigid.vertical_shift}
     for side in ("left", "right"):
         for name in ("y_wheel", "y_rail"):
-            lacks[side, name] = getattr(getattr(table, side).contact, name) - getattr(getattr(rigid, side).contact, name)
+            lacks[side, name] = getattr(getattr(table, side).contact,
+                                        name) - getattr(getattr(rigid, side).contact, name)
     for name, lack in lacks.items():
         assert abs(lack[0]) < 3e-7 and abs(lack[2]) < 1e-9, name
         # the smallest of them, 1e-11 rad, has two digits that are not rounding
@@ -161,8 +163,9 @@ def test_vertical_load_stands_where_its_normal_loads_do(case):
 
 @pytest.mark.parametrize("case", POSES)
 def test_force_acts_along_the_mean_of_the_normals(case):
-    """Of the outline: pressure times length over its stations, by the rail's normal there; 31 stations tell it to 1 %, and the
-    kernel's dozen nodes around the corner of 13 mm, where the conformal one stands, to 1.5 %."""
+    """Of the outline: pressure times length over its stations, by the rail's normal there; 31
+    stations tell it to 1 %, and the kernel's dozen nodes around the corner of 13 mm, where the
+    conformal one stands, to 1.5 %."""
     shift, yaw, transfer = POSES[case]
     state = elastic().evaluate(shift, yaw, FORCE, transfer)
     total = np.zeros(2)
@@ -176,8 +179,9 @@ def test_force_acts_along_the_mean_of_the_normals(case):
 
 
 def test_the_conformal_stand_is_an_equilibrium():
-    """At 6.29 mm there are more than one, as the wheel hangs on root or flange; the one that was found is a root of both
-    loads, to which Powell's method comes back, but for bends in the load that stop it a few nm short."""
+    """At 6.29 mm there are more than one, as the wheel hangs on root or flange; the one that was
+    found is a root of both loads, to which Powell's method comes back, but for bends in the load that
+    stop it a few nm short."""
     loads = Loads("conformal", "normal", "analyn")
     state = elastic().evaluate(*POSES["conformal"][:2], FORCE)
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-6)
@@ -188,7 +192,8 @@ def test_the_conformal_stand_is_an_equilibrium():
 @pytest.mark.parametrize("model, tolerance", [("hertz", 1e-8), ("analyn_strip", 0.01)])
 @pytest.mark.parametrize("case", ["tread", "root", "flange", "yawed_flange"])
 def test_compliant_loads_are_the_elastic_ones_with_other_models(case, model, tolerance):
-    """Two sweeps of strips begin at ANALYN's patch for the load in one form and for the depth in the other: 0.7 %."""
+    """Two sweeps of strips begin at ANALYN's patch for the load in one form and for
+    the depth in the other: 0.7 %."""
     loads = Loads(case, "normal", model)
     state = elastic(normal_model=model).evaluate(*POSES[case][:2], FORCE, POSES[case][2])
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=tolerance)
@@ -196,13 +201,16 @@ def test_compliant_loads_are_the_elastic_ones_with_other_models(case, model, tol
 
 @pytest.mark.parametrize("shift", [6.283e-3, 6.287e-3, 6.293e-3])
 def test_where_the_load_jumps_the_stand_is_at_the_jump(shift):
-    """Hertz's wheel between root and flange has the curvature of one or the other, and no height carries the load: 10 nm higher
-    it carries less, 10 nm lower more; the other wheel carries its own, and the mirror image stands there too."""
+    """Hertz's wheel between root and flange has the curvature of one or the other, and no height carries the
+    load: 10 nm higher it carries less, 10 nm lower more; the other wheel carries its own, and the mirror
+    image stands there too."""
     state = elastic(normal_model="hertz").evaluate(shift)
     mirrored = elastic(normal_model="hertz").evaluate(-shift)
     assert state.status == mirrored.status == 0
-    assert (mirrored.roll, mirrored.vertical_shift) == pytest.approx((-state.roll, state.vertical_shift), abs=1e-11)
-    above, below = (compliant(normal_model="hertz").evaluate(shift, vertical_shift_input=state.vertical_shift + away,
+    assert (mirrored.roll, mirrored.vertical_shift) == pytest.approx((-state.roll, state.vertical_shift),
+                                                                     abs=1e-11)
+    above, below = (compliant(normal_model="hertz").evaluate(shift,
+                                                             vertical_shift_input=state.vertical_shift + away,
                                                              roll_input=state.roll) for away in (-1e-8, 1e-8))
     assert above.right.normal_force < 0.9 * FORCE < 1.1 * FORCE < below.right.normal_force
     assert above.left.normal_force == pytest.approx(FORCE, rel=1e-3)

@@ -53,7 +53,8 @@ def test_mirror_guess_and_history_change_nothing(model, load):
 
 @needs_library
 @pytest.mark.parametrize("parameters", [
-    {"contact_mode": "elastic"}, {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
+    {"contact_mode": "elastic"},
+    {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
     {"contact_mode": "compliant"}, {"contact_mode": "compliant", "normal_model": "hertz"},
 ], ids=lambda parameters: "-".join(parameters.values()))
 def test_compiled_and_python_are_one_in_the_last_bit(tmp_path, parameters):
@@ -68,9 +69,11 @@ def test_compiled_and_python_are_one_in_the_last_bit(tmp_path, parameters):
         np.testing.assert_array_equal(bits(found[0]), bits(found[1]))
 
 
-@pytest.mark.parametrize("model, mean, most", [("analyn", 10, 100), ("analyn_strip", 10, 100), ("hertz", 10, 100)])
+@pytest.mark.parametrize("model, mean, most",
+                         [("analyn", 10, 100), ("analyn_strip", 10, 100), ("hertz", 10, 100)])
 def test_a_step_takes_few_trials(model, mean, most):
-    """Measured with those of the rigid search: 8.7 on average, 20 at the 99th percentile, 74 at most, with brackets."""
+    """Measured with those of the rigid search: 8.7 on average, 20 at the 99th percentile, 74
+    at most, with brackets."""
     stepper, counts = elastic(normal_model=model).stepper(), []
     for pose in zip(*random_poses(600, 44, 8e-3, 0.03, (1e3, 1.5e5), 0.5)):
         stepper.inputs[[0, 1, 3, 4]] = pose
@@ -81,7 +84,8 @@ def test_a_step_takes_few_trials(model, mean, most):
 
 
 def check_random_poses(count, seed, rail, inclination, model, load):
-    """Statuses 0 and 1; or 2 where a wheel would stand about 2 mm deep: under vertical loads of some 300 kN on a flange."""
+    """Statuses 0 and 1; or 2 where a wheel would stand about 2 mm deep: under vertical loads
+    of some 300 kN on a flange."""
     parameters = dict(rail=rail, rail_inclination=inclination, normal_model=model, load=load)
     poses = np.array(random_poses(count, seed))
     table = elastic(**parameters).evaluate_many(*poses)
@@ -90,7 +94,8 @@ def check_random_poses(count, seed, rail, inclination, model, load):
         where = f"{parameters} {[float(value) for value in poses[:, k]]}: status {table.status[k]}"
         rigid = system(**parameters).evaluate(*poses[:, k])
         sink = max(side.penetration / math.cos(side.contact_angle) for side in (rigid.left, rigid.right))
-        assert table.status[k] == 2 and load == "vertical" and sink > 1e-3, f"{where}, {1e3 * sink:.2f} mm deep"
+        assert table.status[k] == 2 and load == "vertical" and sink > 1e-3, (
+            f"{where}, {1e3 * sink:.2f} mm deep")
     for sign, side in ((-1, table.left), (1, table.right)):
         good = table.status == 0
         if load == "normal":
@@ -115,13 +120,17 @@ def test_many_random_poses_stand(pair, model, load):
     assert check_random_poses(4000, 70 + pair, *PAIRS[pair], model, load) <= 12
 
 
-#: Once refused (status 3): the first sample of the overlap lay beyond the rail, and the guess beside it was the other
-#: side's; Newton's method for a deepest point swung to and fro.
+#: Once refused (status 3): the first sample of the overlap lay beyond the rail, and the guess beside it was
+#: the other side's; Newton's method for a deepest point swung to and fro.
 ONCE_REFUSED = [
-    ("54E1", 1 / 20, "normal", (-0.0058487261477867675, 0.04631273279453417, 203082.27503455844, -0.5752669176125726)),
-    ("54E1", 1 / 20, "normal", (0.005753283566805999, 0.04565362260413991, 42.233597926451544, 0.06340601422594294)),
-    ("54E1", 1 / 20, "normal", (0.005627118423548107, 0.049592264914850415, 9.282953393581076, -0.620919936840998)),
-    ("54E1", 1 / 20, "vertical", (-0.0054536774061790805, 0.0559478341625486, 1065.9421201621758, 0.7234823042869359)),
+    ("54E1", 1 / 20, "normal",
+     (-0.0058487261477867675, 0.04631273279453417, 203082.27503455844, -0.5752669176125726)),
+    ("54E1", 1 / 20, "normal",
+     (0.005753283566805999, 0.04565362260413991, 42.233597926451544, 0.06340601422594294)),
+    ("54E1", 1 / 20, "normal",
+     (0.005627118423548107, 0.049592264914850415, 9.282953393581076, -0.620919936840998)),
+    ("54E1", 1 / 20, "vertical",
+     (-0.0054536774061790805, 0.0559478341625486, 1065.9421201621758, 0.7234823042869359)),
     ("54E1", 1 / 40, "vertical", (-0.006533775692339662, 0.0, 167302.94718115925, -0.5631799716684236)),
 ]
 
@@ -129,12 +138,15 @@ ONCE_REFUSED = [
 @pytest.mark.parametrize("rail, inclination, load, pose", ONCE_REFUSED)
 def test_poses_that_were_refused_once(rail, inclination, load, pose):
     for model in MODELS:
-        assert elastic(rail=rail, rail_inclination=inclination, load=load, normal_model=model).evaluate(*pose).status == 0
+        assert elastic(rail=rail, rail_inclination=inclination, load=load,
+                       normal_model=model).evaluate(*pose).status == 0
 
 
-#: Once refused (status 2 or 3) although the wheelset stands 0.05 to 0.5 mm deep: on the way from the rigid roll to the stand a
-#: steep flange would have to be deeper than 2 mm, or the nodes of a deep stand carried more than the load at every level.
-STEEP = {"separation": {"separation": "vertical"}, "basic": {"longitudinal_curvature": "basic"}, "default": {}}
+#: Once refused (status 2 or 3) although the wheelset stands 0.05 to 0.5 mm deep: on the way from the rigid
+#: roll to the stand a steep flange would have to be deeper than 2 mm, or the nodes of a deep stand carried
+#: more than the load at every level.
+STEEP = {"separation": {"separation": "vertical"}, "basic": {"longitudinal_curvature": "basic"},
+         "default": {}}
 ONCE_TOO_STEEP = [
     ("default", (-0.006441960288928336, -0.01931160209022382, 191217.56157863978, -0.9453709409738588)),
     ("basic", (0.006434177935025435, 0.021933914269399883, 190255.06901448508, 0.43692107314968576)),
@@ -150,8 +162,8 @@ ONCE_TOO_STEEP = [
 
 @pytest.mark.parametrize("choice, pose", ONCE_TOO_STEEP)
 def test_a_steep_flange_stands_where_the_compliant_form_carries_its_load(choice, pose):
-    """The compliant form, which is given height and roll, carries the tread's load there, and more than the flange's 10 nm
-    lower, less 10 nm higher."""
+    """The compliant form, which is given height and roll, carries the tread's load there, and more than the
+    flange's 10 nm lower, less 10 nm higher."""
     shift, yaw, force, transfer = pose
     state = elastic(load="vertical", **STEEP[choice]).evaluate(*pose)
     assert state.status == 0
@@ -160,35 +172,42 @@ def test_a_steep_flange_stands_where_the_compliant_form_carries_its_load(choice,
         stand = compliant(load="vertical", **STEEP[choice]).evaluate(
             shift, yaw, vertical_shift_input=state.vertical_shift + move, roll_input=state.roll)
         tread = stand.left if shift > 0 else stand.right
-        assert carried(tread, "vertical") == pytest.approx(force * (1 - abs(transfer)), rel=2e-3)   # 1e-8 m is up to 1e-3
+        # 1e-8 m is up to 1e-3
+        assert carried(tread, "vertical") == pytest.approx(force * (1 - abs(transfer)), rel=2e-3)
         away.append(-stand.force.z - carried(tread, "vertical"))
     wanted = force * (1 + abs(transfer))
     # the stand is met to 1e-13 m, 1e-9 of the load
-    assert away[0] < (1 + 1e-8) * wanted and away[1] > (1 - 1e-8) * wanted, (away[0] / wanted, away[1] / wanted)
+    assert (away[0] < (1 + 1e-8) * wanted and away[1] > (1 - 1e-8) * wanted), (away[0] / wanted,
+                                                                               away[1] / wanted)
 
 
 def test_both_wheels_stand_at_one_height_where_the_flange_s_jumps():
-    """The flange carries its load at several heights of one roll; once the two wheels stood 0.1 mm apart there, at status 0."""
-    parameters = dict(load="vertical", normal_model="analyn_strip", separation="vertical", longitudinal_curvature="basic",
-                      lateral_curvature="smooth")
-    shift, yaw, force, transfer = 0.006717038521666567, -0.02235267519980281, 177991.03241361293, 0.8098496174104448
+    """The flange carries its load at several heights of one roll; once the two wheels stood 0.1 mm
+    apart there, at status 0."""
+    parameters = dict(load="vertical", normal_model="analyn_strip", separation="vertical",
+                      longitudinal_curvature="basic", lateral_curvature="smooth")
+    shift, yaw, force, transfer = (0.006717038521666567, -0.02235267519980281, 177991.03241361293,
+                                   0.8098496174104448)
     state = elastic(**parameters).evaluate(shift, yaw, force, transfer)
     assert state.status == 0
-    stand = compliant(**parameters).evaluate(shift, yaw, vertical_shift_input=state.vertical_shift, roll_input=state.roll)
-    # strips are corrected for the load in one form and for the depth in the other, on a tread 0.14 % at most (measured)
+    stand = compliant(**parameters).evaluate(shift, yaw, vertical_shift_input=state.vertical_shift,
+                                             roll_input=state.roll)
+    # strips are corrected for the load in one form and for the depth in the other, on a tread
+    # 0.14 % at most (measured)
     assert stand.left.normal_force == pytest.approx(state.left.normal_force, rel=2e-3)
 
 
 def test_a_load_that_no_depth_carries_is_told():
-    """The flange carries at most 0.989 of its load where it is less than 2 mm deep and the tread carries its own, by a scan of the
-    compliant form over 1200 rolls; half of the load stands."""
+    """The flange carries at most 0.989 of its load where it is less than 2 mm deep and the tread carries its
+    own, by a scan of the compliant form over 1200 rolls; half of the load stands."""
     pair = elastic(load="vertical", longitudinal_curvature="basic")
     pose = (0.00673795137966747, 0.03108301780155364)
     assert pair.evaluate(*pose, 91133.0, 0.9198425535487278).status == 0
     state = pair.evaluate(*pose, 182267.24730465972, 0.9198425535487278)
     sentence = explain(state.status, state.inputs)
     assert state.status == 2
-    assert all(word in sentence for word in ("normal_force 182267 N", "load_transfer 0.919843", "deeper", "0.002 m")), sentence
+    assert all(word in sentence
+               for word in ("normal_force 182267 N", "load_transfer 0.919843", "deeper", "0.002 m")), sentence
 
 
 # --- bad input ------------------------------------------------------------------------------------
@@ -196,9 +215,11 @@ def test_a_load_that_no_depth_carries_is_told():
 
 @pytest.mark.parametrize("mode", ["elastic", "compliant"])
 def test_a_penetration_is_refused(mode):
-    with pytest.raises(ValueError, match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"):
+    with pytest.raises(ValueError,
+                       match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"):
         system(contact_mode=mode).evaluate(penetration=5e-5)
-    with pytest.raises(ValueError, match=f"contact_mode is '{mode}'; permitted with .* 'halfspace'.*is 'rigid'"):
+    with pytest.raises(ValueError,
+                       match=f"contact_mode is '{mode}'; permitted with .* 'halfspace'.*is 'rigid'"):
         wrcontact.ContactSystem(contact_mode=mode, normal_model="halfspace")
 
 
@@ -219,12 +240,12 @@ def test_bad_heights_and_rolls_are_told_and_forgotten():
 
 
 def test_a_stand_on_a_jump_of_the_load_is_always_the_same_end_of_it():
-    """Two places of the right wheel are equally deep where it stands, one carries more than the load and the other less; once they
-    took turns from one nanometre to the next."""
+    """Two places of the right wheel are equally deep where it stands, one carries more than the load and the
+    other less; once they took turns from one nanometre to the next."""
     pair = wrcontact.ContactSystem(
         rail="54E1", rail_inclination=1 / 30, gauge=1.4452408348436032, nominal_radius=0.4724724783139843,
-        contact_mode="elastic", normal_model="hertz", separation="equidistant_chord", longitudinal_curvature="basic",
-        lateral_curvature="rough")
+        contact_mode="elastic", normal_model="hertz", separation="equidistant_chord",
+        longitudinal_curvature="basic", lateral_curvature="rough")
     shift, yaw, force, transfer = 0.008346254944846863, -0.07552726543349111, 150e3, 0.01602679187811673
     table = pair.evaluate_many(shift + 1e-9 * np.arange(-20, 21), yaw, force, load_transfer=transfer)
     mirrored = pair.evaluate_many(-shift - 1e-9 * np.arange(-20, 21), -yaw, force, load_transfer=-transfer)

@@ -57,7 +57,9 @@ def _highest_point(rail, angle):
     """Point (y, z) [mm] of ``rail`` turned by ``angle`` where it is horizontal and highest."""
     best = None
     for zone in rail.zones:
-        slope = lambda t: math.sin(angle) + math.cos(angle) * float(zone(t)[1])
+        def slope(t):
+            return math.sin(angle) + math.cos(angle) * float(zone(t)[1])
+
         inside = slope(zone.start) < 0.0 <= slope(zone.stop)
         t = _bisect(slope, zone.start, zone.stop) if inside else zone.start
         point = Moved(zone, angle).place(t)

@@ -1,4 +1,5 @@
-"""What tests of the native FMUs run: scenarios in fresh processes, packed profiles, C hosts; each made once for a worker."""
+"""What tests of the native FMUs run: scenarios in fresh processes, packed profiles, C hosts; each
+made once for a worker."""
 
 import json
 import shutil
@@ -28,8 +29,10 @@ def run3(fmus, tmp_path):
     """Run a scenario of native_process.py with the FMU of FMI 3."""
 
     def run3(scenario, **arguments):
-        command = [sys.executable, str(HELPERS / "native_process.py"), scenario, str(fmus[3]), str(tmp_path / "unpacked3")]
-        done = subprocess.run(command, input=json.dumps(arguments), capture_output=True, text=True, encoding="utf-8", timeout=600)
+        command = [sys.executable, str(HELPERS / "native_process.py"), scenario, str(fmus[3]),
+                   str(tmp_path / "unpacked3")]
+        done = subprocess.run(command, input=json.dumps(arguments), capture_output=True, text=True,
+                              encoding="utf-8", timeout=600)
         assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
         return json.loads(done.stdout)
 
@@ -38,9 +41,11 @@ def run3(fmus, tmp_path):
 
 @pytest.fixture(scope="session")
 def packed(tmp_path_factory, compiled):
-    """FMUs by version with a wheel and a rail of one's own, and their files, whose names have spaces and other letters."""
+    """FMUs by version with a wheel and a rail of one's own, and their files, whose names have
+    spaces and other letters."""
     folder = tmp_path_factory.mktemp("Profile & 轮轨")
-    wheel, rail = measured("S1002", folder / "Rad 7 ä.txt"), measured("UIC60", folder / "Schiene 轨 'neu'.txt")
+    wheel = measured("S1002", folder / "Rad 7 ä.txt")
+    rail = measured("UIC60", folder / "Schiene 轨 'neu'.txt")
     fmus = native.build_native_fmus(folder / "out", wheel=wheel, rail=rail, cache=compiled)
     return dict(zip((2, 3), fmus)), wheel, rail
 
@@ -52,9 +57,10 @@ def raw(request, fmus, tmp_path_factory):
     described = read_model_description(str(fmus[version]))
     given = {"token": described.instantiationToken or described.guid,
              "references": {v.name: v.valueReference for v in described.modelVariables}}
-    command = [sys.executable, str(HELPERS / "native_raw.py"), str(version), str(unpacked_library(fmus[version], version, folder)),
-               str(FMI_HEADERS)]
-    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8", timeout=300)
+    command = [sys.executable, str(HELPERS / "native_raw.py"), str(version),
+               str(unpacked_library(fmus[version], version, folder)), str(FMI_HEADERS)]
+    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8",
+                          timeout=300)
     assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-4000:]}"
     return version, json.loads(done.stdout)
 
@@ -87,7 +93,8 @@ def host(tmp_path_factory):
         for unit, extra in units.items():       # the kernel is the same for both versions
             objects.append(Path(kept if "/" in unit else folder, f"{abs(hash(flags))} {Path(unit).stem}.o"))
             if not objects[-1].exists():
-                command = ["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o", objects[-1]]
+                command = ["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o",
+                           objects[-1]]
                 subprocess.run(command, cwd=folder, check=True)
         subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm", "-pthread"], cwd=folder, check=True)
         return folder / "host"

@@ -26,7 +26,8 @@ pytestmark = needs_compiler
 SITUATIONS = {
     **{name: case for name, (case, *_) in INVALID_INPUTS.items()},
     "far yaw": {"yaw": 0.3}, "end of the profile": {"lateral_shift": 0.0149, "yaw": 0.11},
-    "minus infinity": {"normal_force": -math.inf}, "no load": {"normal_force": 0.0}, "left lifted": {"load_transfer": 1.0},
+    "minus infinity": {"normal_force": -math.inf}, "no load": {"normal_force": 0.0},
+    "left lifted": {"load_transfer": 1.0},
 }
 
 
@@ -54,7 +55,8 @@ def test_outcomes_and_recovery(run):
     for name, (_, status, variable, value) in INVALID_INPUTS.items():
         answer = answers[name]
         assert answer["during"].pop("status") == status, name
-        assert answer["during"] == {key: kept for key, kept in answer["before"].items() if key != "status"}, name
+        assert (answer["during"]
+                == {key: kept for key, kept in answer["before"].items() if key != "status"}), name
         assert len(answer["log"]) == len(answer["again"]) == 1 and answer["rest"] == [], name
         category, sentence = answer["log"][0][1:]
         assert category == "logStatusWarning" and variable in sentence and value in sentence.lower(), sentence
@@ -63,8 +65,9 @@ def test_outcomes_and_recovery(run):
 REFUSED = {
     **{name: start for name, (start, _) in WRONG_PARAMETERS.items()},
     "other kind": {"rail_profile": "S1002"}, "quote": {"load": "it's"}, "tolerance": {"tolerance": 2e-4},
-    "tolerance of a model": {"tolerance": 0.003, "normal_model": "analyn_strip"}, "infinite": {"youngs_modulus": math.inf},
-    "offline": {"normal_model": "halfspace"}, "tiny": {"rail_inclination": 1e-5 - 1e-3},
+    "tolerance of a model": {"tolerance": 0.003, "normal_model": "analyn_strip"},
+    "infinite": {"youngs_modulus": math.inf}, "offline": {"normal_model": "halfspace"},
+    "tiny": {"rail_inclination": 1e-5 - 1e-3},
 }
 
 
@@ -92,25 +95,28 @@ def test_saved_states(run, mode):
 
 
 def test_saved_states_at_unchanged_inputs(run3):
-    """Going back to inputs that were known when the state was saved gives the same bits, and so does another way there."""
+    """Going back to inputs that were known when the state was saved gives the same bits, and
+    so does another way there."""
     seen = run3("state_again", rows=poses(30))
     assert seen["straight"] == seen["back"] == seen["elsewhere"]
 
 
 def test_damaged_states_are_refused(run, run3):
-    """Flipped bits, cut and longer ones, noise, those of the other FMU: each with one sentence, and the instance goes on."""
+    """Flipped bits, cut and longer ones, noise, those of the other FMU: each with one sentence, and
+    the instance goes on."""
     seen = run("damaged_states", rows=poses(8), seed=5, count=300)
     other = run3("damaged_states", rows=poses(8), seed=6, count=300, foreign=[seen["saved"]])
-    for answer in (seen, other, run("damaged_states", rows=poses(8), seed=7, count=0, foreign=[other["saved"]])):
+    for answer in (seen, other,
+                   run("damaged_states", rows=poses(8), seed=7, count=0, foreign=[other["saved"]])):
         assert answer["wrong"] == [] and answer["equal"] and answer["count"] > 30
 
 
 def test_numbers_have_a_point_in_a_locale_with_commas(run, comma):
     """In statuses and in refusals, short numbers and long ones; the host prints with a comma."""
-    cases = {"status": {"lateral_shift": 0.0812}, "small": {"normal_force": -1.25e-7}, "large": {"lateral_shift": -1.5e300},
-             "transfer": {"load_transfer": 1.5}}
-    wrong = {"gauge": {"gauge": 14.35}, "long": {"gauge": 0.12345678901234567}, "tolerance": {"tolerance": 2.5e-4},
-             "large": {"youngs_modulus": 2.5e25}}
+    cases = {"status": {"lateral_shift": 0.0812}, "small": {"normal_force": -1.25e-7},
+             "large": {"lateral_shift": -1.5e300}, "transfer": {"load_transfer": 1.5}}
+    wrong = {"gauge": {"gauge": 14.35}, "long": {"gauge": 0.12345678901234567},
+             "tolerance": {"tolerance": 2.5e-4}, "large": {"youngs_modulus": 2.5e25}}
     for scenario, some in (("outcomes", cases), ("refusals", wrong)):
         seen = run("localised", locale_name=comma, inner=scenario, arguments={"cases": some})
         assert seen["one and a half"] == "1,5" and seen["answer"] == run(scenario, cases=some)
@@ -126,7 +132,8 @@ def test_reset(run):
     start = {"rail_inclination": 0.05, "normal_model": "hertz"}
     seen = run("reset", start=start)
     assert seen["first"] == seen["second"] and seen["fresh"] == seen["fresh_instance"]
-    assert seen["values"] == {**{name: VARIABLES[REFERENCE[name]].start for name in start}, "lateral_shift": 0.0}
+    assert seen["values"] == {**{name: VARIABLES[REFERENCE[name]].start for name in start},
+                              "lateral_shift": 0.0}
 
 
 def test_instances_in_turn_and_in_threads(run):
@@ -139,7 +146,8 @@ def test_misuse_ends_in_an_error_with_a_sentence(run3):
     seen = run3("misuse")
     for name, (refused, lines) in seen["calls"].items():
         assert refused, name
-        assert len(lines) == 1 and lines[0][0] == "logStatusError" and len(lines[0][1]) > 20, f"{name}: {lines}"
+        assert len(lines) == 1 and lines[0][0] == "logStatusError" and len(lines[0][1]) > 20, (
+            f"{name}: {lines}")
     assert seen["after"]["status"] == 0
     assert seen["not_made"] == {name: 1 for name in seen["not_made"]}, seen["not_made"]
 
@@ -164,7 +172,8 @@ def test_path_with_spaces_and_other_letters(fmus, tmp_path):
     folder.mkdir()
     for version, script in ((2, "fmu_process.py"), (3, "native_process.py")):
         copy = shutil.copy(fmus[version], folder / f"my FMU ä {version}.fmu")
-        done = subprocess.run([sys.executable, str(HELPERS / script), "first_instant", str(copy), str(folder / f"entpackt ü {version}")],
+        done = subprocess.run([sys.executable, str(HELPERS / script), "first_instant", str(copy),
+                               str(folder / f"entpackt ü {version}")],
                               input="{}", capture_output=True, text=True, encoding="utf-8", cwd=folder)
         assert done.returncode == 0, done.stderr
         assert_same(json.loads(done.stdout)["default"], stepped(session(), {}))

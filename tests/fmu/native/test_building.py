@@ -60,13 +60,15 @@ SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that 
 @pytest.mark.parametrize("version", (2, 3))
 @pytest.mark.parametrize("builder", ("system", "fmpy"))
 def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, builder):
-    """Compiled from what the archive itself says: by the system's compiler alone, and as fmpy does, by CMake."""
+    """Compiled from what the archive itself says: by the system's compiler alone, and
+    as fmpy does, by CMake."""
     if builder == "fmpy" and not shutil.which("cmake"):
         pytest.skip("fmpy builds by CMake, which is not installed")
     with zipfile.ZipFile(fmus[version]) as archive:
         archive.extractall(tmp_path / "sources only")
     place, description = PLATFORMS[host_platform()], tmp_path / "sources only" / "modelDescription.xml"
-    library = description.parent / "binaries" / (place.fmi2 if version == 2 else place.name) / f"WheelsetContact{place.suffix}"
+    library = description.parent / "binaries" / (place.fmi2 if version == 2
+                                                 else place.name) / f"WheelsetContact{place.suffix}"
     library.unlink()
     if builder == "fmpy":
         build_platform_binary(description.parent)
@@ -77,7 +79,8 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, bu
         for file in sorted(description.parent.rglob("*")):
             archive.write(file, file.relative_to(description.parent))
     rows, script = poses(20), "fmu_process.py" if version == 2 else "native_process.py"
-    one, other = (outputs_of(script, file, tmp_path / f"unpacked {k}", rows) for k, file in enumerate((fmus[version], again)))
+    one, other = (outputs_of(script, file, tmp_path / f"unpacked {k}", rows)
+                  for k, file in enumerate((fmus[version], again)))
     for ours, theirs in zip(one, other, strict=True):
         assert_same(theirs, ours)
 
@@ -88,7 +91,8 @@ def compile_as_described(version, description, library):
     listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
     units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
     assert len(units) == 6
-    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True, capture_output=True)
+    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True,
+                          capture_output=True)
     assert done.returncode == 0, done.stderr
 
 
@@ -130,7 +134,8 @@ def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypa
     monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
     own = native.build_native_fmus(tmp_path / "own")
     rows = poses(20)
-    seen = [run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}", {"rows": rows, "names": OUTPUT_NAMES})["seen"]
+    seen = [run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}",
+                         {"rows": rows, "names": OUTPUT_NAMES})["seen"]
             for k, fmu in enumerate((fmus[2], own[0]))]
     for one, other in zip(*seen):
         assert_same(one, other)

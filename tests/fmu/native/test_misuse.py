@@ -20,10 +20,12 @@ def assert_refused(answers):
 
 
 NAMED = {"Integer as Real": "status", "String as Real": "load", "output": "roll", "half a list": "roll",
-         "unknown reference": "4711", "fixed Real": "gauge is fixed at 1.435", "fixed String": "load is fixed at 'normal'", "step of nan": "nan s",
-         "step of -1 s": "-1.0 s", "long String": "load has 5000 bytes", "String without letters": "load is a NULL pointer",
-         "too few values": "30 values; these variables have 31", "state: freed": "saved state is not one of this instance",
-         "state: cut at 64": "holds 64 bytes", "state: damaged at 16": "comes from another FMU"}
+         "unknown reference": "4711", "fixed Real": "gauge is fixed at 1.435",
+         "fixed String": "load is fixed at 'normal'", "step of nan": "nan s", "step of -1 s": "-1.0 s",
+         "long String": "load has 5000 bytes", "String without letters": "load is a NULL pointer",
+         "too few values": "30 values; these variables have 31",
+         "state: freed": "saved state is not one of this instance", "state: cut at 64": "holds 64 bytes",
+         "state: damaged at 16": "comes from another FMU"}
 
 
 def test_every_misuse_is_refused_in_a_sentence_and_changes_nothing(raw):
@@ -43,12 +45,15 @@ def test_numbers_that_are_none_in_every_input(raw):
     assert len(seen["every_input"]) == 3 * len(INPUT_NAMES)
     for name, answer in seen["every_input"].items():
         variable, value = name.split()
-        assert answer["calls"] == [0, 0] and answer["status"] == 4 and answer["kept"] and answer["again"], name
-        assert [line[2].startswith(f"{variable} is {value} ") for line in answer["lines"]] == [True], answer["lines"]
+        assert (answer["calls"] == [0, 0] and answer["status"] == 4 and answer["kept"]
+                and answer["again"]), name
+        assert [line[2].startswith(f"{variable} is {value} ") for line in answer["lines"]] == [True], (
+            answer["lines"])
 
 
 def test_null_pointers(raw):
-    """Every function of the header, without a component, and without each other pointer: an error and a sentence."""
+    """Every function of the header, without a component, and without each other pointer: an
+    error and a sentence."""
     version, seen = raw
     answers = seen["null_pointers"]["answers"]
     state = "FMUstate" if version == 2 else "FMUState"
@@ -60,13 +65,17 @@ def test_null_pointers(raw):
 
 
 def test_functions_of_other_kinds_of_fmu_are_refused(raw):
-    """Model exchange, events, clocks, other types, derivatives of inputs and outputs, steps that are still running."""
+    """Model exchange, events, clocks, other types, derivatives of inputs and outputs, steps
+    that are still running."""
     version, seen = raw
     refused = seen["null_pointers"]["refused"]
     assert_refused(refused)
-    some = ("SetRealInputDerivatives", "GetRealOutputDerivatives", "CancelStep", "GetStatus", "SetTime", "EnterEventMode",
-            "GetDerivatives") if version == 2 else ("EnterStepMode", "GetBinary", "SetClock", "GetOutputDerivatives", "SetTime",
-                                                    "EvaluateDiscreteStates", "GetContinuousStates", "GetInt64")
+    some = ("SetRealInputDerivatives", "GetRealOutputDerivatives", "CancelStep", "GetStatus", "SetTime",
+            "EnterEventMode",
+            "GetDerivatives") if version == 2 else ("EnterStepMode", "GetBinary", "SetClock",
+                                                    "GetOutputDerivatives", "SetTime",
+                                                    "EvaluateDiscreteStates", "GetContinuousStates",
+                                                    "GetInt64")
     assert set(some) <= set(refused) and len(refused) >= (16 if version == 2 else 45)
 
 
@@ -76,15 +85,18 @@ def test_order_of_calls_and_sizes_of_steps(raw):
     assert_refused(order["answers"])
     assert "roll is an output" in order["answers"]["output before"][1][0][2]
     assert "1.1 s" in order["answers"]["beyond the stop"][1][0][2]
-    assert order["input_before"] == [0.0, 1.435] and order["inside"][1:] == [0, 0] and abs(order["inside"][0][0]) < 1e-15
+    assert order["input_before"] == [0.0, 1.435] and order["inside"][1:] == [0, 0]
+    assert abs(order["inside"][0][0]) < 1e-15
     assert order["last"] == 1.0 + (0.1 + 1e-12)
-    assert order["sizes"] == [0] * len(order["sizes"]) and order["at_the_end"] == [0, 0, [0.0]] and order["after"]
+    assert order["sizes"] == [0] * len(order["sizes"]) and order["at_the_end"] == [0, 0, [0.0]]
+    assert order["after"]
 
 
 def test_values_ahead_of_a_step_and_states_of_every_phase(raw):
     _, seen = raw
     assert seen["legal"]["ahead"] == seen["legal"]["then"] != [0.0]
-    assert [name for name, equal in seen["legal"]["phases"].items() if not equal] == [] and len(seen["legal"]["phases"]) == 16
+    assert [name for name, equal in seen["legal"]["phases"].items() if not equal] == []
+    assert len(seen["legal"]["phases"]) == 16
 
 
 def test_instances_that_cannot_be_made_and_odd_ones_that_can(raw):

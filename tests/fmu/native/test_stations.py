@@ -16,7 +16,8 @@ STATIONS = (3, 7, 31, 61, 201)
 
 
 def test_outlines_with_other_numbers_of_stations(run3):
-    """Instances with different numbers in one process, in turn: each with the values of the package, and as by itself."""
+    """Instances with different numbers in one process, in turn: each with the values of the
+    package, and as by itself."""
     rows = poses(8)
     answer = run3("outlines", stations=STATIONS, rows=rows)
     assert answer["seen"] == answer["alone"]
@@ -26,7 +27,8 @@ def test_outlines_with_other_numbers_of_stations(run3):
         for row, found in zip(rows, seen):
             stepper.inputs[[REFERENCE[name] for name in row]] = list(row.values())
             status = stepper.step()
-            wanted = {v.name: value for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.STATUS], stepper.outputs)
+            wanted = {v.name: value
+                      for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.STATUS], stepper.outputs)
                       if not v.name.endswith("]")}
             for name, values in outline_of_both(stepper.outputs).items():
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
@@ -37,7 +39,8 @@ def test_outlines_with_other_numbers_of_stations(run3):
 
 
 def test_saved_states_with_other_numbers_of_stations(run3):
-    """An outline is kept where a step is not possible, and goes on bit by bit from a saved state, elsewhere too."""
+    """An outline is kept where a step is not possible, and goes on bit by bit from a saved
+    state, elsewhere too."""
     seen = run3("stations_again", stations=201, other=7, rows=poses(30))
     assert seen["kept"] == [seen["before"], {"status": 4}] and seen["held"] == seen["before"]
     assert seen["straight"] == seen["back"] == seen["elsewhere"] and len(seen["straight"][0]) > 6 * 201
@@ -52,10 +55,12 @@ def test_configuration_mode(run3):
     sentences = {name: lines[0][1] for name, (_, lines) in seen["calls"].items()}
     for wrong in (0, 2, 202, 2**64 - 1):
         assert sentences[f"{wrong}"] == f"stations is {wrong}; permitted is 3 ... 201"
-    assert sentences["not entered"] == "stations is fixed at 31 outside configuration mode and cannot become 61"
+    assert (sentences["not entered"]
+            == "stations is fixed at 31 outside configuration mode and cannot become 61")
     assert sentences["31 values"] == "fmi3GetFloat64: there are 31 values; these variables have 7"
     assert "8 values; these variables have 7" in sentences["8 values"]
-    assert "permitted in configuration mode is stations" in sentences["another parameter"] + sentences["an output"]
+    assert ("permitted in configuration mode is stations" in sentences["another parameter"]
+            + sentences["an output"])
     assert seen["kept"] == {"stations": 31} and seen["after"] == seen["running"] and len(seen["after"]) == 7
     assert seen["reset"] == {"stations": 31} and seen["again"] == seen["fresh"] and len(seen["twice"]) == 31
     assert seen["log"] == []

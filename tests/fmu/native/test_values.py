@@ -18,7 +18,8 @@ def test_first_instant(run, run3):
         assert seen["in_initialisation"] == seen["after_initialisation"]
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (k > 0)) for k, name in enumerate(RUNS)])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (k > 0))
+                                  for k, name in enumerate(RUNS)])
 def test_trajectory(run, run3, name):
     """The values of the Python FMU, to the last digits, at the stored inputs."""
     _, rows, _ = stored(name)
@@ -33,7 +34,8 @@ def test_trajectory_by_simulate_fmu(run, run3):
     times, rows, expected = stored("hunting")
     rows = [{**dict(zip(INPUT_NAMES, (v.start for v in VARIABLES))), **row} for row in rows]
     names = list(expected[0])
-    for answer in (run("simulated", rows=rows, times=times, names=names), run3("simulated", rows=rows, times=times, names=names)):
+    for answer in (run("simulated", rows=rows, times=times, names=names),
+                   run3("simulated", rows=rows, times=times, names=names)):
         made = session()
         for row, found in zip(rows, answer["seen"][1:]):
             wanted = stepped(made, row)
@@ -42,16 +44,21 @@ def test_trajectory_by_simulate_fmu(run, run3):
 
 
 PARAMETER_SETS = {
-    "strip, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic", "load": "vertical", "tolerance": 0.02},
-    "hertz, basic": {"normal_model": "hertz", "longitudinal_curvature": "basic", "rail_profile": "54E1", "rail_inclination": 0.05},
-    "rough, vertical": {"lateral_curvature": "rough", "separation": "vertical", "curvature_step": 1e-3, "gauge": 1.43},
-    "smooth, chord": {"lateral_curvature": "smooth", "separation": "equidistant_chord", "curvature_reach": 2e-3},
-    "material": {"youngs_modulus": 2e11, "poisson_ratio": 0.3, "nominal_radius": 0.5, "running_circle_distance": 1.51,
-                 "gauge_depth": 0.012, "tolerance": 0.0015},
+    "strip, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic", "load": "vertical",
+                       "tolerance": 0.02},
+    "hertz, basic": {"normal_model": "hertz", "longitudinal_curvature": "basic", "rail_profile": "54E1",
+                     "rail_inclination": 0.05},
+    "rough, vertical": {"lateral_curvature": "rough", "separation": "vertical", "curvature_step": 1e-3,
+                        "gauge": 1.43},
+    "smooth, chord": {"lateral_curvature": "smooth", "separation": "equidistant_chord",
+                      "curvature_reach": 2e-3},
+    "material": {"youngs_modulus": 2e11, "poisson_ratio": 0.3, "nominal_radius": 0.5,
+                 "running_circle_distance": 1.51, "gauge_depth": 0.012, "tolerance": 0.0015},
 }
 
 
-@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.slow] * (k not in (0, 2))) for k, case in enumerate(PARAMETER_SETS)])
+@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.slow] * (k not in (0, 2)))
+                                  for k, case in enumerate(PARAMETER_SETS)])
 def test_parameters_arrive(run, run3, case):
     start = {"lateral_shift": 3e-3, "yaw": 1e-3, **PARAMETER_SETS[case]}
     wanted = stepped(session(**start), {})
