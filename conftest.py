@@ -41,5 +41,6 @@ def outdated_file():
 def pytest_sessionstart(session):
     path = outdated_file()
     if path:
-        pytest.exit(f"The installed wrcontact is not the one of this folder: {path.relative_to(ROOT)} differs. "
+        pytest.exit(f"The installed wrcontact is not the one of this folder: {path.relative_to(ROOT)} "
+                    f"differs. "
                     "Run 'pip install .' again, or once 'pip install -e .'.", returncode=4)

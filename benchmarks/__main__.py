@@ -19,7 +19,8 @@ from . import counts, growth, machine, picture, random_poses, rows, skips
 from .peers import PEERS, SOURCE
 from .table import figure, line, markdown, percent, rule
 
-HEADER = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean", "worst"]
+HEADER = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean",
+          "worst"]
 RANDOM = 2000  # poses of a full run
 QUICK_RANDOM = 4
 
@@ -43,12 +44,16 @@ def main(arguments=None):
 
 
 def parsed(arguments):
-    parser = argparse.ArgumentParser("python -m benchmarks", description="Run time beside error; see docs/benchmarks.md.")
-    parser.add_argument("--quick", action="store_true", help="few poses and rounds, to test that everything runs (half a minute)")
+    parser = argparse.ArgumentParser("python -m benchmarks",
+                                     description="Run time beside error; see docs/benchmarks.md.")
+    parser.add_argument("--quick", action="store_true",
+                        help="few poses and rounds, to test that everything runs (half a minute)")
     parser.add_argument("--readme", action="store_true", help="print only the README's table")
     parser.add_argument("--picture", metavar="PATH", help="draw run time against error")
-    parser.add_argument("--random", metavar="N", type=int, default=None, help="compare N random poses with the half-space, "
-                        f"about 0.1 s each on two free cores (default {RANDOM}); results are kept in {random_poses.STORE}, so "
+    parser.add_argument("--random", metavar="N", type=int, default=None,
+                        help="compare N random poses with the half-space, "
+                        f"about 0.1 s each on two free cores (default {RANDOM}); results are kept in "
+                        f"{random_poses.STORE}, so "
                         "that an interrupted run can be continued")
     return parser.parse_args(arguments)
 
@@ -62,12 +67,13 @@ def measure(chosen, effort, short=False):
         return [*measured, rows.fmu_row(folder, effort)]
 
 
-# --------------------------------------------------------------------------------------------------------------- tables
+# ----------------------------------------------------------------------------------------------------- tables
 
 
 def full_table(measured, effort):
     """All rows, and the quoted results of other programs."""
-    text = markdown("Run time and error", HEADER, [cells(row) for row in measured] + [peer_cells(peer) for peer in PEERS])
+    text = markdown("Run time and error", HEADER,
+                    [cells(row) for row in measured] + [peer_cells(peer) for peer in PEERS])
     notes = ["Errors in % of penetration / area / peak pressure, mean and worst."]
     if effort.every > 1:
         notes.append(f"Quick run: the half-space solves every {effort.every}th row of the hunting run.")
@@ -89,7 +95,8 @@ def cells(row):
     figures = [row.name, figure(row.cost.units), figure(row.cost.microseconds)]
     if row.rigid:
         return [*figures, "", "", "", row.rigid]
-    return [*figures, *(percent(part) for found in (row.positions, row.hunting) for part in (found.mean, found.worst))]
+    return [*figures,
+            *(percent(part) for found in (row.positions, row.hunting) for part in (found.mean, found.worst))]
 
 
 def peer_cells(peer):
@@ -109,7 +116,8 @@ def skip_table(effort):
     found = list(skips.all_skips(effort))
     for skip in found * effort.passes:
         skip.measure(effort.rounds)
-    return markdown("What is not requested is not computed", ["skipped", "units", "full cost", "share", "answer"],
+    return markdown("What is not requested is not computed",
+                    ["skipped", "units", "full cost", "share", "answer"],
                     [[skip.name, figure(skip.less.units), figure(skip.more.units),
                       f"{100 * skip.less.units / skip.more.units:.0f} %", skip.answer] for skip in found])
 
@@ -128,7 +136,8 @@ def growth_table(effort):
 
 def thread_table(effort):
     found = growth.threads(10 * effort.count, effort.passes * effort.rounds)
-    return markdown(f"Growth with threads, each with its own stepper; load average {machine.load_average():.1f}",
+    return markdown(f"Growth with threads, each with its own stepper; load average "
+                    f"{machine.load_average():.1f}",
                     ["threads", "µs a wheelset", "speed-up"],
                     [[count, figure(1e6 * seconds), f"{gain:.2f}"] for count, seconds, gain in found])
 

@@ -56,5 +56,6 @@ def table(count):
     for model in ("analyn", "analyn_strip"):
         for name, poses in classes(count).items():
             found = per_wheelset(model, poses)
-            rows.append([f"{model}, {name}", f"{raster() * found[1]:.0f}", *(f"{value:.1f}" for value in found)])
+            rows.append([f"{model}, {name}", f"{raster() * found[1]:.0f}",
+                         *(f"{value:.1f}" for value in found)])
     return header, rows

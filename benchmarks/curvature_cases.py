@@ -18,8 +18,8 @@ from scipy.interpolate import CubicSpline, make_smoothing_spline
 import wrcontact
 from tests.reference import halfspace_reference
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact import contact_plane, traces
 from wrcontact.kernel.binding.library import default_kernel
+from wrcontact.kernel.contact import contact_plane, traces
 from wrcontact.profiles.placement import readable_wheel
 
 MM = 1e-3
@@ -27,7 +27,8 @@ POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6
 FORCE = 78.5e3  # [N]
 NOISY_POSITIONS = (0, 1.5, 3, 6, 6.4)  # [mm]
 #: Spacing [mm] and standard deviation [um] of the noise, and cut-off wavelength of its smoothing [mm].
-NOISE = ((0.1, 2, 4), (0.1, 5, 4), (0.1, 10, 4), (0.1, 20, 4), (0.2, 5, 4), (0.2, 20, 4), (0.5, 2, 4), (0.5, 10, 4))
+NOISE = ((0.1, 2, 4), (0.1, 5, 4), (0.1, 10, 4), (0.1, 20, 4), (0.2, 5, 4), (0.2, 20, 4), (0.5, 2, 4),
+         (0.5, 10, 4))
 #: Read as measured, noise is asperities, and the half-space carries on their tips; for trying by hand.
 RAW_NOISE = ((0.5, 2, 0), (0.5, 5, 0))
 SEEDS = 2
@@ -57,13 +58,14 @@ class Case:
     noiseless: np.ndarray = None  # noisy profiles: the truth without the noise
 
 
-# --------------------------------------------------------------------------------------------------------- gap curves
+# ------------------------------------------------------------------------------------------------- gap curves
 
 
 def gap_curve(system, shift, yaw, force, name):
     """The right wheel's :class:`Case` at a pose, its truth still unknown; None where it has no contact."""
     tables, work = system._tables.copy(), np.zeros(layout.WORK_SIZE)
-    state, inputs, outputs = (np.zeros(n) for n in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
+    state, inputs, outputs = (np.zeros(n)
+                              for n in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
     inputs[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]] = shift, yaw, force
     if default_kernel().bind(tables, state, work, inputs, outputs).step() != 0:
         return None
@@ -96,7 +98,7 @@ def normal_gaps(tables, work, state, s):
     return g, A
 
 
-# -------------------------------------------------------------------------------------------------------------- truth
+# ------------------------------------------------------------------------------------------------------ truth
 
 
 def solve_half_space(case):
@@ -130,7 +132,7 @@ def with_truth(case):
     return case
 
 
-# -------------------------------------------------------------------------------------------------------------- cases
+# ------------------------------------------------------------------------------------------------------ cases
 
 
 def position_cases(shifts=POSITIONS):
@@ -147,7 +149,8 @@ def random_cases(count, seed=3):
         name, system = systems[i % 6]
         shift, yaw = random.uniform(-6.6, 6.6), random.uniform(-35e-3, 35e-3) * ((i // 6) % 2)
         force = 10 ** random.uniform(3.5, 5.3)
-        cases.append(gap_curve(system, shift * MM, yaw, force, f"{name} {shift:.2f} mm {yaw:.3f} {force / 1e3:.0f} kN"))
+        cases.append(gap_curve(system, shift * MM, yaw, force,
+                               f"{name} {shift:.2f} mm {yaw:.3f} {force / 1e3:.0f} kN"))
     return [with_truth(case) for case in cases if case is not None]
 
 
@@ -164,7 +167,8 @@ def measured(profile, spacing, noise, cutoff, random):
     error = random.normal(0.0, noise * 1e-3, len(y))
     if cutoff > 0:
         error = make_smoothing_spline(y, error, lam=(cutoff / (2 * np.pi)) ** 4 / spacing)(y)
-    return wrcontact.Profile.from_points(y, profile.height(y * MM) / MM + error, name=f"{profile.name} measured", kind=profile.kind)
+    return wrcontact.Profile.from_points(y, profile.height(y * MM) / MM + error,
+                                         name=f"{profile.name} measured", kind=profile.kind)
 
 
 def noisy_cases(shifts=NOISY_POSITIONS, noise=NOISE, seeds=SEEDS):
@@ -174,11 +178,13 @@ def noisy_cases(shifts=NOISY_POSITIONS, noise=NOISE, seeds=SEEDS):
     for spacing, deviation, cutoff in noise:
         for seed in range(seeds):
             random = np.random.default_rng(seed)
-            system = wrcontact.ContactSystem(measured(readable_wheel(clean.wheel), spacing, deviation, cutoff, random),
+            system = wrcontact.ContactSystem(measured(readable_wheel(clean.wheel), spacing, deviation, cutoff,
+                                                      random),
                                              measured(clean.rail, spacing, deviation, cutoff, random))
             for shift in shifts:
                 name = f"{shift} mm"
-                case = gap_curve(system, shift * MM, 0.0, FORCE, f"{name} {spacing} mm {deviation} um {cutoff} mm {seed}")
+                case = gap_curve(system, shift * MM, 0.0, FORCE,
+                                 f"{name} {spacing} mm {deviation} um {cutoff} mm {seed}")
                 if case is not None:
                     case.noiseless = truths[name]
                     cases.append(with_truth(case))

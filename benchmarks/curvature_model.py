@@ -2,7 +2,7 @@
 
 The recipe is that of wrcontact/kernel/normal/analyn_contact.py (docs/method.md, section 7)::
 
-    force  ->  estimated penetration  ->  regions, their half-widths  ->  curvatures (the scheme)  ->  levels  ->  patch
+    force -> estimated penetration -> regions, their half-widths -> curvatures (the scheme) -> levels -> patch
 
 Here it stands on 800 stations per region and takes three curvatures: B_edge in 1 + beta, B_length in 1 +
 alpha and B_load in n r.  Sichani et al. (2014) use one for all.
@@ -58,8 +58,12 @@ class Curve:
 
     def width(self, origin, direction, level, bound):
         """Distance from ``origin`` to where the gap has first risen by ``level``, or to the ``bound`` [m]."""
-        end = min((bound - origin) * direction, ((self.stop if direction > 0 else self.start) - origin) * direction)
-        rise = lambda t: float(self.gap(origin + direction * t) - self.gap(origin)) - level
+        end = min((bound - origin) * direction,
+                  ((self.stop if direction > 0 else self.start) - origin) * direction)
+
+        def rise(t):
+            return float(self.gap(origin + direction * t) - self.gap(origin)) - level
+
         t = np.linspace(0, end, 400)
         above = np.flatnonzero(self.gap(origin + direction * t) - self.gap(origin) > level)
         return brentq(rise, t[above[0] - 1], t[above[0]]) if len(above) else end

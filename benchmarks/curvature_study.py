@@ -26,7 +26,7 @@ PICTURE = Path("out") / "curvature_study.png"
 QUICK_NOISE = NOISE[2:3]
 
 
-# ------------------------------------------------------------------------------------------------- kinds of curvature
+# ----------------------------------------------------------------------------------------- kinds of curvature
 
 
 def windowed(region, window):
@@ -92,7 +92,8 @@ def quartic(region):
 
 def whole(region):
     """One B for the region, level/width^2."""
-    return np.full_like(region.t, region.rise(np.array([-region.left, region.right])).mean() / region.width**2)
+    return np.full_like(region.t,
+                        region.rise(np.array([-region.left, region.right])).mean() / region.width**2)
 
 
 def mean(kind, other):
@@ -115,7 +116,7 @@ def kept(region, part=0.2):
     return np.sqrt(t * np.maximum(t, s))
 
 
-# ---------------------------------------------------------------------------------------------------- the one to take
+# -------------------------------------------------------------------------------------------- the one to take
 
 WINDOW = 4 / 15  # of the half-width
 SIDE_LIMIT = 4.0  # largest mean over one half-width that counts
@@ -170,7 +171,7 @@ SCHEMES = {
     "three B's, interaction felt station by station": replace(BEST, push="station"),
 }
 
-# ------------------------------------------------------------------------------------------------------ the experiment
+# --------------------------------------------------------------------------------------------- the experiment
 
 
 def errors(model, cases):
@@ -203,22 +204,25 @@ def main(quick=False, picture=PICTURE):
     random = random_cases(12 if quick else 120)
     noisy = noisy_cases(noise=QUICK_NOISE, seeds=1) if quick else noisy_cases()
     print("Errors in % of penetration / area / peak pressure.\n")
-    print("| lateral curvature | positions: mean | worst | random: mean | worst | noisy, as read: mean | 95 % "
+    print("| lateral curvature | positions: mean | worst | random: mean | worst | noisy, as read: mean | 95 "
+          "% "
           "| noisy, against no noise: mean |")
     print("|---|---|---|---|---|---|---|---|")
     for name, model in SCHEMES.items():
         print(table_row(name, model, positions, random, noisy), flush=True)
     read = np.array([case.truth / case.noiseless for case in noisy])
-    print(f"\n{len(positions)} positions, {len(random)} random and {len(noisy)} noisy cases.  The noise itself moves the "
+    print(f"\n{len(positions)} positions, {len(random)} random and {len(noisy)} noisy cases.  The noise "
+          f"itself moves the "
           f"half-space's answer by {figures(100 * np.abs(read - 1).mean(axis=0))} % in the mean.")
     if picture:
         Path(picture).parent.mkdir(parents=True, exist_ok=True)
         print(f"picture: {style.save(draw(positions), picture)}")
 
 
-# --------------------------------------------------------------------------------------------------------- the picture
+# ------------------------------------------------------------------------------------------------ the picture
 
-DRAWN = {"circle fit ±3 mm (the source's smooth)": "#999999", "√(window · max(window, secant)), eq. (7.4)": "#0072B2",
+DRAWN = {"circle fit ±3 mm (the source's smooth)": "#999999",
+         "√(window · max(window, secant)), eq. (7.4)": "#0072B2",
          "**three B's, extended interaction**": "#D55E00"}
 SHOWN = (1.5, 5.0)  # [mm]
 
@@ -256,7 +260,8 @@ def draw_patch(row, case):
         s = (region.origin + region.t) / MM
         for B, look in ((windowed(region, 0.02 * region.width), ":"), (recommended(region)[1], "--"),
                         (recommended(region)[2], "-")):
-            row[0].plot(s, B, look, color=style.INK if look == ":" else DRAWN["**three B's, extended interaction**"])
+            row[0].plot(s, B, look, color=style.INK if look == ":"
+                        else DRAWN["**three B's, extended interaction**"])
     row[0].set(title=f"{case.name}: B [1/m], dotted pointwise", ylim=(-2, 9), xlabel="station [mm]")
     row[1].set(title="half-length [mm]", xlabel="station [mm]")
     row[2].set(title="pressure on x = 0 [MPa]", xlabel="station [mm]")

@@ -52,21 +52,24 @@ def trials(model, load):
 def largest_roll_step(yaw, step=1e-6):
     """Largest step of the roll [rad] from -8 to 8 mm, and where [mm]."""
     shift = np.arange(-8e-3, 8e-3, step)
-    steps = np.abs(np.diff(wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(shift, yaw, FORCE).roll))
+    table = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
+    steps = np.abs(np.diff(table.roll))
     return steps.max(), 1e3 * shift[np.argmax(steps)]
 
 
 def main():
     rows = []
     for model in MODELS:
-        costs = [step_cost(contact_mode=mode, normal_model=model) for mode in ("rigid", "compliant", "elastic")]
+        costs = [step_cost(contact_mode=mode, normal_model=model)
+                 for mode in ("rigid", "compliant", "elastic")]
         rows.append([model, *(f"{each.microseconds:.0f} / {each.units:.0f}" for each in costs)])
     print(markdown("Cost of a step", ["µs / units", "rigid", "compliant", "elastic"], rows))
     rows = []
     for model in MODELS:
         for load in ("normal", "vertical"):
             count = trials(model, load)
-            rows.append([f"{model}, {load}", f"{count.mean():.1f}", f"{np.percentile(count, 99):.0f}", f"{count.max():.0f}"])
+            rows.append([f"{model}, {load}", f"{count.mean():.1f}", f"{np.percentile(count, 99):.0f}",
+                         f"{count.max():.0f}"])
     print(markdown("Trials of a pose", ["", "mean", "99 %", "most"], rows))
     rows = []
     for degrees in (0, 1, 2):

@@ -37,15 +37,18 @@ def positions(system):
 def hunting(system, every=1, yawed=True):
     """:class:`Errors` at each ``every``-th row of the hunting run; ``yawed=False`` sets the yaw to zero."""
     run = {name: column[::every] for name, column in runs.stored(runs.HUNTING).items()}
-    table = system.evaluate_many(run["lateral_shift"], run["yaw"] * yawed, run["normal_force"], run["load_transfer"])
+    table = system.evaluate_many(run["lateral_shift"], run["yaw"] * yawed, run["normal_force"],
+                                 run["load_transfer"])
     return compared(table, run, SIDES)
 
 
 def compared(table, run, sides):
     """:class:`Errors` of a table of states against a stored run; ArithmeticError if a pose is not solved."""
     if np.any(table.status != 0):
-        raise ArithmeticError(f"{np.sum(table.status != 0)} of the stored poses are not solved: {set(table.status.tolist())}")
-    shares = np.array([np.concatenate([getattr(getattr(table, side), name) / run[f"{side}.{name}"] - 1 for side in sides])
+        raise ArithmeticError(f"{np.sum(table.status != 0)} of the stored poses are not solved: "
+                              f"{set(table.status.tolist())}")
+    shares = np.array([np.concatenate([getattr(getattr(table, side), name) / run[f"{side}.{name}"] - 1
+                                       for side in sides])
                        for name in PATCH])
     return summary(shares)
 

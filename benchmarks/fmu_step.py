@@ -89,7 +89,8 @@ class Instance:
         variables = description.modelVariables
         self.inputs = [v.valueReference for v in variables if v.name in MOVED]
         self.reals = [v.valueReference for v in variables if v.causality == "output" and v.type == "Real"]
-        self.integers = [v.valueReference for v in variables if v.causality == "output" and v.type == "Integer"]
+        self.integers = [v.valueReference for v in variables if v.causality == "output"
+                         and v.type == "Integer"]
         module = next(module for name, module in sys.modules.items() if name.startswith("wheelset_contact_"))
         self.session = module.Session(tell=lambda sentence: None)
         self.session.start()

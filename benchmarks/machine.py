@@ -51,5 +51,7 @@ def load_average():
 def description():
     """One line on the machine, for below a table."""
     kernel = "compiled" if default_kernel().compiled else "UNCOMPILED"
-    return (f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}, numpy {np.__version__}, "
-            f"kernel {kernel}, load average {load_average():.1f}; the unit, np.sqrt of 2000 doubles, {unit() * 1e6:.2f} µs")
+    return (f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}, numpy "
+            f"{np.__version__}, "
+            f"kernel {kernel}, load average {load_average():.1f}; the unit, np.sqrt of 2000 doubles, "
+            f"{unit() * 1e6:.2f} µs")

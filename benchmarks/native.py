@@ -53,7 +53,8 @@ def cost_of(fmu, folder):
     host, file = native_host(fmu, version, folder), folder / "rows.txt"
     run = runs.stored(runs.HUNTING)
     count = len(run["lateral_shift"])
-    file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED} for k in range(count)]))
+    file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED}
+                               for k in range(count)]))
     best = None
     for _ in range(ROUNDS):     # the unit is measured alternately
         done = subprocess.run([str(host), "cost", str(file)], text=True, capture_output=True, check=True)
@@ -77,8 +78,9 @@ def native_host(fmu, version, folder):
     library = binaries / f"WheelsetContact{place.suffix}"
     sources = Path(folder, "sources")
     shutil.copy(HOST, sources)
-    subprocess.run(["cc", "-std=gnu11", "-O2", f"-DFMI={version}", "-DINTERPOSE", HOST.name, "model.c", str(library),
-                    f"-Wl,-rpath,{binaries}", "-o", "native_host", "-lm", "-pthread"], cwd=sources, check=True)
+    subprocess.run(["cc", "-std=gnu11", "-O2", f"-DFMI={version}", "-DINTERPOSE", HOST.name, "model.c",
+                    str(library), f"-Wl,-rpath,{binaries}", "-o", "native_host", "-lm", "-pthread"],
+                   cwd=sources, check=True)
     return sources / "native_host"
 
 

@@ -29,7 +29,8 @@ def figure(rows):
     axes = picture.subplots()
     axes.set(xscale="log", yscale="log", xlim=(FASTEST, SLOWEST), ylim=(LOWEST, HIGHEST),
              xlabel="one wheelset, both patches [µs]",
-             ylabel="error on 20 positions from tread to flange [%]\nmean of penetration, area and peak pressure")
+             ylabel="error on 20 positions from tread to flange [%]\nmean of penetration, area and peak "
+             "pressure")
     axes.grid(which="major", color="#E4E4E4", linewidth=0.7)
     axes.set_axisbelow(True)
     for axis, form in ((axes.xaxis, ",.0f"), (axes.yaxis, "g")):
@@ -37,7 +38,8 @@ def figure(rows):
     draw_units(axes)
     draw_strips(axes, [row for row in rows if row.kind == "strips"])
     for kind in LADDERS:
-        draw_ladder(axes, kind, [row for row in rows if row.kind == kind and (row.setting or kind in ("Hertz", "FMU"))])
+        draw_ladder(axes, kind,
+                    [row for row in rows if row.kind == kind and (row.setting or kind in ("Hertz", "FMU"))])
     draw_peers(axes)
     axes.legend(loc="center", bbox_to_anchor=(0.52, 0.6), title="measured in this run", alignment="left")
     return picture
@@ -64,7 +66,8 @@ def draw_strips(axes, rows):
 def draw_ladder(axes, kind, rows):
     """The rows of one kind as a line; the first and the last tolerance are printed beside it."""
     label, marker, colour = LADDERS[kind]
-    axes.plot(*places(rows), marker=marker, linewidth=1, color=colour, label=label, linestyle="-" if len(rows) > 1 else "none")
+    axes.plot(*places(rows), marker=marker, linewidth=1, color=colour, label=label, linestyle="-"
+              if len(rows) > 1 else "none")
     if len(rows) > 1:
         annotate(axes, rows[0], colour, (-6, -9) if kind == "analyn_strip" else (-5, 5), "right")
         annotate(axes, rows[-1], colour, (6, -9), "left")
@@ -76,7 +79,8 @@ def places(rows):
 
 
 def annotate(axes, row, colour, offset, side):
-    axes.annotate(row.setting, places([row]).ravel(), offset, textcoords="offset points", fontsize=7.5, color=colour, ha=side)
+    axes.annotate(row.setting, places([row]).ravel(), offset, textcoords="offset points", fontsize=7.5,
+                  color=colour, ha=side)
 
 
 def draw_peers(axes):
@@ -86,11 +90,12 @@ def draw_peers(axes):
         error = max(100 * float(np.mean(peer.mean)), LOWEST * 1.07)
         if peer.milliseconds is None:
             axes.plot(SLOWEST, error, "<", color=PEER_COLOUR, clip_on=False)
-            axes.annotate(f"{peer.name}\n(time not reported)", (SLOWEST, error), (-10, 0), textcoords="offset points", fontsize=8,
-                          color=INK, ha="right", va="center")
+            axes.annotate(f"{peer.name}\n(time not reported)", (SLOWEST, error), (-10, 0),
+                          textcoords="offset points", fontsize=8, color=INK, ha="right", va="center")
             continue
         axes.plot(peer.microseconds, (error, error), color=PEER_COLOUR, linewidth=5, solid_capstyle="butt")
         note = ", error 0 by definition" if not peer.mean.any() else ""
-        axes.annotate(f"{peer.name}{note}", (peer.microseconds[0], error), (0, 6), textcoords="offset points", fontsize=8,
-                      color=INK)
-    axes.text(0.01, 0.02, "grey: CONTACT v25.2, quoted, on another machine", transform=axes.transAxes, fontsize=8, color=QUIET)
+        axes.annotate(f"{peer.name}{note}", (peer.microseconds[0], error), (0, 6), textcoords="offset points",
+                      fontsize=8, color=INK)
+    axes.text(0.01, 0.02, "grey: CONTACT v25.2, quoted, on another machine", transform=axes.transAxes,
+              fontsize=8, color=QUIET)

@@ -29,7 +29,8 @@ CASES = [(spacing, noise, True) for noise in (1e-3, 1e-2, 5e-2) for spacing in (
 def even_points(kind, spacing):
     """y, z (n,) [mm] of the standard profile, ``spacing`` [mm] apart along it, exact."""
     profile = standard_profile(NAMES[kind])
-    y = profile.start + (profile.stop - profile.start) * (0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, 50001)))
+    y = profile.start + (profile.stop - profile.start) * (0.5
+                                                          - 0.5 * np.cos(np.linspace(0.0, math.pi, 50001)))
     s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(profile.height(y))))]) / MM
     y = np.clip(np.interp(np.arange(0.0, s[-1], spacing), s, y), profile.start, profile.stop)
     return y / MM, profile.height(y) / MM
@@ -45,9 +46,11 @@ def noisy_points(kind, spacing, noise, seed, both=True):
 def contacts(**profiles):
     """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many
     are not valid."""
-    state = wrcontact.ContactSystem(**profiles).evaluate_many(lateral_shift=SHIFTS, side="right", outputs="patches")
+    state = wrcontact.ContactSystem(**profiles).evaluate_many(lateral_shift=SHIFTS, side="right",
+                                                              outputs="patches")
     right = state.right
-    return np.array([right.contact.y_wheel / MM, right.area, right.max_pressure]), int(np.count_nonzero(state.status))
+    return np.array([right.contact.y_wheel / MM, right.area,
+                     right.max_pressure]), int(np.count_nonzero(state.status))
 
 
 def differences(found, wanted):
@@ -73,14 +76,17 @@ def case(spacing, noise, both, folder, seeds=range(SEEDS), smoothing=None):
 
 
 def main():
-    print("| noise [um] | in | spacing [mm] | position [mm]: median | 90 % | area [%]: median | 90 % | pressure [%]: median | "
+    print("| noise [um] | in | spacing [mm] | position [mm]: median | 90 % | area [%]: median | 90 % | "
+          "pressure [%]: median | "
           "90 % | not valid |\n|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         for spacing, noise, both in CASES:
             off, bad = case(spacing, noise, both, folder)
             position, area, pressure = np.nanquantile(off, [0.5, 0.9], axis=1).T
-            cells = [f"{value:.2f}" for value in position] + [f"{100 * value:.1f}" for value in (*area, *pressure)]
-            print(f"| {1e3 * noise:g} | {'y, z' if both else 'z'} | {spacing:g} | {' | '.join(cells)} | {bad} |")
+            cells = [f"{value:.2f}" for value in position] + [f"{100 * value:.1f}"
+                                                              for value in (*area, *pressure)]
+            print(f"| {1e3 * noise:g} | {'y, z' if both else 'z'} | {spacing:g} | {' | '.join(cells)} | "
+                  f"{bad} |")
         for noise in (1e-3, 1e-2):
             off, _ = case(0.2, noise, False, folder, smoothing=0.0)
             print(f"{1e3 * noise:g} um in z every 0.2 mm, not smoothed: pressure "

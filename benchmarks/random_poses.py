@@ -1,7 +1,8 @@
 """Random poses on random tracks: ANALYN and its strip correction compared with the complete theory, wheel by
 wheel.
 
-    |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or 1:20, up to 2 deg of yaw in half
+    |lateral shift| <= 6.6 mm, 3 ... 200 kN (log-uniform), UIC60, 60E1 or 54E1 at 1:40 or
+    1:20, up to 2 deg of yaw in half
 
 Pose i is the same whatever their number, and the half-space's answers are kept in a file: a run that is ended
 goes on where it was, a larger one only adds, and a changed model is compared anew within a second.
@@ -47,7 +48,8 @@ class Pose(NamedTuple):
     normal_force: float
 
     def __str__(self):
-        return (f"{self.rail} 1:{1 / self.inclination:.0f}, lateral_shift={self.lateral_shift:.9f}, yaw={self.yaw:.9f}, "
+        return (f"{self.rail} 1:{1 / self.inclination:.0f}, lateral_shift={self.lateral_shift:.9f}, "
+                f"yaw={self.yaw:.9f}, "
                 f"normal_force={self.normal_force:.2f}")
 
 
@@ -55,7 +57,8 @@ def pose(index):
     """Pose ``index`` of an endless list."""
     random = np.random.default_rng((SEED, index))
     rail, inclination = RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))]
-    shift, yaw, force = random.uniform((-SHIFT, -YAW, np.log(FORCE[0])), (SHIFT, YAW, np.log(FORCE[1]))).tolist()
+    shift, yaw, force = random.uniform((-SHIFT, -YAW, np.log(FORCE[0])),
+                                       (SHIFT, YAW, np.log(FORCE[1]))).tolist()
     return Pose(rail, inclination, shift, yaw if index % 2 else 0.0, math.exp(force))
 
 
@@ -64,7 +67,7 @@ def system(rail, inclination, **options):
     return wrcontact.ContactSystem(rail=rail, rail_inclination=inclination, **options)
 
 
-# ---------------------------------------------------------------------------------------------------- complete theory
+# -------------------------------------------------------------------------------------------- complete theory
 
 
 def solve(index):
@@ -74,7 +77,8 @@ def solve(index):
     model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
     state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
     found = [getattr(getattr(state, side), name) for side in SIDES for name in PATCH]
-    return [*heading(index), *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
+    return [*heading(index),
+            *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
 
 
 def heading(index):
@@ -117,10 +121,11 @@ def with_progress(rows, count):
         yield row
         if done == 100 or done % 1000 == 0:
             each = (time.perf_counter() - start) / done
-            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to go", file=sys.stderr, flush=True)
+            print(f"{done} of {count} poses, {each:.3f} s each: {each * (count - done) / 60:.0f} minutes to "
+                  f"go", file=sys.stderr, flush=True)
 
 
-# ------------------------------------------------------------------------------------------------------------- models
+# ----------------------------------------------------------------------------------------------------- models
 
 
 def answers(poses, **options):
@@ -131,7 +136,8 @@ def answers(poses, **options):
         here = np.flatnonzero((tracks == track).all(axis=1))
         moving = np.array([each[2:] for each in poses])[here].T
         table = system(RAILS[int(track[0])], float(track[1]), **options).evaluate_many(*moving)
-        found[here] = np.column_stack([getattr(getattr(table, side), name) for side in SIDES for name in PATCH])
+        found[here] = np.column_stack([getattr(getattr(table, side), name) for side in SIDES
+                                       for name in PATCH])
         status[here] = table.status
     return found, status
 
@@ -142,14 +148,16 @@ def compared(count, models=("analyn", "analyn_strip"), store=STORE):
     truth, poses = references(count, store), [pose(index) for index in range(count)]
     lost = np.isnan(truth).any(axis=1)
     header = ["", *PATCH_NAMES]
-    parts, rows = [f"{lost.sum()} of {count} poses are left out: the half-space does not converge to {TOLERANCE:g}."], []
+    parts, rows = [f"{lost.sum()} of {count} poses are left out: the half-space does not converge to "
+                   f"{TOLERANCE:g}."], []
     for model in models:
         found, status = answers(poses, normal_model=model)
         refused = np.isin(status, (2, 3, 4)) & ~lost
         parts.append(f"{model}: {refused.sum()} poses not solved.")
         kept = np.flatnonzero(~lost & ~refused)
         shares = np.abs(found[kept] / truth[kept] - 1).reshape(-1, 2, 3)
-        rows += [[f"{model}, {name}", *(f"{100 * value:.1f}" for value in values)] for name, values in quantiles(shares)]
+        rows += [[f"{model}, {name}", *(f"{100 * value:.1f}" for value in values)]
+                 for name, values in quantiles(shares)]
         parts.append("Worst:\n" + "\n".join(worst(poses, kept, shares)))
     title = f"{count} random poses, {2 * count} wheels: error against the half-space at {TOLERANCE:g} in %"
     return markdown(title, header, rows) + "\n" + "\n\n".join(parts) + "\n"
@@ -160,7 +168,8 @@ def quantiles(shares):
     wheels = shares.reshape(-1, 3)
     yield "mean", wheels.mean(axis=0)
     for percentile in PERCENTILES:
-        yield "worst" if percentile == 100 else f"{percentile} of 100", np.percentile(wheels, percentile, axis=0)
+        name = "worst" if percentile == 100 else f"{percentile} of 100"
+        yield name, np.percentile(wheels, percentile, axis=0)
 
 
 def worst(poses, kept, shares):
@@ -171,7 +180,7 @@ def worst(poses, kept, shares):
         yield f"* {percent(shares[row, side])} %, {SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}"
 
 
-# ---------------------------------------------------------------------------------------------------------- tolerances
+# ------------------------------------------------------------------------------------------------- tolerances
 
 
 def numerics(count):
@@ -190,5 +199,6 @@ def numerics(count):
                          *(percent(np.nanpercentile(wheels, at, axis=0)) for at in PERCENTILES),
                          f"{SIDES[wheel % 2]}, pose {wheel // 2}"])
     header = ["numerics", *(f"{percentile} of 100" for percentile in PERCENTILES[:-1]), "worst", "where"]
-    return markdown(f"What a tolerance keeps of the same model at its finest, {count} random poses on UIC60 1:40, in % of "
+    return markdown(f"What a tolerance keeps of the same model at its finest, {count} random poses on UIC60 "
+                    f"1:40, in % of "
                     "penetration / area / peak pressure", header, rows)

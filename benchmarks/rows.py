@@ -64,7 +64,8 @@ class Row:
         if self.kind == "geometry":
             self.rigid = errors.rigid(self.system)
         else:
-            self.positions, self.hunting = errors.positions(self.system), errors.hunting(self.system, self.every)
+            self.positions, self.hunting = (errors.positions(self.system),
+                                            errors.hunting(self.system, self.every))
         return self
 
 
@@ -75,7 +76,8 @@ def system(**options):
 
 def all_rows(effort):
     """Every measured row, not yet measured."""
-    return [*formulas(effort), *ladders(effort), *halfspace(effort), *strips(effort), *orders(effort), *doors(effort)]
+    return [*formulas(effort), *ladders(effort), *halfspace(effort), *strips(effort), *orders(effort),
+            *doors(effort)]
 
 
 def batch(system, poses, **options):
@@ -87,8 +89,8 @@ def batch(system, poses, **options):
 def formulas(effort):
     """Geometry alone; Hertz."""
     poses = runs.trajectory(effort.count, yaw=0.0)
-    yield Row("geometry and roll alone", "geometry", batch(system(), poses, outputs="geometry"), effort.count, system(),
-              effort.rounds, short=True)
+    yield Row("geometry and roll alone", "geometry", batch(system(), poses, outputs="geometry"), effort.count,
+              system(), effort.rounds, short=True)
     hertz = system(normal_model="hertz")
     yield Row("Hertz", "Hertz", batch(hertz, poses), effort.count, hertz, effort.rounds, short=True)
 
@@ -101,11 +103,12 @@ def ladders(effort):
         for tolerance, resolution in model.ladder.items():
             of, finest = system(normal_model=model(tolerance=tolerance)), min(model.ladder)
             strips = f", {resolution.strips} strips × {resolution.sweeps}" if model is Strip else ""
-            yield Row(f"{model.name}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})", model.name, batch(of, poses),
-                      effort.count, of, effort.rounds, setting=f"{tolerance:g}",
+            yield Row(f"{model.name}, tolerance {tolerance:g} ({resolution.nodes} nodes{strips})", model.name,
+                      batch(of, poses), effort.count, of, effort.rounds, setting=f"{tolerance:g}",
                       short=tolerance == 0.01 or (model is Strip and tolerance == finest))
     basic = system(longitudinal_curvature="basic")
-    yield Row("analyn, longitudinal curvature basic", "analyn", batch(basic, poses), effort.count, basic, effort.rounds)
+    yield Row("analyn, longitudinal curvature basic", "analyn", batch(basic, poses), effort.count, basic,
+              effort.rounds)
 
 
 def halfspace(effort):
@@ -113,8 +116,8 @@ def halfspace(effort):
     shift = runs.stored(runs.POSITIONS)["lateral_shift"]
     for tolerance in effort.halfspace:
         of = system(normal_model="halfspace", tolerance=tolerance)
-        yield Row(HALFSPACE_FORM.format(tolerance), "halfspace", batch(of, (shift, 0.0 * shift)), len(shift), of,
-                  1, effort.every, short=tolerance == 0.01, setting=f"{tolerance:g}")
+        yield Row(HALFSPACE_FORM.format(tolerance), "halfspace", batch(of, (shift, 0.0 * shift)), len(shift),
+                  of, 1, effort.every, short=tolerance == 0.01, setting=f"{tolerance:g}")
 
 
 def strips(effort):
@@ -123,8 +126,8 @@ def strips(effort):
     for sweeps in SWEEPS:
         for strips in STRIPS:
             of = system(normal_model="analyn_strip", strips=strips, sweeps=sweeps)
-            yield Row(f"analyn_strip, {strips} strips × {sweeps}", "strips", batch(of, poses), effort.count, of,
-                      effort.rounds, setting=f"× {sweeps}")
+            yield Row(f"analyn_strip, {strips} strips × {sweeps}", "strips", batch(of, poses), effort.count,
+                      of, effort.rounds, setting=f"× {sweeps}")
 
 
 def orders(effort):
@@ -150,8 +153,10 @@ def doors(effort):
 
     stepper.inputs[3] = runs.FORCE
     yield Row("analyn, trajectory with yaw, `evaluate()` from Python", "door",
-              lambda: [system().evaluate(shift, yaw) for shift, yaw in poses], effort.count, system(), effort.rounds, short=True)
-    yield Row("analyn, trajectory with yaw, stepper from Python", "door", step, effort.count, system(), effort.rounds)
+              lambda: [system().evaluate(shift, yaw) for shift, yaw in poses], effort.count, system(),
+              effort.rounds, short=True)
+    yield Row("analyn, trajectory with yaw, stepper from Python", "door", step, effort.count, system(),
+              effort.rounds)
 
 
 def fmu_row(folder, effort):

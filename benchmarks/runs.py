@@ -33,7 +33,9 @@ def rows(poses, force=FORCE):
     """Inputs (n, INPUT_COUNT) of lateral shifts [m] and yaws [rad] under a force [N]; the others are zero."""
     shift, yaw = poses
     inputs = np.zeros((len(shift), layout.INPUT_COUNT))
-    inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_YAW], inputs[:, layout.IN_NORMAL_FORCE] = shift, yaw, force
+    for place, values in ((layout.IN_LATERAL_SHIFT, shift), (layout.IN_YAW, yaw),
+                          (layout.IN_NORMAL_FORCE, force)):
+        inputs[:, place] = values
     return inputs
 
 

@@ -41,16 +41,21 @@ def all_skips(effort):
                f"run with its yaw left out: {percent(ignored.mean)} mean, {percent(ignored.worst)} worst")
     yield Skip("inputs unchanged, stepper", *resting(count), count, "the same bits")
     yield Skip("inputs unchanged, `evaluate()`", *resting_evaluate(count), count, "the same bits")
-    yield Skip('geometry alone, `outputs="geometry"`', batch(system(), straight, outputs="geometry"), full, count,
+    yield Skip('geometry alone, `outputs="geometry"`', batch(system(), straight, outputs="geometry"), full,
+               count, "the same bits")
+    yield Skip('no outline, `outputs="patches"`', batch(system(), straight, outputs="patches"), full, count,
                "the same bits")
-    yield Skip('no outline, `outputs="patches"`', batch(system(), straight, outputs="patches"), full, count, "the same bits")
-    yield Skip('one side, `side="right"`', batch(system(), straight, side="right"), full, count, "the same bits")
-    yield Skip("a wheel without load, `load_transfer=1`", loaded(straight, 1.0), full, count, "its patch is empty")
+    yield Skip('one side, `side="right"`', batch(system(), straight, side="right"), full, count,
+               "the same bits")
+    yield Skip("a wheel without load, `load_transfer=1`", loaded(straight, 1.0), full, count,
+               "its patch is empty")
     yield Skip("known basin: the search starts at the last contact (geometry alone)",
-               batch(system(), straight, outputs="geometry"), wrong_start(straight), count, "the same minimum, bounded")
-    yield Skip("force solve: penetration prescribed, the most that its history could save", sunk(straight), full, count,
-               "another question")
-    yield Skip("tolerance 0.02 instead of 0.0015", batch(coarse, straight), batch(fine, straight), count, compared(coarse, fine))
+               batch(system(), straight, outputs="geometry"), wrong_start(straight), count,
+               "the same minimum, bounded")
+    yield Skip("force solve: penetration prescribed, the most that its history could save", sunk(straight),
+               full, count, "another question")
+    yield Skip("tolerance 0.02 instead of 0.0015", batch(coarse, straight), batch(fine, straight), count,
+               compared(coarse, fine))
 
 
 def resting(count):
@@ -73,7 +78,8 @@ def resting(count):
 
 def resting_evaluate(count):
     evaluate = system().evaluate
-    return (lambda: [evaluate(1e-3) for _ in range(count)]), (lambda: [evaluate(1e-3 + 1e-9 * k) for k in range(count)])
+    return (lambda: [evaluate(1e-3) for _ in range(count)]), (lambda: [evaluate(1e-3 + 1e-9 * k)
+                                                                       for k in range(count)])
 
 
 def loaded(poses, transfer):

@@ -16,13 +16,15 @@ from pathlib import Path
 
 KERNEL = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel"
 _NAMES = runpy.run_path(str(KERNEL / "binding" / "platforms.py"))
-PLATFORMS, host_platform, library_name = (_NAMES[name] for name in ("PLATFORMS", "host_platform", "library_name"))
+PLATFORMS, host_platform, library_name = (_NAMES[name]
+                                          for name in ("PLATFORMS", "host_platform", "library_name"))
 LIBRARY_NAME = library_name(host_platform())
 write_atomically = runpy.run_path(str(KERNEL.parent / "storage" / "atomic.py"))["write_atomically"]
 
 #: Steps, preparation and derivatives are separate units, so that the optimisation of the first does not
 #: depend on the others.
-SOURCES = [KERNEL / "native" / name for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
+SOURCES = [KERNEL / "native" / name
+           for name in ("wrcontact_kernel.c", "wrcontact_prepare.c", "wrcontact_tangent.c")]
 
 # No fused a*b + c: the results are those of the Python source, to the last bit.  For the same reason CFLAGS
 # is not read.
@@ -30,8 +32,8 @@ FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
          "-Werror=implicit-function-declaration", "-shared", "-fPIC")
 ZIG = (sys.executable, "-m", "ziglang", "cc")
 PROBE = "#include <math.h>\ndouble probe(double x) { return sin(x); }\n"
-ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64"), ("Darwin", "arm64"), ("Windows", "AMD64"),
-                 ("Windows", "ARM64")}
+ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64"), ("Darwin", "arm64"),
+                 ("Windows", "AMD64"), ("Windows", "ARM64")}
 
 
 class CompilerProblem(Exception):
@@ -51,7 +53,8 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
     else:
         name, compiler = LIBRARY_NAME, compiler or find_compiler()
     if compiler is None:
-        raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were tried")
+        raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were "
+                              "tried")
     with tempfile.TemporaryDirectory() as scratch:
         built = Path(scratch, name)
         run = run_compiler(compiler, SOURCES, built, extra_flags, keeps_cache=bool(platform))
@@ -92,9 +95,9 @@ def run_compiler(command, sources, library, extra_flags=(), keeps_cache=False):
     behind."""
     cache = str(library.parent / "cache")
     changed = {} if keeps_cache else {"ZIG_LOCAL_CACHE_DIR": cache, "ZIG_GLOBAL_CACHE_DIR": cache}
-    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"], text=True,
-                          errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          env={**os.environ, **changed})
+    return subprocess.run([*command, *FLAGS, *extra_flags, *map(str, sources), "-o", str(library), "-lm"],
+                          text=True, errors="replace", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, env={**os.environ, **changed})
 
 
 def requirements():

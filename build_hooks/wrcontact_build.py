@@ -22,8 +22,17 @@ import sys
 import tempfile
 from pathlib import Path
 
-from kernel_compiler import (KERNEL, LIBRARY_NAME, PLATFORMS, CompilerProblem, chosen_platform, compile_library, place,
-                             requirements, wanted)
+from kernel_compiler import (
+    KERNEL,
+    LIBRARY_NAME,
+    PLATFORMS,
+    CompilerProblem,
+    chosen_platform,
+    compile_library,
+    place,
+    requirements,
+    wanted,
+)
 from setuptools import build_meta
 from setuptools.build_meta import *  # noqa: F401,F403  the unchanged hooks
 from setuptools.command.bdist_wheel import bdist_wheel
@@ -58,20 +67,23 @@ class BuildWithKernel(build_py):
         package = PACKAGE if self.editable_mode else Path(self.build_lib, "wrcontact")
         self.distribution.has_kernel_library = wanted() and compiled_into(package / "kernel")
         if not self.editable_mode:
-            shutil.copytree(PACKAGE.parent / "fmu_src", package / "fmu_src", ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(PACKAGE.parent / "fmu_src", package / "fmu_src",
+                            ignore=shutil.ignore_patterns("__pycache__"))
 
 
 class PlatformWheel(bdist_wheel):
     """A wheel for any Python 3; for one platform only if it contains a library."""
 
     def finalize_options(self):
-        self.distribution.has_ext_modules = lambda: True        # tells setuptools that the wheel depends on the platform
+        # tells setuptools that the wheel depends on the platform
+        self.distribution.has_ext_modules = lambda: True
         super().finalize_options()
 
     def get_tag(self):
         if not getattr(self.distribution, "has_kernel_library", True):
             return "py3", "none", "any"
-        return "py3", "none", PLATFORMS[chosen_platform()].wheel if chosen_platform() else super().get_tag()[2]
+        return ("py3", "none", PLATFORMS[chosen_platform()].wheel if chosen_platform()
+                else super().get_tag()[2])
 
 
 def compiled_into(folder):
@@ -86,7 +98,8 @@ def compiled_into(folder):
     try:
         library = compile_library(folder)
     except (CompilerProblem, OSError) as problem:
-        print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 times slower): {problem}",
+        print(f"WARNING: {LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 times "
+              f"slower): {problem}",
               file=sys.stderr)
         return False
     if folder != KERNEL:

@@ -99,8 +99,8 @@ def source(number):
     return source_figure(compute(number, Study()))
 
 
-PICTURES = {"frames": frames, "demo": demo, "check": check, "models": models, "source_5_8": partial(source, "5.8"),
-            "source_7_14": partial(source, "7.14")}
+PICTURES = {"frames": frames, "demo": demo, "check": check, "models": models,
+            "source_5_8": partial(source, "5.8"), "source_7_14": partial(source, "7.14")}
 
 
 # --- sketches --------------------------------------------------------------------------------------
@@ -125,8 +125,10 @@ def draw_from_behind(panel, system, state):
     axis(panel, (0, 840), (260, 0), "lateral_shift", above=True)
     dimension(panel, -717.5, 717.5, -115, "gauge 1435 mm, at 14 mm depth")
     dimension(panel, -750, 750, 1010, "running circles 1500 mm")
-    panel.text(-752, radius / MM + 190, "left wheel", ha="center", rotation=90, va="center", color=WHEEL_COLOUR)
-    panel.text(752, radius / MM + 190, "right wheel", ha="center", rotation=90, va="center", color=WHEEL_COLOUR)
+    panel.text(-752, radius / MM + 190, "left wheel", ha="center", rotation=90, va="center",
+               color=WHEEL_COLOUR)
+    panel.text(752, radius / MM + 190, "right wheel", ha="center", rotation=90, va="center",
+               color=WHEEL_COLOUR)
     panel.text(430, 8, "top of rail", color=QUIET, fontsize=8, ha="center", va="bottom")
     panel.set(xlim=(-930, 930), ylim=(-270, 1080))
 
@@ -136,11 +138,13 @@ def draw_from_above(panel):
     panel.set_title("Track frame, seen from above")
     for y in (-760, 760):
         panel.fill_between([y - 36, y + 36], -700, 700, color=RAIL_COLOUR, alpha=0.5, linewidth=0)
-    turned = np.array([[np.cos(TURNED), np.sin(TURNED)], [-np.sin(TURNED), np.cos(TURNED)]])  # x up, y right: clockwise
+    # x up, y right: clockwise
+    turned = np.array([[np.cos(TURNED), np.sin(TURNED)], [-np.sin(TURNED), np.cos(TURNED)]])
     for y in (-750, 750):
         corners = np.array([[y - 65, -420], [y + 65, -420], [y + 65, 420], [y - 65, 420]]) @ turned.T
         panel.fill(*corners.T, color=WHEEL_COLOUR, alpha=0.35, linewidth=0)
-    panel.plot(*(np.array([[-900, 0], [900, 0]]) @ turned.T).T, color=WHEEL_COLOUR, linewidth=1, linestyle=(0, (8, 3, 2, 3)))
+    panel.plot(*(np.array([[-900, 0], [900, 0]]) @ turned.T).T, color=WHEEL_COLOUR, linewidth=1,
+               linestyle=(0, (8, 3, 2, 3)))
     axis(panel, (0, 0), (0, 480), "x", shift=(30, -10))
     axis(panel, (0, 0), (420, 0), "y", above=True)
     into_page(panel, (0, 0), 26, "z", (-55, -85))
@@ -178,7 +182,8 @@ def draw_rail_frame(panel, system):
     inner = np.interp(14, z[: np.argmin(z)][::-1], y[: np.argmin(z)][::-1])
     panel.plot([inner - 26, inner], [-14, -14], color=QUIET, linewidth=0.8)
     panel.plot([inner], [-14], "o", color=INK, markersize=4)
-    panel.text(inner - 2, -17, "gauge\n14 mm below\nthe highest\npoint", fontsize=8, ha="right", va="top", color=RAIL_LABEL)
+    panel.text(inner - 2, -17, "gauge\n14 mm below\nthe highest\npoint", fontsize=8, ha="right", va="top",
+               color=RAIL_LABEL)
     panel.text(0, -36, "leans 1:40 to the\ntrack centre", fontsize=8, ha="center", color=RAIL_LABEL)
     axis(panel, (0, 0), (34, 0), "y", above=True)
     axis(panel, (0, 0), (0, -22), "z", shift=(3, 0))
@@ -228,7 +233,8 @@ def axis(panel, start, stroke, name, *, above=False, shift=None):
 def into_page(panel, centre, size, name, shift):
     """A circle with a cross: an axis that points away from the reader."""
     angle = np.linspace(0, 2 * np.pi, 60)
-    panel.fill(centre[0] + size * np.cos(angle), centre[1] + size * np.sin(angle), facecolor="white", edgecolor=INK, zorder=4)
+    panel.fill(centre[0] + size * np.cos(angle), centre[1] + size * np.sin(angle), facecolor="white",
+               edgecolor=INK, zorder=4)
     reach = 0.7 * size
     for rise in (reach, -reach):
         ends = [centre[0] - reach, centre[0] + reach], [centre[1] - rise, centre[1] + rise]

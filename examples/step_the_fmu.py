@@ -28,7 +28,8 @@ slave.terminate()
 slave.freeInstance()
 
 plt.plot(time, np.degrees(roll))
-plt.gca().set(xlabel="time [s]", ylabel="roll of the wheelset [deg]", title="Roll while the wheelset hunts by 5 mm")
+plt.gca().set(xlabel="time [s]", ylabel="roll of the wheelset [deg]",
+              title="Roll while the wheelset hunts by 5 mm")
 plt.savefig("step_the_fmu.png", dpi=150)
 
 # at 5 mm an independent search finds the roll -3.696026826666e-4 rad

@@ -22,7 +22,8 @@ def comma(tmp_path, monkeypatch):
         pytest.skip("localedef, which makes a locale with decimal commas, is not installed")
     source = tmp_path / "comma"
     source.write_text('LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
-    subprocess.run(["localedef", "-c", "-i", str(source), "-f", "ANSI_X3.4-1968", str(tmp_path / "de_DE")], capture_output=True)
+    subprocess.run(["localedef", "-c", "-i", str(source), "-f", "ANSI_X3.4-1968", str(tmp_path / "de_DE")],
+                   capture_output=True)
     monkeypatch.setenv("LOCPATH", str(tmp_path))
     return "de_DE"
 

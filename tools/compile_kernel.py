@@ -11,16 +11,18 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "build_hooks"))
 
-from kernel_compiler import KERNEL, CompilerProblem, compile_library  # noqa: E402  the line above makes it importable
+from kernel_compiler import KERNEL, CompilerProblem, compile_library  # noqa: E402
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--folder", type=Path, default=KERNEL)
     parser.add_argument("--check-bounds", action="store_true")
     options = parser.parse_args()
     try:
-        print(compile_library(options.folder, extra_flags=["-DWRCONTACT_CHECK_BOUNDS"] if options.check_bounds else []))
+        print(compile_library(options.folder, extra_flags=["-DWRCONTACT_CHECK_BOUNDS"] if options.check_bounds
+                              else []))
     except (CompilerProblem, OSError) as problem:
         sys.exit(str(problem))
 

@@ -1,16 +1,18 @@
-"""Lower records to offsets: from kernel modules with records to the same modules without, before anything is translated.
+"""Lower records to offsets: from kernel modules with records to the same modules without,
+before anything is translated.
 
     region.spacing                work[region + REGION_SPACING]
     region.first                  int(work[region + REGION_FIRST])             where the field is an int
     work.regions[i].low           work[WORK_REGIONS + REGION_SIZE * i + REGION_LOW]
     region = work.regions[i]      region = WORK_REGIONS + REGION_SIZE * i
-    frame.raised                  work[WORK_FRAME + FRAME_RAISED]              there is one Frame: nothing to hand on
+    frame.raised                  work[WORK_FRAME + FRAME_RAISED]              there is only one Frame
     def f(frame: Frame, region: Region, x: float)     def f(work: 'float[:]', region: int, x: float)
     def f(...) -> Region                              def f(...) -> int
     f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)
 
-The classes of layout.py say where each field is and in which array each record lives; those with ``array = "..."`` are that
-array's head.  What is not a field, and a record of another class than the one asked for, is refused with its line.
+The classes of layout.py say where each field is and in which array each record lives; those with
+``array = "..."`` are that array's head. What is not a field, and a record of another class than the
+one asked for, is refused with its line.
 """
 
 import ast
@@ -21,7 +23,8 @@ from ctypes import Array, sizeof
 
 #: Arrays in which records live, in the order in which a function gets them.
 ARRAYS = ("setup", "tables", "work", "state", "report")
-Ref = namedtuple("Ref", "kind array terms")         # records, or numbers, at the sum of ``terms`` in ``array``
+# records, or numbers, at the sum of ``terms`` in ``array``
+Ref = namedtuple("Ref", "kind array terms")
 
 
 class Refused(Exception):
@@ -39,7 +42,8 @@ class Layout:
     def __init__(self, module):
         named = {name: kind for name, kind in vars(module).items() if is_record(kind) or is_run(kind)}
         self.classes = {name: kind for name, kind in named.items() if getattr(kind, "_fields_", True)}
-        self.places, self.values = {}, {}       # where each class is met in the arrays; values of the constants
+        # where each class is met in the arrays; values of the constants
+        self.places, self.values = {}, {}
         for name, kind in self.classes.items():
             if not is_record(kind):
                 continue
@@ -70,7 +74,8 @@ class Layout:
         return f"{constant(kind.__name__)}_{field.lstrip('_').upper()}"
 
     def home(self, kind):
-        """The array that records of a class live in, and their offset's terms where there is only one of them, else None."""
+        """The array that records of a class live in, and their offset's terms where there is
+        only one of them, else None."""
         arrays = {array for array, _ in self.places.get(kind, ())}
         if not arrays:
             raise Refused(f"{kind.__name__} is in none of the arrays")
@@ -91,7 +96,8 @@ def is_run(kind):
 
 def total(terms):
     """The sum of names, numbers and expressions as an expression."""
-    nodes = [ast.Name(term, ast.Load()) if isinstance(term, str) else term for term in terms] or [ast.Constant(0)]
+    nodes = ([ast.Name(term, ast.Load()) if isinstance(term, str) else term for term in terms]
+             or [ast.Constant(0)])
     result = nodes[0]
     for node in nodes[1:]:
         result = ast.BinOp(result, ast.Add(), node)
@@ -105,14 +111,15 @@ def distance(part, whole):
 
 
 class Lowered(ast.NodeTransformer):
-    """One module.  ``signatures`` of all modules: {(module, function): [(parameter, record class or None)]}, and ``results``: the
-    class of the record that a function returns."""
+    """One module. ``signatures`` of all modules: {(module, function): [(parameter, record class or None)]},
+    and ``results``: the class of the record that a function returns."""
 
     def __init__(self, name, text, layout, signatures, results):
         self.name, self.layout, self.signatures, self.results = name, layout, signatures, results
         self.lines = text.split(b"\n")
         self.tree = ast.parse(text)
-        self.origins = {alias.name: node.module for node in self.tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+        self.origins = {alias.name: node.module for node in self.tree.body if isinstance(node, ast.ImportFrom)
+                        for alias in node.names}
         self.edits, self.records = [], {}
         for node in self.tree.body:
             if isinstance(node, ast.FunctionDef):
@@ -126,8 +133,9 @@ class Lowered(ast.NodeTransformer):
 
     def function(self, node):
         parameters = record_parameters(node, self.layout)
-        self.records, given = {}, []
-        self.assigned = [n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)]
+        self.records = {}
+        self.assigned = [n.id for n in ast.walk(node) if isinstance(n, ast.Name)
+                         and isinstance(n.ctx, ast.Store)]
         for name, kind in parameters:
             if is_root(kind):
                 self.records[name] = Ref(kind, name, [])
@@ -152,8 +160,10 @@ class Lowered(ast.NodeTransformer):
         self.block(node.body)
 
     def array_name(self, array):
-        """What this function calls an array: its parameter of the class at that array's head, or the array's own name."""
-        return next((name for name, ref in self.records.items() if is_root(ref.kind) and ref.kind.array == array and not ref.terms), array)
+        """What this function calls an array: its parameter of the class at that array's head,
+        or the array's own name."""
+        return next((name for name, ref in self.records.items() if is_root(ref.kind)
+                     and ref.kind.array == array and not ref.terms), array)
 
     def block(self, statements):
         for node in statements:
@@ -163,7 +173,8 @@ class Lowered(ast.NodeTransformer):
                 self.replace(node.iter)
             elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and self.note(node):
                 continue
-            elif isinstance(node, ast.Return) and isinstance(node.value, ast.Name) and node.value.id in self.records:
+            elif (isinstance(node, ast.Return) and isinstance(node.value, ast.Name)
+                  and node.value.id in self.records):
                 self.edit(node.value, node.value, ast.unparse(total(self.records[node.value.id].terms)))
             elif isinstance(node, (ast.Assign, ast.AugAssign, ast.Return, ast.Expr)):
                 self.replace(node)
@@ -175,7 +186,8 @@ class Lowered(ast.NodeTransformer):
         name, ref = node.targets[0].id, self.ref(node.value)
         if ref is None or not (is_record(ref.kind) or is_run(ref.kind)):
             return False
-        if self.assigned.count(name) == 1 and all(isinstance(term, str) and term.isupper() for term in ref.terms):
+        if (self.assigned.count(name) == 1
+            and all(isinstance(term, str) and term.isupper() for term in ref.terms)):
             self.records[name] = ref
             self.edit(node, node, "")
             return True
@@ -200,9 +212,11 @@ class Lowered(ast.NodeTransformer):
                 return None
             if outer is None:
                 self.refuse(node, f"{ast.unparse(node.value)} is no record")
-            place = Ref(self.field(node, outer.kind), outer.array, [*outer.terms, self.layout.offset(outer.kind, node.attr)])
+            place = Ref(self.field(node, outer.kind), outer.array,
+                        [*outer.terms, self.layout.offset(outer.kind, node.attr)])
             if node.attr in outer.kind.targets and isinstance(node.ctx, ast.Load):
-                return Ref(outer.kind.targets[node.attr], outer.array, [*outer.terms, integer(self.element(place, ast.Load()))])
+                return Ref(outer.kind.targets[node.attr], outer.array,
+                           [*outer.terms, integer(self.element(place, ast.Load()))])
             return place
         if isinstance(node, ast.Subscript):
             outer = self.ref(node.value)
@@ -212,7 +226,8 @@ class Lowered(ast.NodeTransformer):
             element, index = outer.kind._type_ if many else float, self.visit(deepcopy(node.slice))
             if not (is_record(element) or is_run(element)):
                 middle = getattr(outer.kind, "middle", 0) if many else 0
-                return Ref(float, outer.array, [*outer.terms, *([ast.Constant(middle)] if middle else []), index])
+                return Ref(float, outer.array,
+                           [*outer.terms, *([ast.Constant(middle)] if middle else []), index])
             size = ast.Constant(sizeof(element) // 8)
             if is_record(element):
                 size = ast.Name(f"{constant(element.__name__)}_SIZE", ast.Load())
@@ -224,7 +239,8 @@ class Lowered(ast.NodeTransformer):
             return Ref(kind, array, [*terms, *(self.visit(deepcopy(argument)) for argument in node.args[1:])])
         if isinstance(node, ast.Call):
             kind = self.results.get(self.function_key(ast.unparse(node.func)))
-            return Ref(kind, self.array_name(self.layout.home(kind)[0]), [self.visit(deepcopy(node))]) if kind else None
+            return Ref(kind, self.array_name(self.layout.home(kind)[0]),
+                       [self.visit(deepcopy(node))]) if kind else None
         return None
 
     def function_key(self, name):
@@ -291,7 +307,8 @@ class Lowered(ast.NodeTransformer):
             return self.generic_visit(node)
         if len(parameters) != len(node.args):
             self.refuse(node, f"{name} has {len(parameters)} parameters")
-        arguments = [ast.Name(self.array_name(array), ast.Load()) for array in added_arrays(parameters, self.layout)]
+        arguments = [ast.Name(self.array_name(array), ast.Load())
+                     for array in added_arrays(parameters, self.layout)]
         for (parameter, kind), argument in zip(parameters, node.args):
             ref = self.ref(argument) if kind else None
             if kind and (ref is None or ref.kind is not kind):
@@ -326,7 +343,8 @@ class Lowered(ast.NodeTransformer):
 
     def imports(self):
         """The constants that the lowered text names come from layout.py, records do not."""
-        wanted = {name for name in self.layout.values if any(re.search(rf"\b{name}\b", text) for _, _, text in self.edits)}
+        wanted = {name for name in self.layout.values
+                  if any(re.search(rf"\b{name}\b", text) for _, _, text in self.edits)}
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
                 names = {alias.name for alias in node.names} - set(self.layout.classes) - {"offset"} | wanted
@@ -359,14 +377,16 @@ def record_parameters(node, layout):
 def added_arrays(parameters, layout):
     """The arrays that a function's records live in and that it is not given anyway."""
     kinds = [kind for _, kind in parameters if kind]
-    return [array for array in ARRAYS if array in {layout.home(kind)[0] for kind in kinds if not is_root(kind)}
+    return [array for array in ARRAYS
+            if array in {layout.home(kind)[0] for kind in kinds if not is_root(kind)}
             and array not in {kind.array for kind in kinds if is_root(kind)}]
 
 
 def lower(texts, module):
     """Modules without records, {name: text}, from modules with, and the imported layout.py."""
     layout = Layout(module)
-    functions = [(name, node) for name, text in texts.items() for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
+    functions = [(name, node) for name, text in texts.items() for node in ast.parse(text).body
+                 if isinstance(node, ast.FunctionDef)]
     signatures = {(name, node.name): record_parameters(node, layout) for name, node in functions}
     results = {(name, node.name): layout.classes[node.returns.id] for name, node in functions if node.returns}
     lowered, refusals = {}, []
@@ -377,8 +397,11 @@ def lower(texts, module):
             refusals.append(str(refusal))
     if refusals:
         raise Refused("\n".join(sorted(refusals)))
-    finals = {name: value for name, value in vars(module).items() if name.isupper() and isinstance(value, (int, float))}
-    lines = [f"{name}: Final[{type(value).__name__}] = {value!r}" for name, value in (finals | layout.values).items()]
+    finals = {name: value for name, value in vars(module).items() if name.isupper()
+              and isinstance(value, (int, float))}
+    lines = [f"{name}: Final[{type(value).__name__}] = {value!r}"
+             for name, value in (finals | layout.values).items()]
     docstring = ast.get_docstring(ast.parse(texts["layout"]))
-    lowered["layout"] = "\n".join([f'"""{docstring}"""', "", "from typing import Final", "", *lines, ""]).encode()
+    lowered["layout"] = "\n".join([f'"""{docstring}"""', "", "from typing import Final", "", *lines,
+                                   ""]).encode()
     return lowered

@@ -1,30 +1,31 @@
 """Translate the kernel's Python modules to C: wrcontact/kernel/*.py -> wrcontact/kernel/generated/.
 
     python tools/transpile_kernel.py            write the C files
-    python tools/transpile_kernel.py --check    only tell whether they are what would be written (exit 1 if not)
+    python tools/transpile_kernel.py --check only tell whether they are what would be written (exit 1 if not)
 
-A developer's tool: it needs Pyccel (``pip install ".[dev]"``, which needs gcc and gfortran).  The C files are committed, so
-that installing needs a C compiler only.  The output depends on the modules and on Pyccel's version, on nothing else.
+A developer's tool: it needs Pyccel (``pip install ".[dev]"``, which needs gcc and gfortran). The C files are
+committed, so that installing needs a C compiler only. The output depends on the modules and on Pyccel's
+version, on nothing else.
 
 What Pyccel writes is tidied like this:
 
-* ``Final`` constants become ``static const`` definitions in the header, with the value that Python gives them.  The
-  compiler can fold them, and nothing has to be initialised at run time (where threads could race): ``<module>__init``
-  is gone, and the wrappers for CPython with it.
+* ``Final`` constants become ``static const`` definitions in the header, with the value that Python gives
+  them. The compiler can fold them, and nothing has to be initialised at run time (where threads could race):
+  ``<module>__init`` is gone, and the wrappers for CPython with it.
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
-* Functions are ``static``, in the order of the Python source, each under its docstring; ``unit.c`` includes them all, so
-  the kernel is one translation unit; the modules prepare_*.py, which lay out its tables once, are another, and its
-  tangents, which tools/tangent.py writes (implicit.py is an input of that one only), a third.  Those of the modules in SELDOM
-  are not inlined.  Locals that Pyccel adds and nobody reads are dropped.
+* Functions are ``static``, in the order of the Python source, each under its docstring; ``unit.c`` includes
+  them all, so the kernel is one translation unit; the modules prepare_*.py, which lay out its tables once,
+  are another, and its tangents, which tools/tangent.py writes (implicit.py is an input of that one only), a
+  third. Those of the modules in SELDOM are not inlined. Locals that Pyccel adds and nobody reads are dropped.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
-Before that, the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the loop might change
-it: C reads it anew in each turn, Python once.
+Before that, the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the
+loop might change it: C reads it anew in each turn, Python once.
 
-Other Python that Pyccel translates to something else without a word is refused, with the line: ``else`` after a loop; a loop
-that changes its own variable, or whose variable is read after it; ``hypot``, ``pow`` and powers like ``x ** 2``, which
-CPython computes otherwise than C; a slice as an argument; a module variable that is not ``Final``; a call of anything that
-spans.h and a few functions of math.h do not define.
+Other Python that Pyccel translates to something else without a word is refused, with the line: ``else`` after
+a loop; a loop that changes its own variable, or whose variable is read after it; ``hypot``, ``pow`` and
+powers like ``x ** 2``, which CPython computes otherwise than C; a slice as an argument; a module variable
+that is not ``Final``; a call of anything that spans.h and a few functions of math.h do not define.
 """
 
 import argparse
@@ -65,9 +66,11 @@ Wrappergen.wrap = lambda self, folder: None
 pyccel_command()
 """
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
-MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan log log10 log1p "
+MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf "
+                 "isnan log log10 log1p "
                  "pow sin sinh sqrt tan tanh".split())
-SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max py_floor_div_int64_t "
+SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max "
+                 "py_floor_div_int64_t "
                  "pyc_modulo".split())
 
 
@@ -77,7 +80,8 @@ class Refused(Exception):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if the C files are not up to date")
+    parser.add_argument("--check", action="store_true",
+                        help="write nothing; exit 1 if the C files are not up to date")
     parser.add_argument("--kernel", type=Path, default=KERNEL, help="folder of the kernel's modules")
     options = parser.parse_args(arguments)
     try:
@@ -103,7 +107,8 @@ def translate(kernel):
 
 
 def source_modules(kernel=KERNEL):
-    """The modules in the rooms of the folder ``kernel`` with their records lowered to offsets, as they stand in one folder."""
+    """The modules in the rooms of the folder ``kernel`` with their records lowered to offsets, as
+    they stand in one folder."""
     paths = {flat_name(path): path for path in FILES["kernel_modules"](kernel)}
     texts = {name: flat_imports(path) for name, path in paths.items()}
     try:
@@ -127,9 +132,11 @@ def read_modules(kernel):
 
 
 def assemble(kernel, modules, raw):
-    """Text of every generated file by name, from what Pyccel has made of the ``modules``: ``raw``, by module name."""
+    """Text of every generated file by name, from what Pyccel has made of the ``modules``:
+    ``raw``, by module name."""
     kernel_modules = [module for module in modules if not module.tangent]
-    constants = constant_values(kernel, kernel_modules) | {module.name: {} for module in modules if module.tangent}
+    constants = constant_values(kernel, kernel_modules) | {module.name: {} for module in modules
+                                                           if module.tangent}
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
     files = {}
     for module in modules:
@@ -138,7 +145,8 @@ def assemble(kernel, modules, raw):
         if module.functions:
             files[module.name + ".c"] = tidy_code(module, code)
             refuse_unknown_calls(module, files[module.name + ".c"], functions)
-    files["unit.c"] = unit([module for module in kernel_modules if not module.prepares], FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest()))
+    files["unit.c"] = unit([module for module in kernel_modules if not module.prepares],
+                           FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest()))
     files["prepare_unit.c"] = prepare_unit(kernel_modules)
     files["tangent_unit.c"] = tangent_unit(modules)
     return files
@@ -169,19 +177,26 @@ class Module:
     def refuse_silent_traps(self):
         """Refuse Python whose translation compiles and means something else."""
         for node in self.tree.body:
-            is_final = isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation).startswith("Final[") and node.value
+            is_final = (isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation).startswith("Final[")
+                        and node.value)
             is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
             if not (is_final or is_docstring or isinstance(node, (ast.FunctionDef, ast.ImportFrom))):
-                self.refuse(node, "a module may hold its docstring, 'from' imports, Final constants and functions only")
+                self.refuse(node,
+                            "a module may hold its docstring, 'from' imports, Final constants and functions "
+                            "only")
         for node in ast.walk(self.tree):
             if isinstance(node, (ast.For, ast.While)) and node.orelse:
                 self.refuse(node, "Pyccel drops the else of a loop")
             if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
                 self.refuse(node, "a for loop runs over a range")
             if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and is_number(node.right):
-                self.refuse(node, "a power that the C compiler replaces differs in the last bit; write x*x or sqrt(x)")
+                self.refuse(node,
+                            "a power that the C compiler replaces differs in the last bit; write x*x or "
+                            "sqrt(x)")
             if isinstance(node, ast.Name) and node.id in ("hypot", "pow"):
-                self.refuse(node, f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt or **")
+                self.refuse(node,
+                            f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt "
+                            f"or **")
         for function, loop in self.range_loops():
             self.refuse_loop_variable(function, loop)
 
@@ -202,20 +217,25 @@ class Module:
             self.refuse(first, f"after its loop, {first.id} is one turn further in C than in Python")
 
     def source(self):
-        """The module's text with a name for each range's end that C, which reads it anew in each turn, might find changed."""
+        """The module's text with a name for each range's end that C, which reads it anew in each
+        turn, might find changed."""
         lines = self.text.splitlines()                              # bytes, as ast counts columns
         for function, loop in sorted(self.range_loops(), key=lambda pair: -pair[1].lineno):
             end = loop.iter.args[1 if len(loop.iter.args) > 1 else 0]
             names = {node.id for node in ast.walk(end) if isinstance(node, ast.Name)}
-            if not (names & stored(loop.body) or any(isinstance(node, ast.Subscript) for node in ast.walk(end))):
+            if not (names & stored(loop.body)
+                    or any(isinstance(node, ast.Subscript) for node in ast.walk(end))):
                 continue
             name = f"{loop.target.id}_end"
-            if end.end_lineno != loop.lineno or name in {node.id for node in ast.walk(function) if isinstance(node, ast.Name)}:
-                self.refuse(loop, f"the range should stand in one line, and the name {name} be free for its end")
+            if (end.end_lineno != loop.lineno
+                or name in {node.id for node in ast.walk(function) if isinstance(node, ast.Name)}):
+                self.refuse(loop,
+                            f"the range should stand in one line, and the name {name} be free for its end")
             line = lines[loop.lineno - 1]
             expression = line[end.col_offset:end.end_col_offset]
             head = line[:end.col_offset] + name.encode() + line[end.end_col_offset:]
-            lines[loop.lineno - 1:loop.lineno] = [b" " * loop.col_offset + name.encode() + b" = " + expression, head]
+            lines[loop.lineno - 1:loop.lineno] = [b" " * loop.col_offset + name.encode() + b" = "
+                                                  + expression, head]
         return b"\n".join(lines) + b"\n"
 
 
@@ -228,7 +248,8 @@ def flat_name(path):
 
 
 def flat_imports(path):
-    """The text of a module as it is where all modules are in one folder (bytes, each import still in its line)."""
+    """The text of a module as it is where all modules are in one folder (bytes, each
+    import still in its line)."""
     folder = path.parent
 
     lines = path.read_bytes().split(b"\n")
@@ -267,7 +288,8 @@ def run_pyccel(modules):
         if run.returncode:
             raise Refused(f"Pyccel says\n{run.stdout}")
         out = Path(folder, "out", "__pyccel__")
-        return {module.name: tuple((out / (module.name + end)).read_text(encoding="utf-8") for end in (".h", ".c"))
+        return {module.name: tuple((out / (module.name + end)).read_text(encoding="utf-8")
+                                   for end in (".h", ".c"))
                 for module in modules}
 
 
@@ -280,8 +302,10 @@ def installed_pyccel():
 
 
 def import_kernel(kernel, name):
-    """The module ``name``, such as "search.roll", of the kernel in the folder ``kernel``, imported on its own."""
-    package, room = types.ModuleType("package_being_translated"), types.ModuleType("package_being_translated.kernel")
+    """The module ``name``, such as "search.roll", of the kernel in the folder
+    ``kernel``, imported on its own."""
+    package, room = (types.ModuleType("package_being_translated"),
+                     types.ModuleType("package_being_translated.kernel"))
     package.__path__, room.__path__ = [str(kernel.parent), str(KERNEL.parent)], [str(kernel)]
     if getattr(sys.modules.get(room.__name__), "__path__", None) != room.__path__:
         for old in [old for old in sys.modules if old.startswith(package.__name__)]:
@@ -295,8 +319,10 @@ def constant_values(kernel, modules):
     """Value of every constant, as Python computes it: {module: {constant: value}}."""
     values = {}
     for module in modules:
-        source = import_kernel(kernel, f"{module.path.parent.name}.{module.path.stem}".removesuffix(".__init__"))
-        values[module.name] = {name: getattr(source, name) for name in module.constants if hasattr(source, name)}
+        source = import_kernel(kernel,
+                               f"{module.path.parent.name}.{module.path.stem}".removesuffix(".__init__"))
+        values[module.name] = {name: getattr(source, name) for name in module.constants
+                               if hasattr(source, name)}
         values[module.name] |= module.offsets
         if module.name == "layout":
             values["layout"] |= {name: value for name, value in vars(source).items() if name in ARRAYS}
@@ -312,11 +338,13 @@ def tidy_header(module, text, constants):
     """A header with spans.h, the headers of other modules, constants and prototypes."""
     guard = f"WRCONTACT_KERNEL_{module.name.upper()}_H"
     headers = re.findall(r'^#include "(\w+\.h)"$', text, re.MULTILINE)
-    includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers if name != "pyc_math_c.h"]
+    includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers
+                                                   if name != "pyc_math_c.h"]
     definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
     found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
     prototypes = [f"{storage(module, name)} {line};" for line, _, name in found if name != "init"]
-    parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes, ["#endif"]]
+    parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes,
+             ["#endif"]]
     return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
 
 
@@ -337,11 +365,14 @@ def tidy_code(module, text):
     """The module's functions in the order of the Python source, each under its docstring."""
     chunks = {}
     for chunk in text.split(EDGE):
-        signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk, re.MULTILINE | re.DOTALL)
+        signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk,
+                              re.MULTILINE | re.DOTALL)
         if signature and signature[2] != "init":
-            chunks[signature[2]] = f"{storage(module, signature[2])} {signature[1]}\n{{\n{tidy_body(signature[3])}}}"
+            head = f"{storage(module, signature[2])} {signature[1]}"
+            chunks[signature[2]] = f"{head}\n{{\n{tidy_body(signature[3])}}}"
     if set(chunks) != set(module.functions):
-        raise Refused(f"{module.path.name}: Pyccel renamed or dropped {sorted(set(chunks) ^ set(module.functions))}")
+        raise Refused(f"{module.path.name}: Pyccel renamed or dropped "
+                      f"{sorted(set(chunks) ^ set(module.functions))}")
     documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]
     return "\n\n".join([banner(module), f'#include "{module.name}.h"', *documented]) + "\n"
 
@@ -354,7 +385,8 @@ def tidy_body(body):
         if uses == 1 or uses == 2 and called:
             body = re.sub(rf"^ *\w+ {name};\n", "", body, flags=re.MULTILINE)
             body = re.sub(rf"^( *){name} = ", r"\1", body, flags=re.MULTILINE)
-    return re.sub(r"^( *)/\*(.*)\*/$", lambda match: f"{match[1]}/* {apart(match[2]).strip()} */", body, flags=re.MULTILINE)
+    return re.sub(r"^( *)/\*(.*)\*/$", lambda match: f"{match[1]}/* {apart(match[2]).strip()} */", body,
+                  flags=re.MULTILINE)
 
 
 def apart(text):
@@ -382,11 +414,13 @@ def refuse_unknown_calls(module, text, functions):
     """Refuse calls that neither the kernel nor spans.h and math.h define, and arrays on the stack."""
     code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
     if re.search(r"\w+\[", code.replace("shape[", "")):
-        raise Refused(f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] needs a "
+        raise Refused(f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] "
+                      f"needs a "
                       "name first")
     unknown = set(re.findall(r"\b([A-Za-z_]\w*)\(", code)) - functions - MATH_CALLS - SPAN_CALLS - C_WORDS
     if unknown:
-        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h and math.h do not have")
+        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h "
+                      f"and math.h do not have")
 
 
 def unit(modules, fingerprint):
@@ -398,15 +432,18 @@ def unit(modules, fingerprint):
 
 
 def prepare_unit(modules):
-    """The file that includes what prepares the kernel's tables, and the modules whose functions that calls."""
+    """The file that includes what prepares the kernel's tables, and the modules whose
+    functions that calls."""
     lines = ["/* What prepares the kernel's tables. Generated by tools/transpile_kernel.py. */"]
-    return "\n".join(lines + inclusions(modules, {module.name for module in modules if module.prepares})) + "\n"
+    return "\n".join(lines
+                     + inclusions(modules, {module.name for module in modules if module.prepares})) + "\n"
 
 
 def tangent_unit(modules):
     """The file that includes the differentiated kernel, and the modules whose functions that calls."""
     lines = ["/* The kernel with a rate beside every value. Generated by tools/transpile_kernel.py. */"]
-    return "\n".join(lines + inclusions(modules, {module.name for module in modules if module.tangent})) + "\n"
+    return "\n".join(lines
+                     + inclusions(modules, {module.name for module in modules if module.tangent})) + "\n"
 
 
 def inclusions(modules, needed):
@@ -414,7 +451,8 @@ def inclusions(modules, needed):
     by_name = {module.name: module for module in modules}
     waiting = list(needed)
     while waiting:
-        called = {name for name, used in by_name[waiting.pop()].imports.items() if used & set(by_name[name].functions)}
+        called = {name for name, used in by_name[waiting.pop()].imports.items()
+                  if used & set(by_name[name].functions)}
         waiting.extend(called - needed)
         needed |= called
     return [f'#include "{name}.c"' for name in sorted(needed)]

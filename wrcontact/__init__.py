@@ -1,9 +1,26 @@
 """Wheel-rail contact of a wheelset on its track: contact positions, roll, and contact patches."""
 
 from .interface.parameters import Material, Track, Wheelset
-from .methods import (Adaptive, Analyn, BasicCurvature, Compliant, EffectiveCurvature, Elastic, Equidistant, EquidistantChord,
-                      Halfspace, Hertz, NormalLoad, NormalSeparation, Rigid, Rough, Smooth, Strip, VerticalLoad,
-                      VerticalSeparation)
+from .methods import (
+    Adaptive,
+    Analyn,
+    BasicCurvature,
+    Compliant,
+    EffectiveCurvature,
+    Elastic,
+    Equidistant,
+    EquidistantChord,
+    Halfspace,
+    Hertz,
+    NormalLoad,
+    NormalSeparation,
+    Rigid,
+    Rough,
+    Smooth,
+    Strip,
+    VerticalLoad,
+    VerticalSeparation,
+)
 from .profiles import Profile, ProfileWarning
 from .state import WheelsetState
 from .status import Status, explain

@@ -1,4 +1,5 @@
-"""The benchmarks run, their tables have all rows, and what they say about errors and counts holds; nothing about time."""
+"""The benchmarks run, their tables have all rows, and what they say about errors and counts
+holds; nothing about time."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -20,8 +21,8 @@ from benchmarks import (
 )
 from benchmarks.table import figure, markdown
 from tests.helpers.paths import ROOT
-from wrcontact.plots import style
 from wrcontact.methods import Analyn, Strip
+from wrcontact.plots import style
 
 LITTLE = replace(rows.QUICK, count=20, rounds=1, halfspace=(0.1,), every=40)
 
@@ -35,7 +36,7 @@ def of_kind(measured, kind):
     return [row for row in measured if row.kind == kind]
 
 
-# --- the table --------------------------------------------------------------------------------------------------------
+# --- the table ----------------------------------------------------------------------------------------------
 
 
 def test_the_table_has_every_row(measured):
@@ -56,7 +57,8 @@ def test_the_table_has_every_row(measured):
 def test_the_readme_is_shorter():
     short = [row for row in rows.all_rows(rows.FULL) if row.short]
     assert 8 <= len(short) + 1 <= 12                                  # the FMU's comes on top
-    assert {row.kind for row in short} == {"geometry", "Hertz", "analyn", "analyn_strip", "halfspace", "order", "door"}
+    assert {row.kind for row in short} == {"geometry", "Hertz", "analyn", "analyn_strip", "halfspace",
+                                           "order", "door"}
 
 
 def test_the_readme_has_these_rows():
@@ -77,7 +79,7 @@ def test_markdown():
     assert [figure(value) for value in (0.04, 9.96, 99.6, 12345.6)] == ["0.0", "10.0", "100", "12,346"]
 
 
-# --- errors -----------------------------------------------------------------------------------------------------------
+# --- errors -------------------------------------------------------------------------------------------------
 
 
 def test_each_model_is_nearer_to_the_complete_theory(measured):
@@ -104,7 +106,7 @@ def test_a_pose_that_is_not_solved_is_an_error():
         errors.compared(rows.system().evaluate_many(0.1), run, ("right",))
 
 
-# --- counts, skips, growth --------------------------------------------------------------------------------------------
+# --- counts, skips, growth ----------------------------------------------------------------------------------
 
 
 def test_counts():
@@ -112,7 +114,8 @@ def test_counts():
     assert len(header) == 2 + len(counts.COUNTS) and len(table) == 14
     for line in table:
         count = dict(zip(header[1:], map(float, line[1:])))
-        assert count["gap evaluations"] < count["full raster: gap evaluations"] / 3       # the bounds of the search
+        # the bounds of the search
+        assert count["gap evaluations"] < count["full raster: gap evaluations"] / 3
         assert 2 <= count["scans"] < 4 and count["force solves"] < 12
         assert (count["strip systems"] > 0) == line[0].startswith("analyn_strip")
 
@@ -129,7 +132,7 @@ def test_growth():
     assert (one, two, same) == (1, 2, 1.0) and seconds > 0 and gain > 0
 
 
-# --- random poses -----------------------------------------------------------------------------------------------------
+# --- random poses -------------------------------------------------------------------------------------------
 
 
 def test_a_random_pose_is_the_same_again():
@@ -158,28 +161,32 @@ def test_an_ended_run_goes_on(tmp_path, monkeypatch):
 def test_what_does_not_converge_is_left_out(tmp_path):
     store = tmp_path / "poses.csv"
     values = (["nan"] * 6, ["1e-4", "1e-4", "1e9"] * 2)
-    store.write_text("".join(random_poses.line(random_poses.heading(index) + row) for index, row in enumerate(values)))
+    store.write_text("".join(random_poses.line(random_poses.heading(index) + row)
+                             for index, row in enumerate(values)))
     text = random_poses.compared(2, store=store)
     assert "1 of 2 poses are left out" in text and "pose 0:" not in text
 
 
 def test_answers_are_those_of_the_named_track():
     pose = random_poses.pose(3)
-    found, status = random_poses.answers([random_poses.pose(index) for index in range(6)], normal_model="hertz")
-    alone = wrcontact.ContactSystem(rail=pose.rail, rail_inclination=pose.inclination, normal_model="hertz").evaluate(*pose[2:])
+    found, status = random_poses.answers([random_poses.pose(index) for index in range(6)],
+                                         normal_model="hertz")
+    alone = wrcontact.ContactSystem(rail=pose.rail, rail_inclination=pose.inclination,
+                                    normal_model="hertz").evaluate(*pose[2:])
     assert not status.any()
     assert found[3] == pytest.approx([getattr(side, name) for side in (alone.left, alone.right)
                                       for name in random_poses.PATCH], rel=1e-9)
 
 
 def test_tolerances_are_kept():
-    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/normal_model.py says; here of few poses, with a margin."""
+    """95 of 100 poses keep the tolerance in all three, as wrcontact/methods/normal_model.py says; here of few
+    poses, with a margin."""
     for line in random_poses.numerics(200).splitlines()[4:]:
         name, _, kept, *_ = (cell.strip() for cell in line.strip("|").split("|"))
         assert max(map(float, kept.split(" / "))) <= 1.3 * 100 * float(name.split()[-1]) + 0.1, line
 
 
-# --- the picture ------------------------------------------------------------------------------------------------------
+# --- the picture --------------------------------------------------------------------------------------------
 
 
 def test_the_picture_shows_every_point(measured, tmp_path):
@@ -189,6 +196,8 @@ def test_the_picture_shows_every_point(measured, tmp_path):
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     points = np.concatenate([line.get_xydata() for line in axes.lines])
     ladders = len(Analyn.ladder) + len(Strip.ladder)
-    assert len(points) == 1 + ladders + 1 + 15 + 1 + 2 * 2 + 1       # Hertz, ladders, half-space, strips, FMU, peers
-    assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1]) & (points[:, 1] <= high))
+    # Hertz, ladders, half-space, strips, FMU, peers
+    assert len(points) == 1 + ladders + 1 + 15 + 1 + 2 * 2 + 1
+    assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1])
+                  & (points[:, 1] <= high))
     assert style.save(drawn, tmp_path / "benchmark.png").stat().st_size > 20_000

@@ -1,10 +1,8 @@
-"""The compiled kernel and its Python source are one program: the same bits, and a library that does not fit is not used."""
+"""The compiled kernel and its Python source are one program: the same bits, and a library
+that does not fit is not used."""
 
 import gc
-import json
-import os
 import shutil
-import subprocess
 import sys
 import weakref
 from pathlib import Path
@@ -14,35 +12,30 @@ import pytest
 
 import wrcontact
 from build_hooks.kernel_compiler import CompilerProblem, compile_library, find_compiler
+from tests.helpers.kernel_runs import KERNEL, PACKAGE, bits, needs_library, run_python, run_steps
 from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.library import fingerprint
-from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_ROLL, IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUTPUT_COUNT,
-                                     SETTING_COUNT, STATE_SIZE, UNLOADED, WORK_SIZE)
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME
+from wrcontact.kernel.layout import (
+    IN_LATERAL_SHIFT,
+    IN_ROLL,
+    IN_VERTICAL_SHIFT,
+    IN_YAW,
+    INPUT_COUNT,
+    OUTPUT_COUNT,
+    SETTING_COUNT,
+    STATE_SIZE,
+    UNLOADED,
+    WORK_SIZE,
+)
 
-PACKAGE = Path(wrcontact.__file__).parent
-KERNEL = PACKAGE / "kernel"
-needs_library = pytest.mark.skipif(not (KERNEL / LIBRARY_NAME).exists(), reason="no compiled library here")
 needs_compiler = pytest.mark.skipif(find_compiler() is None, reason="no C compiler here")
-
-RUN = """
-import json
-import sys
-import numpy as np
-import {package} as wrcontact
-stepper = wrcontact.ContactSystem(**json.loads(sys.argv[3])).stepper()
-rows = []
-for pose in np.load(sys.argv[1]):
-    stepper.inputs[:] = pose
-    rows.append([stepper.step(), *stepper.outputs])
-np.save(sys.argv[2], np.array(rows))
-"""
 
 
 def poses(count, seed=20):
-    """Inputs (count, 7) over tread and flange: cold jumps, a slow run, and some that no wheelset can have; heights and rolls
-    around those of rigid contact, from lifted wheels to 0.2 mm deep ones."""
+    """Inputs (count, 7) over tread and flange: cold jumps, a slow run, and some that no wheelset can have;
+    heights and rolls around those of rigid contact, from lifted wheels to 0.2 mm deep ones."""
     rng = np.random.default_rng(seed)
     rows = np.column_stack([
         rng.uniform(-8e-3, 8e-3, count),            # lateral shift [m]
@@ -55,7 +48,8 @@ def poses(count, seed=20):
     rows[::4, 1] = 0.0
     run = count // 2
     rows[run:, 0] = np.linspace(-7e-3, 7e-3, count - run)
-    rigid = wrcontact.ContactSystem().evaluate_many(rows[:, IN_LATERAL_SHIFT], rows[:, IN_YAW], outputs="geometry")
+    rigid = wrcontact.ContactSystem().evaluate_many(rows[:, IN_LATERAL_SHIFT], rows[:, IN_YAW],
+                                                    outputs="geometry")
     rows[:, IN_VERTICAL_SHIFT] += rigid.vertical_shift
     rows[:, IN_ROLL] += rigid.roll
     rows[run::7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
@@ -64,29 +58,10 @@ def poses(count, seed=20):
     return rows
 
 
-def run_steps(rows, folder, *, choice, package=PACKAGE, **parameters):
-    """[status, outputs] of each pose, from a fresh process in which ``package`` runs the ``choice`` of kernel."""
-    np.save(folder / "poses.npy", rows)
-    child = run_python(RUN.format(package=package.name), package.parent, choice, folder / "poses.npy", folder / "steps.npy",
-                       json.dumps(parameters))
-    assert child.returncode == 0, child.stderr
-    return np.load(folder / "steps.npy")
-
-
-def run_python(code, path, choice, *arguments):
-    """Run ``code`` with ``path`` in front of the module path, away from this checkout."""
-    return subprocess.run([sys.executable, "-W", "always", "-c", code, *map(str, arguments)], cwd=path, text=True,
-                          capture_output=True, env={**os.environ, "PYTHONPATH": str(path), "WRCONTACT_KERNEL": choice})
-
-
 def copy_package(folder, name, *, with_library):
     """A copy of the package under another name, as inside an FMU."""
     ignored = ["__pycache__"] + ([] if with_library else [LIBRARY_NAME])
     return Path(shutil.copytree(PACKAGE, folder / name, ignore=shutil.ignore_patterns(*ignored)))
-
-
-def bits(array):
-    return np.ascontiguousarray(array).view(np.int64)
 
 
 #: Every contact mode with every normal model, and the vertical load.
@@ -98,9 +73,11 @@ MODES = [{"contact_mode": "elastic", "normal_model": "analyn"},
          {"contact_mode": "compliant", "normal_model": "hertz"},
          {"load": "vertical"},
          {"load": "vertical", "normal_model": "hertz"},
-         {"contact_mode": "elastic", "load": "vertical", "separation": "equidistant", "lateral_curvature": "smooth"}]
+         {"contact_mode": "elastic", "load": "vertical", "separation": "equidistant",
+          "lateral_curvature": "smooth"}]
 QUICK = ("elastic-analyn", "compliant-analyn_strip", "vertical-hertz")
-SHARE = [pytest.param(mode, marks=[pytest.mark.slow] * ("-".join(mode.values()) not in QUICK)) for mode in MODES]
+SHARE = [pytest.param(mode, marks=[pytest.mark.slow] * ("-".join(mode.values()) not in QUICK))
+         for mode in MODES]
 
 
 @needs_library
@@ -147,12 +124,14 @@ def checked_package(tmp_path_factory):
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
     *SHARE,
-    pytest.param({"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
+    pytest.param({"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64,
+                  "sweeps": 4},
                  marks=pytest.mark.slow),
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
 ], ids=lambda parameters: "-".join(map(str, parameters.values())) or "default")
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
-    """The library with checked indices takes the same steps: 1200 over tread and flange, from 1 mN to 1 MN."""
+    """The library with checked indices takes the same steps: 1200 over tread and
+    flange, from 1 mN to 1 MN."""
     rows = poses(1200, seed=21)
     rows[::3, 3] = 10 ** np.random.default_rng(22).uniform(-3, 6, len(rows[::3]))
     checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package, **parameters)
@@ -164,13 +143,14 @@ def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
 @needs_compiler
 @pytest.mark.slow
 @pytest.mark.parametrize("strips", [16, 64])
-@pytest.mark.parametrize("pair", [{}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425}],
+@pytest.mark.parametrize("pair",
+                         [{}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425}],
                          ids=["default", "54E1", "narrow"])
 def test_no_index_leaves_its_array_in_very_many_poses(tmp_path, checked_package, strips, pair):
     rows = poses(6000, seed=23)
     rows[::3, 3] = 10 ** np.random.default_rng(24).uniform(-3, 6, len(rows[::3]))
-    checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package, normal_model="analyn_strip",
-                        strips=strips, **pair)
+    checked = run_steps(rows, tmp_path, choice="compiled", package=checked_package,
+                        normal_model="analyn_strip", strips=strips, **pair)
     usual = run_steps(rows, tmp_path, choice="compiled", normal_model="analyn_strip", strips=strips, **pair)
     np.testing.assert_array_equal(checked[:, 0], usual[:, 0])
 
@@ -189,12 +169,14 @@ def test_many_steps_are_single_steps(mode):
 
 
 def test_generated_c_is_of_this_source():
-    assert f"INT64_C(0x{fingerprint():015x})" in (KERNEL / "generated" / "unit.c").read_text(), "run tools/transpile_kernel.py"
+    assert f"INT64_C(0x{fingerprint():015x})" in (KERNEL / "generated" / "unit.c").read_text(), (
+        "run tools/transpile_kernel.py")
 
 
 def test_missing_library_warns_once(tmp_path):
     package = copy_package(tmp_path, "renamed_wheelset", with_library=False)
-    code = "from renamed_wheelset.kernel.binding.library import default_kernel as k; print(k().compiled, k().compiled)"
+    code = ("from renamed_wheelset.kernel.binding.library import default_kernel as k; "
+            "print(k().compiled, k().compiled)")
     child = run_python(code, tmp_path, "auto")
     assert child.stdout.split() == ["False", "False"], child.stderr
     assert child.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
@@ -231,8 +213,9 @@ def test_failing_compiler_leaves_no_library(tmp_path):
 
 def arrays(**changed):
     """Arrays that can be bound."""
-    return {"tables": np.zeros(SETTING_COUNT), "state": np.zeros(STATE_SIZE), "workspace": np.zeros(WORK_SIZE),
-            "inputs": np.zeros(INPUT_COUNT), "outputs": np.zeros(OUTPUT_COUNT), **changed}
+    return {"tables": np.zeros(SETTING_COUNT), "state": np.zeros(STATE_SIZE),
+            "workspace": np.zeros(WORK_SIZE), "inputs": np.zeros(INPUT_COUNT),
+            "outputs": np.zeros(OUTPUT_COUNT), **changed}
 
 
 def read_only(size):

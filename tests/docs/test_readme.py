@@ -4,13 +4,14 @@ import re
 
 import pytest
 
-from tests.helpers.paths import ROOT
+from tests.helpers.paths import ROOT, TESTS
 from wrcontact.fmu import command, native
 from wrcontact.fmu.compilers import PLATFORMS
 from wrcontact.interface.variables import OUTPUT, VARIABLES
 from wrcontact.profiles.catalogue import BUILDERS
 
 DOCS = ROOT / "docs"
+PAGES = [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -18,29 +19,42 @@ def test_the_example_runs(capsys):
     exec(re.search(r"```python\n(.*?)```", README, re.DOTALL).group(1), {})
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 4 and lines[0].startswith("0 -0.000369")        # two patches at 5 mm
-    assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)            # the S1002's 70 deg flank, and the roll
+    # the S1002's 70 deg flank, and the roll
+    assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_linked_files_exist(page):
     for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text(encoding="utf-8")):
         assert (page.parent / link).exists(), link
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", *sorted(DOCS.glob("*.md"))], ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_files_that_are_named_exist(page):
     """Paths in backticks, from the top of the repository or of the package, and names of tests."""
     words = set(re.findall(r"`([^`\s]+)`", page.read_text(encoding="utf-8")))
-    paths = {word.split("::")[0] for word in words if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
+    paths = {word.split("::")[0] for word in words
+             if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
     missing = {path for path in paths if not ((ROOT / path).exists() or (ROOT / "wrcontact" / path).exists())}
     assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
     tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
     assert {word.split("::")[0] for word in words if re.match(r"test_\w+\.py", word)} <= tests
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_tests_that_are_named_exist(page):
+    """Tests by name, whole or shortened by an ellipsis, in the file that is named with them."""
+    text = page.read_text(encoding="utf-8")
+    for file, test, shortened in re.findall(r"(?:(test_\w+\.py)::)?\b(test_\w+)\b(?!\.py)(…?)", text):
+        sources = [path.read_text(encoding="utf-8") for path in TESTS.rglob(file or "test_*.py")]
+        end = r"\w*\(" if shortened else r"\("
+        assert any(re.search(rf"^def {test}{end}", source, re.MULTILINE) for source in sources) or (
+            not file and list(TESTS.rglob(f"{test}.py"))), f"{file} {test}"
+
+
 #: A word that a test has if it runs the tool.
-TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"', "ecospy": '"ecospy"',
-         "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
+TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"',
+         "ecospy": '"ecospy"', "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
 
 
 def test_tools_that_are_said_to_run_are_run():

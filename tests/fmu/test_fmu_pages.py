@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 from lxml import etree
 from matplotlib.image import imread
+from wrcontact.fmu.documentation import about_native, documentation_page
 
-from tests.fmu.test_fmu import profile_file
+from tests.helpers.cases import profile_file
 from tests.helpers.paths import ROOT
 from wrcontact.fmu import SOURCES, build, native
 from wrcontact.fmu.compilers import PLATFORMS
-from wrcontact.fmu.documentation import about_native, documentation_page
 from wrcontact.interface.variables import folded
 
 SCHEMAS = Path(fmpy.__file__).parent / "schema" / "fmi3"
@@ -39,7 +39,7 @@ def described_variables(entries):
     return list(ElementTree.fromstring(entries["modelDescription.xml"]).find("ModelVariables"))
 
 
-# --- terminals ------------------------------------------------------------------------------------------------
+# --- terminals ----------------------------------------------------------------------------------------------
 
 
 def terminals(entries):
@@ -59,8 +59,10 @@ def test_terminals_keep_to_the_schema(archives, kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_input_and_output_is_in_one_terminal(archives, kind):
     variables = described_variables(archives[kind])
-    members = [member.get("variableName") for member in terminals(archives[kind]).iter("TerminalMemberVariable")]
-    assert sorted(members) == sorted(v.get("name") for v in variables if v.get("causality") in ("input", "output"))
+    members = [member.get("variableName")
+               for member in terminals(archives[kind]).iter("TerminalMemberVariable")]
+    assert sorted(members) == sorted(v.get("name") for v in variables
+                                     if v.get("causality") in ("input", "output"))
 
 
 def test_terminals_of_left_and_right_match(archives):
@@ -74,14 +76,15 @@ def test_terminals_of_left_and_right_match(archives):
     assert {"roll", "vertical_shift"} <= set(groups["pose"][1]) & set(groups["wheelset"][1])
 
 
-# --- icon -----------------------------------------------------------------------------------------------------
+# --- icon ---------------------------------------------------------------------------------------------------
 
 
 def test_icon_is_in_every_fmu(archives):
     for kind, entries in archives.items():
         assert {"terminalsAndIcons/icon.png", "terminalsAndIcons/icon.svg"} <= set(entries)
         assert ("model.png" in entries) == (kind != 3)      # where FMI 2 has it
-        assert sum(len(entries[f"terminalsAndIcons/icon.{suffix}"]) for suffix in ("png", "svg")) < 20_000  # [bytes]
+        # [bytes]
+        assert sum(len(entries[f"terminalsAndIcons/icon.{suffix}"]) for suffix in ("png", "svg")) < 20_000
 
 
 def test_icon_shows_wheels_rails_and_contacts_on_a_clear_ground(archives):
@@ -99,10 +102,11 @@ def test_icon_is_what_its_script_draws(tmp_path):
     assert (SOURCES / "icon.svg").read_text(encoding="utf-8") == script["svg"]()
     script["png"](tmp_path / "icon.png")
     committed, drawn = imread(SOURCES / "icon.png"), imread(tmp_path / "icon.png")
-    assert np.abs(committed - drawn).mean() < 0.01      # edges are smoothed a little differently by each matplotlib
+    # edges are smoothed a little differently by each matplotlib
+    assert np.abs(committed - drawn).mean() < 0.01
 
 
-# --- documentation --------------------------------------------------------------------------------------------
+# --- documentation ------------------------------------------------------------------------------------------
 
 
 class Page(HTMLParser):
@@ -153,7 +157,8 @@ def test_page_has_every_variable_with_its_reference(archives, kind):
     rows = {without_size(row[0]): row for row in page.rows}
     wanted = {}
     for variable in described_variables(archives[kind]):
-        wanted.setdefault(without_size(folded(variable.get("name"))), set()).add(int(variable.get("valueReference")))
+        wanted.setdefault(without_size(folded(variable.get("name"))),
+                          set()).add(int(variable.get("valueReference")))
     for name, numbers in wanted.items():
         assert references(rows[name][1]) == numbers, name
 
@@ -179,7 +184,8 @@ def test_page_of_fmi_3_shows_arrays(archives):
 def test_array_sizes_are_named():
     """A dimension is a number, or the parameter that holds it."""
     description = """<fmiModelDescription fmiVersion="3.0"><CoSimulation modelIdentifier="m"/><ModelVariables>
-        <UInt32 name="stations" valueReference="7" causality="structuralParameter" description="d" start="31"/>
+        <UInt32 name="stations" valueReference="7" causality="structuralParameter" description="d"
+                start="31"/>
         <Float64 name="left.station" valueReference="8" causality="output" description="Left wheel: d">
         <Dimension valueReference="7"/></Float64></ModelVariables></fmiModelDescription>"""
     rows = Page(documentation_page("1", description, "")).rows
@@ -195,14 +201,15 @@ def test_page_names_platforms_and_packed_profiles(archives, tmp_path):
     assert "x86_64-windows" in archives[2]["documentation/index.html"].decode()
 
 
-# --- licences -------------------------------------------------------------------------------------------------
+# --- licences -----------------------------------------------------------------------------------------------
 
 
 def test_licences_of_all_that_is_packed(archives):
     for kind, entries in archives.items():
         assert b"MIT" in entries["documentation/licenses/license.txt"]
         if kind != "python":
-            assert b"Redistribution and use in source and binary forms" in entries["documentation/licenses/fmi.txt"]
+            assert (b"Redistribution and use in source and binary forms"
+                    in entries["documentation/licenses/fmi.txt"])
     assert b"numpy" in archives["python"]["documentation/externalDependencies.txt"]
 
 

@@ -1,7 +1,7 @@
 """Native FMUs in importers that are independent of fmpy and of each other, each in a process of its own.
 
-They come with the extra "importers"; what is not installed is skipped, except with WRCONTACT_IMPORTERS=all, as in .ci/run.
-Of FMI 3 Ecos has scalars only; libcosim ends its process with any FMU of FMI 3.
+They come with the extra "importers"; what is not installed is skipped, except with WRCONTACT_IMPORTERS=all,
+as in .ci/run. Of FMI 3 Ecos has scalars only; libcosim ends its process with any FMU of FMI 3.
 """
 
 import importlib.util
@@ -14,16 +14,18 @@ from pathlib import Path
 
 import pytest
 
-from tests.fmu.test_fmu import RUNS, run_scenario, stored
-from tests.fmu.test_native_fmu import has_compiler, session, stepped
+from tests.helpers.cases import RUNS, stored
+from tests.helpers.fmus import has_compiler, run_scenario, session, stepped
 from tests.helpers.paths import HELPERS
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 
 SAME = 1e-9  # [relative]
 ARRAYS = ("station[", "half_length[", "pressure[")     # in FMI 3; test_native_fmu.py reads them with fmpy
-NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT and v.type == REAL and not any(a in v.name for a in ARRAYS)]
+NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT and v.type == REAL
+         and not any(a in v.name for a in ARRAYS)]
 NOMINAL = {v.name: v.nominal for v in VARIABLES}
-pytestmark = pytest.mark.skipif(not has_compiler(), reason="a native FMU is built by a C compiler, and none is here")
+pytestmark = pytest.mark.skipif(not has_compiler(),
+                                reason="a native FMU is built by a C compiler, and none is here")
 
 
 def needs(module):
@@ -50,9 +52,12 @@ def assert_same(seen, wanted):
                                                pytest.param("ecospy", 3, marks=needs("ecospy"))])
 def test_importer(fmus, wanted, importer, version, tmp_path):
     rows, expected = wanted
-    libraries = os.pathsep.join(filter(None, [str(Path(sys.prefix, "lib")), os.environ.get("LD_LIBRARY_PATH")]))
-    done = subprocess.run([sys.executable, str(HELPERS / "importer_process.py"), importer, str(fmus[version])], text=True,
-                          input=json.dumps({"rows": rows, "names": NAMES}), capture_output=True, cwd=tmp_path, timeout=300,
+    libraries = os.pathsep.join(filter(None,
+                                       [str(Path(sys.prefix, "lib")), os.environ.get("LD_LIBRARY_PATH")]))
+    done = subprocess.run([sys.executable, str(HELPERS / "importer_process.py"), importer,
+                           str(fmus[version])], text=True,
+                          input=json.dumps({"rows": rows, "names": NAMES}), capture_output=True, cwd=tmp_path,
+                          timeout=300,
                           env={**os.environ, "LD_LIBRARY_PATH": libraries})     # Ecos looks for its tbb there
     assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
     assert_same(json.loads(done.stdout.strip().splitlines()[-1])["seen"], expected)
@@ -70,7 +75,8 @@ def tool(name, *arguments, folder):
 @pytest.mark.parametrize("version", (2, 3))
 def test_fmutool_finds_nothing(fmus, version, tmp_path):
     said = tool("fmutool", "-input", str(fmus[version]), "-check", folder=tmp_path)
-    assert f"compliant with FMI-{version}.0" in said and f"No semantic error against the FMI-{version} standard" in said
+    assert f"compliant with FMI-{version}.0" in said
+    assert f"No semantic error against the FMI-{version} standard" in said
 
 
 @needs("fmu_manipulation_toolbox")
@@ -80,10 +86,12 @@ def test_container(fmus, wanted, version, tmp_path):
     rows, expected = wanted
     shutil.copy(fmus[version], tmp_path)
     ports = [f"OUTPUT;{fmus[version].name};{name};;{name}" for name in NAMES]
-    (tmp_path / "container.csv").write_text("\n".join(["rule;from_fmu;from_port;to_fmu;to_port", f"FMU;{fmus[version].name};;;",
-                                                       *ports]) + "\n")
-    only = ["-no-auto-output"] if version == 3 else []      # it takes no arrays whose length is a structural parameter
+    (tmp_path / "container.csv").write_text("\n".join(["rule;from_fmu;from_port;to_fmu;to_port",
+                                                       f"FMU;{fmus[version].name};;;", *ports]) + "\n")
+    # it takes no arrays whose length is a structural parameter
+    only = ["-no-auto-output"] if version == 3 else []
     tool("fmucontainer", "-fmu-directory", ".", "-container", "container.csv:0.001", "-auto-parameter", *only,
          folder=tmp_path)
-    seen = run_scenario("trajectory", tmp_path / "container.fmu", tmp_path / "unpacked", {"rows": rows, "names": NAMES})["seen"]
+    seen = run_scenario("trajectory", tmp_path / "container.fmu", tmp_path / "unpacked",
+                        {"rows": rows, "names": NAMES})["seen"]
     assert_same([[found[name] for name in NAMES] for found in seen], expected)

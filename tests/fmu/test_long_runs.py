@@ -1,5 +1,6 @@
-"""Long random walks over tread, flange root and flange (walker.py): every step valid, no drift, no leak, and the same bits when
-a walk is repeated, when it goes on from saved states at random times, and when eight walk in eight threads."""
+"""Long random walks over tread, flange root and flange (walker.py): every step valid, no drift, no
+leak, and the same bits when a walk is repeated, when it goes on from saved states at random times,
+and when eight walk in eight threads."""
 
 import hashlib
 import json
@@ -11,9 +12,9 @@ import numpy as np
 import pytest
 
 from benchmarks.native import native_host
-from tests.fmu.test_native_fmu import needs_glibc
-from tests.helpers.walker import HOME, RETURN, Walker
+from tests.helpers.fmus import needs_glibc
 from tests.helpers.paths import HELPERS
+from tests.helpers.walker import HOME, RETURN, Walker
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu
 from wrcontact.interface.variables import FIRST_OUTPUT, REAL, STATUS, VARIABLES
@@ -22,25 +23,30 @@ from wrcontact.kernel.binding.library import default_kernel
 SEED = 7
 REALS = [v for v in VARIABLES[FIRST_OUTPUT:STATUS] if v.type == REAL]
 NOMINAL = np.array([v.nominal for v in REALS])
-#: How far an answer at one pose may scatter with the way there [of the nominal value]: the roll search ends within 1e-14 rad
-#: and the contact point within 1e-13 m, and both are 1e-3 and more in size.
+#: How far an answer at one pose may scatter with the way there [of the nominal value]: the roll search ends
+#: within 1e-14 rad and the contact point within 1e-13 m, and both are 1e-3 and more in size.
 SCATTER = 1e-9
-#: Resident memory after the warm-up, a tenth of the walk, is flat to this share; shorter walks are over before it.
+#: Resident memory after the warm-up, a tenth of the walk, is flat to this share; shorter
+#: walks are over before it.
 FLAT, WARM = 0.01, 100_000
-#: PythonFMU makes a class for every instance and never frees it [bytes]: 180 objects, and what lies between them.
+#: PythonFMU makes a class for every instance and never frees it [bytes]: 180 objects, and
+#: what lies between them.
 CLASS = 30e3
-#: Between the tables of two instances of the Python FMU the heap has holes, 2 MB after 200 instances and after 1000 [bytes].
+#: Between the tables of two instances of the Python FMU the heap has holes, 2 MB after 200 instances
+#: and after 1000 [bytes].
 TABLES = 3e6
 
 pytestmark = pytest.mark.slow
 complete = pytest.mark.complete
-needs_library = pytest.mark.skipif(not default_kernel().compiled, reason="the source alone would walk for hours")
+needs_library = pytest.mark.skipif(not default_kernel().compiled,
+                                   reason="the source alone would walk for hours")
 
 
 @pytest.fixture(scope="session")
 def hosts(fmus, tmp_path_factory):
     """The program native_host with the library of each version of FMI."""
-    return {version: native_host(fmu, version, tmp_path_factory.mktemp("host")) for version, fmu in fmus.items()}
+    return {version: native_host(fmu, version, tmp_path_factory.mktemp("host"))
+            for version, fmu in fmus.items()}
 
 
 @pytest.fixture(scope="session")
@@ -50,8 +56,8 @@ def python_fmu(tmp_path_factory):
 
 def together(*commands, given=None):
     """What programs print as JSON, all at once."""
-    running = [subprocess.Popen(list(map(str, command)), text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE) for command in commands]
+    running = [subprocess.Popen(list(map(str, command)), text=True, stdin=subprocess.PIPE,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE) for command in commands]
     if given:
         for program, text in zip(running, given):       # before the first is waited for
             program.stdin.write(text)
@@ -59,12 +65,14 @@ def together(*commands, given=None):
             program.stdin = None
     answers = [program.communicate(timeout=7200) for program in running]
     for program, (out, errors) in zip(running, answers):
-        assert program.returncode == 0, f"{program.args} ended with {program.returncode}:\n{out[-2000:]}\n{errors[-2000:]}"
+        assert program.returncode == 0, (
+            f"{program.args} ended with {program.returncode}:\n{out[-2000:]}\n{errors[-2000:]}")
     return [json.loads(out) for out, _ in answers]
 
 
 def assert_sound(walk):
-    """Every step is valid; the walk came over flanges, jumps and second patches; home is home; memory is flat."""
+    """Every step is valid; the walk came over flanges, jumps and second patches; home is
+    home; memory is flat."""
     assert walk["bad"] == 0, f"{walk['bad']} steps are not valid, the first at {walk['first_bad']}"
     assert min(walk["flange"], walk["jumps"], walk["twins"]) > 0.01 * walk["steps"]
     assert walk["homes"] == -(-walk["steps"] // RETURN) and walk["same_bits"] > 0.9 * walk["homes"]
@@ -75,7 +83,8 @@ def assert_sound(walk):
     if walk["steps"] >= WARM:
         before, least, most = walk["resident"]
         room = CLASS * walk["made"] + TABLES if walk.get("made") else 0.0
-        assert least > (1.0 - FLAT) * before - room and most < (1.0 + FLAT) * before + room, (walk["resident"], room)
+        assert (least > (1.0 - FLAT) * before - room
+                and most < (1.0 + FLAT) * before + room), (walk["resident"], room)
     return walk["digest"]
 
 
@@ -85,11 +94,12 @@ def assert_home(walk):
     assert np.max(np.abs(walk["home"] - fresh.values[[v.index for v in REALS]]) / NOMINAL) < SCATTER
 
 
-# --- native -------------------------------------------------------------------------------------------------------------
+# --- native -------------------------------------------------------------------------------------------------
 
 
 @needs_glibc
-@pytest.mark.parametrize("version, steps", [(2, 100_000), (3, 10_000), pytest.param(2, 10_000_000, marks=complete)])
+@pytest.mark.parametrize("version, steps",
+                         [(2, 100_000), (3, 10_000), pytest.param(2, 10_000_000, marks=complete)])
 def test_a_native_walk_repeats_itself_and_resumes(hosts, version, steps):
     [walk], [resumed] = together(*([hosts[version], way, SEED, steps, 0] for way in ("walk", "resumed")))
     assert assert_sound(walk) == assert_sound(resumed)
@@ -110,9 +120,11 @@ def walked(seed, steps):
 @needs_glibc
 @pytest.mark.parametrize("steps", [3_000, pytest.param(200_000, marks=complete)])
 def test_a_native_walk_with_other_methods(hosts, steps):
-    """Elastic contact, vertical loads, the strip correction, vertical separation, basic and smooth curvatures.
+    """Elastic contact, vertical loads, the strip correction, vertical separation,
+    basic and smooth curvatures.
 
-    In elastic contact one step in 200 has no solution here, all of them with 250 kN and more on a flange: it keeps the outputs.
+    In elastic contact one step in 200 has no solution here, all of them with 250 kN and more on a
+    flange: it keeps the outputs.
     """
     [walk], [resumed] = together(*([hosts[2], way, SEED, steps, 1] for way in ("walk", "resumed")))
     assert walk["bad"] == resumed["bad"] < 0.01 * steps, walk["first_bad"]
@@ -128,14 +140,15 @@ def test_eight_native_walks_in_eight_threads(hosts, steps):
     assert len({walk["digest"] for walk in threads}) == 8 and not any(walk["bad"] for walk in threads)
 
 
-# --- Python -------------------------------------------------------------------------------------------------------------
+# --- Python -------------------------------------------------------------------------------------------------
 
 
 @needs_library
 @pytest.mark.parametrize("steps", [10_000, pytest.param(1_000_000, marks=complete)])
 def test_a_walk_of_the_python_fmu_repeats_itself_and_resumes(python_fmu, tmp_path, steps):
     ways = [{"seed": SEED, "steps": steps, "resumed": resumed} for resumed in (False, True)]
-    commands = [[sys.executable, HELPERS / "fmu_process.py", "walk", python_fmu, tmp_path / f"unpacked {k}"] for k in range(2)]
+    commands = [[sys.executable, HELPERS / "fmu_process.py", "walk", python_fmu, tmp_path / f"unpacked {k}"]
+                for k in range(2)]
     walk, resumed = together(*commands, given=map(json.dumps, ways))
     assert assert_sound(walk) == assert_sound(resumed)
     assert resumed["partings"] > steps / 1000

@@ -1,6 +1,6 @@
-"""Libraries and wheels for other machines: what they need and export; those of Windows and aarch64 run under emulators."""
+"""Libraries and wheels for other machines: what they need and export; those of Windows and
+aarch64 run under emulators."""
 
-import importlib.util
 import os
 import platform
 import shutil
@@ -8,8 +8,6 @@ import struct
 import subprocess
 import sys
 import sysconfig
-import tarfile
-import zipfile
 from pathlib import Path
 
 import fmpy
@@ -20,9 +18,18 @@ from fmpy.validation import validate_fmu
 
 from build_hooks import kernel_compiler
 from build_hooks.kernel_compiler import chosen_platform, requirements
-from tests.fmu.test_fmu import INPUT_NAMES, stored
-from tests.fmu.test_native_fmu import header_functions
-from tests.helpers.paths import HELPERS, ROOT
+from tests.helpers.cases import INPUT_NAMES, RUNS, stored
+from tests.helpers.fmus import header_functions
+from tests.helpers.paths import HELPERS
+from tests.helpers.platforms import (
+    KERNEL_EXPORTS,
+    REFERENCE,
+    check_library,
+    needs,
+    needs_lief,
+    needs_reference,
+    needs_zig,
+)
 from wrcontact import ContactSystem
 from wrcontact.fmu import build_fmu, native, online
 from wrcontact.fmu.compilers import CompilerProblem, compile_kernel, compiler_for
@@ -32,30 +39,17 @@ from wrcontact.kernel.binding.files import HERE as KERNEL
 from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.binding.platforms import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
-REFERENCE = "x86_64-linux"      # the platform that others are compared with
 ARM_ROOT = Path("/usr/aarch64-linux-gnu")
 WINE = shutil.which("wine") or shutil.which("wine64")
 
-RUNS = ("hunting", "jumps", "load")
-# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan, atan2, sin and
-# cos differ in the last bit here and there.
+# What Windows may differ by, relative to a value or, where that is smaller, to its nominal value: its atan,
+# atan2, sin and cos differ in the last bit here and there.
 SAME = 1e-12
 SEARCHED = 1e-11    # height and roll of elastic contact, which a search ends close to
 AT_JUMPS = 1e-10    # where two places carry nearly as much: pressures amplify what the positions differ by
-KERNEL_EXPORTS = {f"wrcontact_{name}" for name in ("abi", "step", "step_many", "prepare", "prepare_room", "tangent", "tangent_room")}
 
 
-def needs(condition, reason):
-    return pytest.mark.skipif(not condition, reason=reason)
-
-
-needs_zig = needs(importlib.util.find_spec("ziglang"), "ziglang is not installed")
-needs_lief = needs(importlib.util.find_spec("lief"), "lief, which reads libraries of every platform, is not installed")
-needs_build = needs(all(map(importlib.util.find_spec, ("build", "setuptools"))), "build or setuptools is not installed")
-needs_reference = needs(host_platform() == REFERENCE, f"this is not {REFERENCE}, with whose values others are compared")
-
-
-# --- names ----------------------------------------------------------------------------------------------------
+# --- names ----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("system, machine, python, name, library", [
@@ -63,7 +57,8 @@ needs_reference = needs(host_platform() == REFERENCE, f"this is not {REFERENCE},
     ("linux", "aarch64", "linux-aarch64", "aarch64-linux", "_wrcontact_kernel-aarch64-linux.so"),
     ("linux", "riscv64", "linux-riscv64", "riscv64-linux", "_wrcontact_kernel-riscv64-linux.so"),
     ("win32", "AMD64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
-    ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),      # emulated there
+    # emulated there
+    ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
     ("win32", "AMD64", "win32", "x86-windows", "_wrcontact_kernel-x86-windows.dll"),
     ("darwin", "arm64", "macosx-11.0-universal2", "aarch64-darwin", "_wrcontact_kernel-aarch64-darwin.dylib"),
     ("darwin", "x86_64", "macosx-11.0-universal2", "x86_64-darwin", "_wrcontact_kernel-x86_64-darwin.dylib"),
@@ -81,7 +76,8 @@ def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
     monkeypatch.setenv("WRCONTACT_PLATFORM", "x86_64-windows")
     assert chosen_platform() == "x86_64-windows" and requirements() == ["ziglang"]
     monkeypatch.setenv("WRCONTACT_PLATFORM", "amiga")
-    with pytest.raises(kernel_compiler.CompilerProblem, match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
+    with pytest.raises(kernel_compiler.CompilerProblem,
+                       match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
         requirements()
 
 
@@ -106,7 +102,7 @@ def test_a_failing_compiler_leaves_this_machines_kernel(monkeypatch, capsys):
         assert made == {} and "runs the slow Python source" in told
 
 
-# --- what libraries need and export -------------------------------------------------------------------------------
+# --- what libraries need and export ---------------------------------------------------------------
 
 
 @pytest.fixture(scope="session")
@@ -128,43 +124,8 @@ def kernels():
 
 def library_of(folder, version, name):
     place = PLATFORMS[name]
-    return folder / "binaries" / (place.fmi2 if version == 2 else place.name) / f"WheelsetContact{place.suffix}"
-
-
-def parsed(content):
-    """A library as lief reads it."""
-    import lief
-
-    read = lief.parse(list(content))
-    return read.at(0) if isinstance(read, lief.MachO.FatBinary) else read
-
-
-MACHINES = {"x86_64-linux": "X86_64", "aarch64-linux": "AARCH64", "x86_64-windows": "AMD64", "aarch64-darwin": "ARM64",
-            "x86_64-darwin": "X86_64"}
-
-
-def check_library(content, name, identifier, wanted):
-    """Right machine, nothing needed beyond the C library of the oldest system promised, exactly ``wanted`` exported."""
-    read, suffix = parsed(content), PLATFORMS[name].suffix
-    if suffix == ".so":
-        assert read.header.machine_type.name == MACHINES[name]
-        assert set(read.libraries) <= {"libm.so.6", "libc.so.6"}
-        versions = [symbol.name for need in read.symbols_version_requirement for symbol in need.get_auxiliary_symbols()]
-        assert versions and all(tuple(map(int, text.removeprefix("GLIBC_").split("."))) <= (2, 17) for text in versions)
-        exported = {symbol.name for symbol in read.exported_symbols}
-    elif suffix == ".dll":
-        assert read.header.machine.name == MACHINES[name]
-        system = ("kernel32", "api-ms-win-crt-")      # part of Windows 10
-        assert all(library.name.lower().startswith(system) for library in read.imports), [lib.name for lib in read.imports]
-        exported = {function.name for function in read.exported_functions}
-    else:
-        assert read.header.cpu_type.name == MACHINES[name]
-        assert [library.name for library in read.libraries] == [f"@rpath/{identifier}.dylib", "/usr/lib/libSystem.B.dylib"]
-        assert read.build_version.minos == ([11, 0, 0] if name == "aarch64-darwin" else [10, 15, 0])
-        assert read.has_uuid and (read.has_code_signature or name == "x86_64-darwin")    # Apple's own machines ask for it
-        exported = {symbol.name for symbol in read.exported_symbols} - {"__mh_dylib_header", "___dso_handle"}
-        exported = {symbol.removeprefix("_") for symbol in exported}
-    assert exported == wanted
+    return folder / "binaries" / (place.fmi2 if version == 2
+                                  else place.name) / f"WheelsetContact{place.suffix}"
 
 
 @pytest.mark.slow
@@ -185,7 +146,7 @@ def test_kernels_need_the_c_library_alone(kernels, name):
     check_library(kernels[name], name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
 
 
-# --- values on other machines ---------------------------------------------------------------------------------
+# --- values on other machines ---------------------------------------------------------------------
 
 
 @pytest.fixture(scope="session")
@@ -198,12 +159,12 @@ def run_on(tmp_path_factory):
         if name not in made:
             made[name] = folder / f"{name} host.exe"
             headers = ["-I", str(Path(fmpy.__file__).parent / "c-code"), "-I", str(KERNEL / "native")]
-            subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HELPERS / "library_host.c"), "-o", str(made[name]),
-                            *([] if name.endswith("windows") else ["-ldl"])], check=True)
+            subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HELPERS / "library_host.c"), "-o",
+                            str(made[name]), *([] if name.endswith("windows") else ["-ldl"])], check=True)
         quiet = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml=", "DISPLAY": "",
                  "WINEPREFIX": str(folder / "wine")}
-        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True, capture_output=True,
-                              timeout=600, env={**os.environ, **quiet})
+        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True,
+                              capture_output=True, timeout=600, env={**os.environ, **quiet})
         assert done.returncode == 0, done.stderr
         return done.stdout.splitlines()
 
@@ -246,13 +207,15 @@ def plan_of(description, rows):
     """What the host reads: the references of an FMU's inputs and outputs, and rows of inputs."""
     variables = {v.name: v for v in description.modelVariables}
     outputs = [v for v in variables.values() if v.causality == "output" and v.type in ("Real", "Float64")]
-    words = listed([variables[name].valueReference for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
+    words = listed([variables[name].valueReference
+                    for name in INPUT_NAMES]) + listed([v.valueReference for v in outputs])
     count = len([v for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
     return " ".join([*words, f"{count:x}", f"{variables['status'].valueReference:x}", f"{len(rows):x}",
                      *bits(sum(rows, []))])
 
 
-SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"}, {"normal_model": "hertz"},
+SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"},
+            {"normal_model": "hertz"},
             {"lateral_curvature": "smooth", "separation": "equidistant", "rail_profile": "54E1"}]
 NOMINAL = np.array([v.nominal or 1.0 for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
 
@@ -272,7 +235,8 @@ def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, setting
     rows = {run: rows_of(run) for run in RUNS}
     plan.write_text(plan_of(description, sum(rows.values(), [])))
     (ours, our_status), (theirs, status) = (
-        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid, plan, *texts))
+        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid,
+                       plan, *texts))
         for place in (REFERENCE, name))
     assert len(ours) == sum(map(len, rows.values())) and status == our_status and set(status) <= {0, 1}
     if name == "aarch64-linux":
@@ -282,10 +246,11 @@ def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, setting
     for run, start in zip(RUNS, np.cumsum([0, *map(len, rows.values())])):
         largest = difference[start:start + len(rows[run])].max()
         print(f"FMI {version} {settings} {run}: {largest:.1e}")
-        assert largest <= (AT_JUMPS if run == "jumps" else SEARCHED if "contact_mode" in settings else SAME), run
+        assert (largest
+                <= (AT_JUMPS if run == "jumps" else SEARCHED if "contact_mode" in settings else SAME)), run
 
 
-# --- the Python FMU ---------------------------------------------------------------------------------------------
+# --- the Python FMU -------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="session")
@@ -302,7 +267,8 @@ def packed_kernel(folder):
 @pytest.mark.slow
 @needs_zig
 def test_python_fmu_carries_the_kernel_of_each_platform_that_loads_it(python_fmu, kernels):
-    carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir() if file.suffix != ".py"}
+    carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir()
+               if file.suffix != ".py"}
     places = {place.fmi2: name for name, place in PLATFORMS.items()}
     names = {places[folder.name] for folder in python_fmu.joinpath("binaries").iterdir()} | {host_platform()}
     assert {"x86_64-linux", "x86_64-windows"} <= names
@@ -315,7 +281,8 @@ sys.path.insert(0, sys.argv[1])
 if len(sys.argv) > 3:
     platform.machine = lambda: sys.argv[3]
 library = __import__(sys.argv[2] + ".kernel.library", fromlist=["library"])
-print(library.default_kernel().compiled, library.default_kernel().compiled and library.default_kernel().library._name)
+kernel = library.default_kernel()
+print(kernel.compiled, kernel.compiled and kernel.library._name)
 """
 
 
@@ -324,13 +291,15 @@ print(library.default_kernel().compiled, library.default_kernel().compiled and l
 @needs(sys.platform != "win32", "the machine's name has another source there")
 def test_python_fmu_loads_the_kernel_of_its_platform(python_fmu):
     kernel = packed_kernel(python_fmu)
-    loads = [sys.executable, "-I", "-W", "always", "-c", LOAD, str(python_fmu / "resources"), kernel.parent.name]
+    loads = [sys.executable, "-I", "-W", "always", "-c", LOAD, str(python_fmu / "resources"),
+             kernel.parent.name]
     here = subprocess.run(loads, text=True, capture_output=True, check=True)
     assert here.stdout.split(maxsplit=1) == ["True", f"{kernel / LIBRARY_NAME}\n"] and not here.stderr
     elsewhere = subprocess.run([*loads, "riscv64"], text=True, capture_output=True, check=True)
     assert elsewhere.stdout.split() == ["False", "False"]
     assert elsewhere.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
-    assert f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}" in elsewhere.stderr
+    assert (f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}"
+            in elsewhere.stderr)
 
 
 @pytest.mark.slow
@@ -354,133 +323,3 @@ def test_kernel_on_other_machines(kernels, run_on, tmp_path, name):
         stepper.inputs[:] = row
         assert stepper.step() == outcome
         np.testing.assert_allclose(values, stepper.outputs, rtol=SAME, atol=SAME)
-
-
-# --- the same bytes again ---------------------------------------------------------------------------------------
-
-BUILD = """
-import sys
-from wrcontact.fmu import build_fmu
-from wrcontact.fmu.native import build_native_fmus
-build_native_fmus(sys.argv[1], platforms=sys.argv[2:])
-build_fmu(sys.argv[1])
-"""
-
-
-@pytest.mark.slow
-@needs_zig
-def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
-    """Native FMUs for every platform and the Python FMU, by two processes in folders of their own, with the products of
-    matrices of two processors; the compiler's cache is that of this user for the one and empty for the other."""
-    made = []
-    cache = {f"ZIG_{kind}_CACHE_DIR": str(tmp_path / "cache") for kind in ("LOCAL", "GLOBAL")}
-    for folder, processor, caches in (("one", "Haswell", {}), ("an other", "Prescott", cache)):
-        place = tmp_path / folder
-        (place / "scratch").mkdir(parents=True)
-        subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True, stderr=subprocess.DEVNULL,
-                       env={**os.environ, **caches, "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
-                            "TMPDIR": str(place / "scratch"), "OPENBLAS_CORETYPE": processor})
-        made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})
-    assert len(made[0]) == 3
-    assert made[0].keys() == made[1].keys()
-    assert [name for name, content in made[0].items() if content != made[1][name]] == []
-
-
-# --- wheels -------------------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="session")
-def sources(tmp_path_factory):
-    """A copy of the checkout, with a library in it that belongs to no wheel."""
-    copy = tmp_path_factory.mktemp("sources") / "wrcontact"
-    ignored = (".git", ".venv", "build", "dist", "out", "*.egg-info", "__pycache__", "*.so", "*.dll", "*.dylib")
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*ignored))
-    (copy / "wrcontact" / "kernel" / "_wrcontact_kernel-amiga.so").write_bytes(b"a stray one")
-    return copy
-
-
-PACK = [sys.executable, "-m", "build", "--no-isolation"]
-
-
-def built_wheel(sources, folder, **settings):
-    """``python -m build --wheel`` with these settings; the wheel."""
-    clean = {key: value for key, value in os.environ.items() if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")}
-    done = subprocess.run([*PACK, "--wheel", "--outdir", str(folder), str(sources)], text=True, capture_output=True,
-                          env={**clean, **settings})
-    assert done.returncode == 0, done.stdout + done.stderr
-    wheel, = folder.iterdir()
-    return wheel
-
-
-def libraries_in(wheel):
-    with zipfile.ZipFile(wheel) as archive:
-        return {name: archive.read(name) for name in archive.namelist() if name.endswith((".so", ".dll", ".dylib"))}
-
-
-def install(wheel, folder):
-    """An environment of its own with the wheel and the libraries that Python has here; its interpreter."""
-    subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
-    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    pip = [sys.executable, "-m", "pip", "--python", str(python)]
-    subprocess.run([*pip, "install", "-q", "--no-deps", "--no-index", str(wheel)], check=True,
-                   env={**os.environ, "PATH": ""})
-    where = "import sysconfig; print(sysconfig.get_path('purelib'))"
-    site = Path(subprocess.run([str(python), "-c", where], text=True, capture_output=True, check=True).stdout.strip())
-    site.joinpath("theirs.pth").write_text(f"{sysconfig.get_path('purelib')}\n{sysconfig.get_path('platlib')}\n")
-    return python
-
-
-EVALUATE = """
-import wrcontact
-from wrcontact.kernel.binding import library
-kernel = library.default_kernel()
-state = wrcontact.ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3)
-print(library.__file__, kernel.compiled, state.right.penetration.hex())
-"""
-
-
-@pytest.mark.slow
-@needs_zig
-@needs_build
-@pytest.mark.parametrize("name", PLATFORMS)
-def test_wheel_for_a_platform(sources, tmp_path, name):
-    """Its tag and its library, the right one alone; this machine's is installed without a compiler and runs compiled."""
-    wheel = built_wheel(sources, tmp_path / "wheels", WRCONTACT_PLATFORM=name)
-    place = PLATFORMS[name]
-    assert wheel.name.endswith(f"-py3-none-{place.wheel}.whl")
-    with zipfile.ZipFile(wheel) as archive:
-        metadata = archive.read(next(entry for entry in archive.namelist() if entry.endswith(".dist-info/WHEEL"))).decode()
-    tags = [line for line in metadata.splitlines() if line.startswith("Tag: ")]
-    assert tags == [f"Tag: py3-none-{tag}" for tag in place.wheel.split(".")]
-    found = libraries_in(wheel)
-    assert list(found) == [f"wrcontact/kernel/{library_name(name)}"]
-    if importlib.util.find_spec("lief"):
-        check_library(*found.values(), name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
-    if name == host_platform():
-        python = install(wheel, tmp_path / "environment")
-        done = subprocess.run([str(python), "-I", "-W", "error", "-c", EVALUATE], cwd=tmp_path, text=True,
-                              capture_output=True, env={"PATH": "", "WRCONTACT_KERNEL": "auto"})
-        assert done.returncode == 0, done.stderr
-        file, compiled, penetration = done.stdout.split()
-        assert Path(file).is_relative_to(tmp_path / "environment") and compiled == "True"
-        assert float.fromhex(penetration) == ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration
-
-
-@pytest.mark.slow
-@needs_build
-@needs(kernel_compiler.find_compiler(), "no C compiler here")
-def test_wheel_of_this_machine(sources, tmp_path):
-    wheel = built_wheel(sources, tmp_path / "wheels")
-    tag = wheel.stem.split("-")[2:]
-    assert tag[:2] == ["py3", "none"] and tag[2] == sysconfig.get_platform().replace("-", "_").replace(".", "_")
-    assert list(libraries_in(wheel)) == [f"wrcontact/kernel/{LIBRARY_NAME}"]
-
-
-@pytest.mark.slow
-@needs_build
-def test_source_archive_has_no_library(sources, tmp_path):
-    subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True, capture_output=True)
-    with tarfile.open(next(tmp_path.iterdir())) as archive:
-        names = archive.getnames()
-    assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []
-    assert [name for name in names if name.endswith("wrcontact/kernel/binding/platforms.py")]

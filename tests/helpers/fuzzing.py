@@ -1,13 +1,13 @@
 """Scenes and poses drawn at random, for tests that try very many of them.
 
-A scene is what stays fixed, a pair of profiles on a track with its methods; it is prepared once and serves a batch of poses.
-Half of the poses are drawn evenly over the range, the others beside the shifts at which the contact jumps from one place
-of the wheel to another, or reaches the end of a profile::
+A scene is what stays fixed, a pair of profiles on a track with its methods; it is prepared once and serves a
+batch of poses. Half of the poses are drawn evenly over the range, the others beside the shifts at which the
+contact jumps from one place of the wheel to another, or reaches the end of a profile::
 
     for scene, poses in batches(seed=1, scenes=20, poses=500):
         table = scene.system().evaluate_many(**poses.arguments)
         ...
-        assert not bad.any(), scene.line(poses, np.flatnonzero(bad)[0])     # a line of Python that is this pose
+        assert not bad.any(), scene.line(poses, np.flatnonzero(bad)[0]) # a line of Python that is this pose
 
 The same seed gives the same scenes and poses, each scene independently of how many are drawn.
 """
@@ -19,8 +19,8 @@ from inspect import signature
 import numpy as np
 
 import wrcontact
-from wrcontact.profiles import Profile, standard_profile
 from wrcontact.methods import CHOICES
+from wrcontact.profiles import Profile, standard_profile
 
 RAILS = ("UIC60", "60E1", "54E1")
 INCLINATIONS = (0.0, 1 / 40, 1 / 30, 1 / 20)
@@ -36,16 +36,19 @@ OFFSETS = (1e-12, 1e-4)         # [m] from a jump or an end
 #: The cheapest system of a scene: where wheels and rails touch, and no normal contact.
 GEOMETRY = {"contact_mode": "rigid", "load": "normal", "normal_model": "hertz"}
 
-#: Where a profile is cut off in a share of the scenes, and which of its ends [mm]: wherever they touch, but that
-#: the running circle, the highest point of the rail and its inner side, where the gauge is measured, are left.
+#: Where a profile is cut off in a share of the scenes, and which of its ends [mm]: wherever they
+#: touch, but that the running circle, the highest point of the rail and its inner side, where the
+#: gauge is measured, are left.
 CUTS = (("wheel", "start", -45.0, -0.5), ("wheel", "stop", 0.5, 30.0), ("rail", "stop", 16.0, 30.0))
 
 GRID = 241                      # shifts between which jumps are looked for
 ROWS = 4                        # yaws of a scene at which they are
-MOVED = 3e-4                    # [m] a contact that moves farther from one grid shift to the next may jump between them
+# [m] a contact that moves farther from one grid shift to the next may jump between them
+MOVED = 3e-4
 JUMPED = 2e-5                   # [m] and has jumped if it moves this far within SHARP
 SHARP = 1e-12                   # [m]
-COLUMNS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input", "roll_input")
+COLUMNS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input",
+           "roll_input")
 
 
 @dataclass(frozen=True)
@@ -58,7 +61,8 @@ class Cut:
 
     def profile(self):
         whole = standard_profile(self.name)
-        kept = [replace(zone, start=max(zone.start, self.start), stop=min(zone.stop, self.stop)) for zone in whole.zones
+        kept = [replace(zone, start=max(zone.start, self.start), stop=min(zone.stop, self.stop))
+                for zone in whole.zones
                 if zone.stop > self.start and zone.start < self.stop]
         return Profile(self.name, whole.kind, tuple(kept))
 
@@ -105,7 +109,8 @@ class Poses:
 
     def mirrored(self):
         """The same poses seen in a mirror along the track."""
-        signs = [-1.0 if name in ("lateral_shift", "yaw", "roll_guess", "load_transfer", "roll_input") else 1.0
+        signs = [-1.0 if name in ("lateral_shift", "yaw", "roll_guess", "load_transfer", "roll_input")
+                 else 1.0
                  for name in COLUMNS]
         return Poses(self.inputs * signs)
 
@@ -118,7 +123,8 @@ class Poses:
 
 @dataclass(frozen=True)
 class Scene:
-    """A pair of profiles on a track, and methods: the arguments of ContactSystem; profiles are names or Cuts."""
+    """A pair of profiles on a track, and methods: the arguments of ContactSystem;
+    profiles are names or Cuts."""
 
     arguments: dict
 
@@ -141,7 +147,8 @@ class Scene:
         return self.system(**GEOMETRY)
 
     def locate(self, shift, yaw):
-        """Wheel abscissae [m] of both contacts (n, 2) at these shifts [m] and yaws [rad]; NaN where there are none."""
+        """Wheel abscissae [m] of both contacts (n, 2) at these shifts [m] and yaws [rad]; NaN
+        where there are none."""
         table = self.geometry.evaluate_many(shift, yaw, outputs="geometry")
         return np.stack([table.left.contact.y_wheel, table.right.contact.y_wheel], axis=1)
 
@@ -149,7 +156,8 @@ class Scene:
         """One line of Python that evaluates this pose."""
         default = signature(wrcontact.ContactSystem).parameters
         arguments = {**self.arguments, **changes}
-        given = ", ".join(f"{name}={value!r}" for name, value in arguments.items() if value != default[name].default)
+        given = ", ".join(f"{name}={value!r}" for name, value in arguments.items()
+                          if value != default[name].default)
         return f"ContactSystem({given}).{poses.call(row)}"
 
 
@@ -159,7 +167,8 @@ def log_uniform(rng, low, high, count):
 
 
 def draw_scene(rng, cuts=0.2, **fixed):
-    """A scene; ``cuts`` is the share of scenes with a profile that is cut off, ``fixed`` arguments are not drawn."""
+    """A scene; ``cuts`` is the share of scenes with a profile that is cut off, ``fixed``
+    arguments are not drawn."""
     arguments = {
         "wheel": "S1002",
         "rail": str(rng.choice(RAILS)),
@@ -180,13 +189,14 @@ def draw_scene(rng, cuts=0.2, **fixed):
 
 
 def find_jumps(scene, yaws):
-    """Where the contacts jump at these ``yaws`` [rad]: the shifts before and behind, SHARP apart (n, 2) [m], the yaws (n,),
-    and whether it is to the end of a profile (n,)."""
+    """Where the contacts jump at these ``yaws`` [rad]: the shifts before and behind, SHARP apart (n, 2) [m],
+    the yaws (n,), and whether it is to the end of a profile (n,)."""
     shift, yaw = np.broadcast_arrays(np.linspace(*SHIFTS, GRID), np.asarray(yaws, dtype=float)[:, None])
     place = scene.locate(shift.ravel(), yaw.ravel()).reshape(*shift.shape, 2)
     far = np.nonzero(distance(place[:, :-1], place[:, 1:]) > MOVED)
     yaw = yaw[:, 1:][far]
-    low, high, low_place, high_place = shift[:, :-1][far], shift[:, 1:][far], place[:, :-1][far], place[:, 1:][far]
+    low, high = shift[:, :-1][far], shift[:, 1:][far]
+    low_place, high_place = place[:, :-1][far], place[:, 1:][far]
     while len(low) and np.max(high - low) > SHARP:
         middle = 0.5 * (low + high)
         place = scene.locate(middle, yaw)
@@ -219,7 +229,8 @@ def draw_poses(rng, scene, count):
     jumps, rows, at_end = find_jumps(scene, draw_yaws(rng, ROWS))
     if len(jumps):
         weight = np.where(at_end, 3.0, 1.0)         # there are more jumps on the profiles than to their ends
-        chosen, behind = rng.choice(len(jumps), size=count, p=weight / weight.sum()), rng.integers(2, size=count)
+        chosen, behind = rng.choice(len(jumps), size=count,
+                                    p=weight / weight.sum()), rng.integers(2, size=count)
         offset = log_uniform(rng, *OFFSETS, count)
         near = np.where(behind == 1, jumps[chosen, 1] + offset, jumps[chosen, 0] - offset)
         shift, yaw = np.where(beside, near, shift), np.where(beside, rows[chosen], yaw)
@@ -235,7 +246,8 @@ def draw_poses(rng, scene, count):
 
 
 def lay_down(rng, scene, poses):
-    """Height and roll of compliant poses: those of rigid contact, sunk in by up to 1 mm, lifted, and tilted."""
+    """Height and roll of compliant poses: those of rigid contact, sunk in by up to 1
+    mm, lifted, and tilted."""
     rigid = scene.geometry.evaluate_many(poses.lateral_shift, poses.yaw, outputs="geometry")
     sink = np.where(rng.random(len(poses)) < 0.9, 1.0, -1.0) * log_uniform(rng, 1e-9, 1e-3, len(poses))
     tilt = rng.choice((-1.0, 0.0, 1.0), len(poses)) * log_uniform(rng, 1e-9, 1e-3, len(poses))
@@ -244,7 +256,8 @@ def lay_down(rng, scene, poses):
 
 
 def batches(seed, scenes, poses, first=0, **fixed):
-    """``scenes`` scenes, from number ``first`` on, each with ``poses`` poses; ``fixed`` as for ``draw_scene``."""
+    """``scenes`` scenes, from number ``first`` on, each with ``poses`` poses;
+    ``fixed`` as for ``draw_scene``."""
     for number in range(first, first + scenes):
         rng = np.random.default_rng([seed, number])
         scene = draw_scene(rng, **fixed)

@@ -1,6 +1,8 @@
-"""Steps an FMU over rows of inputs in an importer that is not fmpy, in a process of its own, and prints what it saw as JSON.
+"""Steps an FMU over rows of inputs in an importer that is not fmpy, in a process of its own, and
+prints what it saw as JSON.
 
-    python importer_process.py <importer> <FMU>     (on standard input: "rows" of inputs by name, "names" of Real outputs)
+    python importer_process.py <importer> <FMU> (on standard input: "rows" of inputs by name,
+    "names" of Real outputs)
 """
 
 import json
@@ -36,7 +38,8 @@ def libcosimpy(fmu, rows, names):
         manipulator.slave_real_values(slave_index=index, variable_references=[known[name] for name in row],
                                       values=list(row.values()))
         execution.step()
-        yield observer.last_real_values(slave_index=index, variable_references=[known[name] for name in names])
+        yield observer.last_real_values(slave_index=index,
+                                        variable_references=[known[name] for name in names])
 
 
 def ecospy(fmu, rows, names):

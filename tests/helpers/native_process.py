@@ -1,6 +1,8 @@
-"""Runs one scenario with an FMU of FMI 3 in a process of its own and prints what it saw as JSON, as fmu_process.py for FMI 2.
+"""Runs one scenario with an FMU of FMI 3 in a process of its own and prints what it saw as JSON, as
+fmu_process.py for FMI 2.
 
-    python native_process.py <scenario> <FMU> <folder for unpacking>   (further arguments: JSON on standard input)
+    python native_process.py <scenario> <FMU> <folder for unpacking> (further
+    arguments: JSON on standard input)
 """
 
 import json
@@ -9,92 +11,10 @@ import sys
 from ctypes import c_double, c_size_t, c_uint32
 
 import fmpy
+
+import fmi3_stations
 from damages import damages
-from fmpy.fmi1 import FMICallException
-from fmpy.fmi3 import FMU3Slave
-
-TYPES = {"Float64": ("setFloat64", "getFloat64"), "Int32": ("setInt32", "getInt32"), "String": ("setString", "getString"),
-         "UInt64": ("setUInt64", "getUInt64")}
-
-
-class Fmu:
-    """An unpacked FMU: its description and where its variables are."""
-
-    def __init__(self, file, folder):
-        self.folder = str(folder)
-        fmpy.extract(file, unzipdir=self.folder)
-        self.description = fmpy.read_model_description(self.folder)
-        self.variables = {v.name: v for v in self.description.modelVariables}
-
-    def instance(self, logging=True, **changed):
-        return Instance(self, logging, **changed)
-
-    def running(self, stations=None, **start):
-        """An instance after initialisation with these values, and with outlines of so many stations."""
-        instance = self.instance()
-        if stations is not None:
-            instance.configure(stations)
-        instance.set(**start)
-        instance.slave.enterInitializationMode()
-        instance.slave.exitInitializationMode()
-        return instance
-
-
-class Instance:
-    """One slave with its log, addressed by variable names."""
-
-    def __init__(self, fmu, logging, log=None, token=None, name="instance", **options):
-        self.fmu, self.log, self.time = fmu, [] if log is None else log, 0.0
-        self.stations = int(fmu.variables["stations"].start)
-        self.slave = FMU3Slave(guid=fmu.description.guid, unzipDirectory=fmu.folder, instanceName=name,
-                               modelIdentifier=fmu.description.coSimulation.modelIdentifier)
-        self.slave.guid = fmu.description.instantiationToken if token is None else token
-        self.slave.instantiate(loggingOn=logging, logMessage=self._note, **options)
-
-    def _note(self, environment, status, category, message):
-        self.log.append([category.decode(), message.decode()])
-
-    def configure(self, stations):
-        """Give the outlines another number of stations."""
-        self.slave.enterConfigurationMode()
-        self.set(stations=stations)
-        self.slave.exitConfigurationMode()
-        self.stations = stations
-
-    def set(self, **values):
-        for name, value in values.items():
-            variable = self.fmu.variables[name]
-            getattr(self.slave, TYPES[variable.type][0])([variable.valueReference], [value])
-
-    def get(self, *names):
-        """Values of the named variables, elements of arrays under their own names; of all outputs if there is no name."""
-        chosen = [self.fmu.variables[n] for n in names] or [v for v in self.fmu.variables.values() if v.causality == "output"]
-        found = {}
-        for v in chosen:
-            count = self.stations if v.dimensions else 1
-            values = getattr(self.slave, TYPES[v.type][1])([v.valueReference], nValues=count)
-            values = [value.decode() if isinstance(value, bytes) else value for value in values]
-            found.update({f"{v.name}[{k + 1}]": value for k, value in enumerate(values)} if v.dimensions else {v.name: values[0]})
-        return found
-
-    def step(self, size=1e-3, **inputs):
-        self.set(**inputs)
-        self.slave.doStep(self.time, size)
-        self.time += size
-
-    def told(self):
-        """The log lines since the last call."""
-        lines, self.log[:] = list(self.log), []
-        return lines
-
-
-def refused(call, *arguments):
-    """Whether a call fails with an FMI error."""
-    try:
-        call(*arguments)
-    except FMICallException:
-        return True
-    return False
+from fmi3_host import Fmu, Instance, go_on, refused
 
 
 def first_instant(fmu, start=None):
@@ -122,7 +42,8 @@ def damaged_states(fmu, rows, seed, count, foreign=()):
         one.told()
         accepted = not refused(one.slave.deserializeFMUState, bad)
         lines = [line for _, line in one.told()]
-        if accepted or len(lines) != 1 or "the saved state" not in lines[0] or "the present state is kept" not in lines[0]:
+        if (accepted or len(lines) != 1 or "the saved state" not in lines[0]
+            or "the present state is kept" not in lines[0]):
             wrong.append([name, accepted, lines])
     equal = []
     for instance in (one, other):
@@ -150,8 +71,8 @@ def simulated(fmu, rows, times, names):
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)],
                        dtype=[(name, "f8") for name in ("time", *rows[0])])
     interval = (times[-1] - times[0]) / (len(times) - 1)
-    result = fmpy.simulate_fmu(fmu.folder, input=signals, output=names, start_time=times[0], stop_time=times[-1],
-                               output_interval=interval)
+    result = fmpy.simulate_fmu(fmu.folder, input=signals, output=names, start_time=times[0],
+                               stop_time=times[-1], output_interval=interval)
     return {"seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
 
 
@@ -169,7 +90,8 @@ def situations(fmu, start, cases):
 
 
 def refusals(fmu, cases):
-    """Wrong parameters: whether initialisation fails, what the log says, and whether the FMU works afterwards."""
+    """Wrong parameters: whether initialisation fails, what the log says, and whether
+    the FMU works afterwards."""
     answers = {}
     for name, start in cases.items():
         instance = fmu.instance()
@@ -185,7 +107,8 @@ def refusals(fmu, cases):
 
 
 def state_again(fmu, rows):
-    """Bits of a run, of the same from a saved state, and of the same in another instance; every input is met twice."""
+    """Bits of a run, of the same from a saved state, and of the same in another instance;
+    every input is met twice."""
     rows = [row for row in rows for _ in range(2)]
     one, other = fmu.running(), fmu.instance()
     for row in rows[:11]:
@@ -198,130 +121,6 @@ def state_again(fmu, rows):
     one.slave.freeFMUState(state)
     other.slave.setFMUState(other.slave.deserializeFMUState(saved))
     return {"straight": straight, "back": back, "elsewhere": go_on(other, rows[10:])}
-
-
-def outlines(fmu, stations, rows):
-    """All outputs after each row of inputs, for each number of stations; the instances step in turn."""
-    instances = {number: fmu.running(number) for number in stations}
-    seen = {number: [] for number in stations}
-    for row in rows:
-        for number, instance in instances.items():
-            instance.step(**row)
-            seen[number].append(instance.get())
-    return {"seen": [seen[number] for number in stations], "alone": [alone(fmu, number, rows) for number in stations]}
-
-
-def alone(fmu, stations, rows):
-    """The same of an instance by itself."""
-    instance = fmu.running(stations)
-    seen = []
-    for row in rows:
-        instance.step(**row)
-        seen.append(instance.get())
-    return seen
-
-
-def stations_again(fmu, stations, other, rows):
-    """Bits of a run, of the same from a saved state, and of the same in an instance that had another number of stations; and
-    an outline before and after a step that is not possible, and after going back to that."""
-    one, elsewhere = fmu.running(stations), fmu.running(other)
-    for row in rows[:10]:
-        one.step(**row)
-        elsewhere.step(**row)
-    before = one.get("left.station", "right.pressure")
-    one.step(lateral_shift=math.nan)
-    kept = one.get("left.station", "right.pressure"), one.get("status")
-    state = one.slave.getFMUState()
-    saved = one.slave.serializeFMUState(state)
-    straight = go_on(one, rows[10:])
-    one.slave.setFMUState(state)
-    held = one.get("left.station", "right.pressure")
-    back = go_on(one, rows[10:])
-    elsewhere.slave.setFMUState(elsewhere.slave.deserializeFMUState(saved))
-    elsewhere.stations = stations
-    one.slave.freeFMUState(state)
-    return {"before": before, "kept": kept, "held": held, "straight": straight, "back": back,
-            "elsewhere": go_on(elsewhere, rows[10:]), "read": elsewhere.get("stations")}
-
-
-def configuration(fmu):
-    """What configuration mode takes and what it refuses, with the log of each; and what there is after it."""
-    instance = fmu.instance()
-    slave, left = instance.slave, fmu.variables["left.station"].valueReference
-    answers = {}
-
-    def attempt(name, call, *arguments, **named):
-        answers[name] = refused(lambda: call(*arguments, **named)), instance.told()
-
-    attempt("not entered", instance.set, stations=61)
-    attempt("left, not entered", slave.exitConfigurationMode)
-    slave.enterConfigurationMode()
-    attempt("entered twice", slave.enterConfigurationMode)
-    for wrong in (0, 2, 202, 2**64 - 1):
-        attempt(f"{wrong}", instance.set, stations=wrong)
-    attempt("another parameter", instance.set, gauge=1.43)
-    attempt("a text", instance.set, load="vertical")
-    attempt("an input", instance.set, yaw=0.01)
-    attempt("an output", instance.get, "roll")
-    attempt("an integer", instance.get, "status")
-    attempt("as Float64", slave.getFloat64, [fmu.variables["stations"].valueReference])
-    attempt("time as UInt64", slave.getUInt64, [1])
-    attempt("an output as UInt64", slave.getUInt64, [left])
-    attempt("initialisation", slave.enterInitializationMode)
-    attempt("a step", slave.doStep, 0.0, 1e-3)
-    kept = instance.get("stations")
-    instance.set(stations=7)
-    slave.exitConfigurationMode()
-    attempt("too early", slave.getFloat64, [left], nValues=7)
-    attempt("fixed outside", instance.set, stations=31)
-    instance.set(stations=7)
-    slave.enterInitializationMode()
-    attempt("31 values", slave.getFloat64, [left], nValues=31)
-    after = slave.getFloat64([left], nValues=7)
-    attempt("while initialising", slave.enterConfigurationMode)
-    slave.exitInitializationMode()
-    attempt("while running", slave.enterConfigurationMode)
-    attempt("8 values", slave.getFloat64, [left], nValues=8)
-    instance.stations = 7
-    running = slave.getFloat64([left], nValues=7)
-    slave.terminate()
-    attempt("after the end", instance.set, stations=7)
-    slave.reset()
-    reset, instance.stations = instance.get("stations"), 31
-    slave.enterInitializationMode()
-    slave.exitInitializationMode()
-    again = instance.get()
-    slave.reset()
-    instance.configure(201)
-    slave.reset()
-    slave.enterInitializationMode()
-    instance.stations = 31
-    return {"calls": answers, "kept": kept, "after": after, "running": running, "reset": reset, "again": again,
-            "fresh": fmu.running().get(), "twice": instance.get("left.station"), "log": instance.told()}
-
-
-def simulated_stations(fmu, stations, row):
-    """Outlines by simulate_fmu, with an instance that was configured; fmpy takes the shapes from the description."""
-    description = fmpy.read_model_description(fmu.folder)
-    names = [v.name for v in description.modelVariables if v.dimensions]
-    for v in description.modelVariables:
-        if v.dimensions:
-            v.shape = (stations,)
-    slave = fmpy.instantiate_fmu(fmu.folder, description, "CoSimulation")
-    slave.enterConfigurationMode()
-    slave.setUInt64([fmu.variables["stations"].valueReference], [stations])
-    slave.exitConfigurationMode()
-    result = fmpy.simulate_fmu(fmu.folder, model_description=description, fmu_instance=slave, output=names, start_values=row,
-                               stop_time=1e-3, output_interval=1e-3)
-    return {name: result[name][-1].tolist() for name in names}
-
-
-def go_on(instance, rows):
-    seen = []
-    for row in rows:
-        instance.step(**row)
-        seen.append({name: value if isinstance(value, str) else float(value).hex() for name, value in instance.get().items()})
-    return seen
 
 
 def misuse(fmu):
@@ -361,9 +160,10 @@ def misuse(fmu):
         "left twice": lambda: slave.exitInitializationMode(),
         "configuration": lambda: raw("fmi3EnterConfigurationMode"),
         "events": lambda: raw("fmi3EnterEventMode"),
-        "derivative": lambda: raw("fmi3GetDirectionalDerivative", two, c_size_t(1), two, c_size_t(1), values, c_size_t(1),
-                                  values, c_size_t(1)),
-        "output derivative": lambda: raw("fmi3GetOutputDerivatives", two, c_size_t(1), None, values, c_size_t(1)),
+        "derivative": lambda: raw("fmi3GetDirectionalDerivative", two, c_size_t(1), two, c_size_t(1), values,
+                                  c_size_t(1), values, c_size_t(1)),
+        "output derivative": lambda: raw("fmi3GetOutputDerivatives", two, c_size_t(1), None, values,
+                                         c_size_t(1)),
         "category": lambda: slave.setDebugLogging(True, ["everything"]),
     }
     instance.told()
@@ -382,13 +182,14 @@ def misuse(fmu):
 
 
 def derivatives(fmu, rows, outputs, inputs, stations, start):
-    """Directional and adjoint derivatives after steps and in initialisation mode, each with whether the instance stayed as it
-    was; and which calls are refused, each with its log lines."""
+    """Directional and adjoint derivatives after steps and in initialisation mode, each with whether the
+    instance stayed as it was; and which calls are refused, each with its log lines."""
     unknowns, knowns = ([fmu.variables[name].valueReference for name in names] for names in (outputs, inputs))
     count = sum(stations if fmu.variables[name].dimensions else 1 for name in outputs)
 
     def matrix(slave):
-        return [slave.getDirectionalDerivative(unknowns, [known], [1.0], nSensitivity=count) for known in knowns]
+        return [slave.getDirectionalDerivative(unknowns, [known], [1.0], nSensitivity=count)
+                for known in knowns]
 
     def saved(slave):
         state = slave.getFMUState()
@@ -401,8 +202,10 @@ def derivatives(fmu, rows, outputs, inputs, stations, start):
         instance.step(**row)
         before, values = saved(instance.slave), instance.get()
         found = matrix(instance.slave)
-        together = instance.slave.getDirectionalDerivative(unknowns, knowns, [1.0] * len(knowns), nSensitivity=count)
-        adjoint = instance.slave.getAdjointDerivative(unknowns, knowns, [1.0] * count, nSensitivity=len(knowns))
+        together = instance.slave.getDirectionalDerivative(unknowns, knowns, [1.0] * len(knowns),
+                                                           nSensitivity=count)
+        adjoint = instance.slave.getAdjointDerivative(unknowns, knowns, [1.0] * count,
+                                                      nSensitivity=len(knowns))
         kept = saved(instance.slave) == before and instance.get() == values
         seen.append({"matrix": found, "together": together, "adjoint": adjoint, "kept": kept})
     early = fmu.instance()
@@ -414,16 +217,20 @@ def derivatives(fmu, rows, outputs, inputs, stations, start):
     slave, reference = instance.slave, {v.name: v.valueReference for v in fmu.variables.values()}
     fresh = fmu.instance(log=instance.log).slave
     calls = {
-        "parameter": lambda: slave.getDirectionalDerivative(unknowns, [reference["gauge"]], [1.0], nSensitivity=count),
-        "output as known": lambda: slave.getDirectionalDerivative(unknowns, [reference["roll"]], [1.0], nSensitivity=count),
+        "parameter": lambda: slave.getDirectionalDerivative(unknowns, [reference["gauge"]], [1.0],
+                                                            nSensitivity=count),
+        "output as known": lambda: slave.getDirectionalDerivative(unknowns, [reference["roll"]], [1.0],
+                                                                  nSensitivity=count),
         "input as unknown": lambda: slave.getDirectionalDerivative([reference["yaw"]], knowns[:1], [1.0]),
         "integer": lambda: slave.getDirectionalDerivative([reference["status"]], knowns[:1], [1.0]),
         "time": lambda: slave.getDirectionalDerivative(unknowns, [1], [1.0], nSensitivity=count),
         "stations": lambda: slave.getDirectionalDerivative(unknowns, [2], [1.0], nSensitivity=count),
         "unknown reference": lambda: slave.getDirectionalDerivative([4711], knowns[:1], [1.0]),
-        "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count - 1),
+        "too few sensitivities": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [1.0],
+                                                                        nSensitivity=count - 1),
         "too many seeds": lambda: slave.getAdjointDerivative(unknowns, knowns[:1], [1.0] * (count + 1)),
-        "not a number": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [math.nan], nSensitivity=count),
+        "not a number": lambda: slave.getDirectionalDerivative(unknowns, knowns[:1], [math.nan],
+                                                               nSensitivity=count),
         "too early": lambda: fresh.getDirectionalDerivative(unknowns, knowns[:1], [1.0], nSensitivity=count),
     }
     instance.told()
@@ -448,5 +255,5 @@ def not_made(fmu):
 
 if __name__ == "__main__":
     scenario, file, folder = sys.argv[1:]
-    answer = globals()[scenario](Fmu(file, folder), **json.load(sys.stdin))
+    answer = {**vars(fmi3_stations), **globals()}[scenario](Fmu(file, folder), **json.load(sys.stdin))
     print(json.dumps(answer), flush=True)

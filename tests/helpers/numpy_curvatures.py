@@ -1,8 +1,8 @@
 """Lateral curvature of a profile all along it by numpy, as a witness of kernel/prepare/curvatures.py.
 
-The table is the kernel's record CurvatureTable.  Curvatures here are d(angle)/d(arc length) with z down, positive where
-the profile is hollow upwards; the kernel's table has them positive where the profile bulges towards the other body, which is
-this sign on a rail and the other one on a wheel.
+The table is the kernel's record CurvatureTable. Curvatures here are d(angle)/d(arc length) with z down,
+positive where the profile is hollow upwards; the kernel's table has them positive where the profile bulges
+towards the other body, which is this sign on a rail and the other one on a wheel.
 """
 
 import numpy as np
@@ -10,7 +10,8 @@ import numpy as np
 from wrcontact.kernel.layout import Profile
 from wrcontact.profiles.compiled import evaluate_table, table_pieces
 
-#: Distance of the values: this share of the arc length or reach they are averaged over, and between these [m].
+#: Distance of the values: this share of the arc length or reach they are averaged
+#: over, and between these [m].
 RASTER_SHARE, FINEST, COARSEST = 0.25, 0.01e-3, 0.05e-3
 SAMPLES = 61                   # points of a profile that a circle is fitted to
 GAUSS_POINTS = 10
@@ -19,7 +20,8 @@ ARC_SHARP = 1e-15              # last Newton step to a node [m]
 
 
 def smooth_curvature_table(profile, sign, reach):
-    """Table (n,) of :func:`fitted_curvature`; ``profile`` is a compiled one, ``sign`` +1 for a rail, -1 for a wheel."""
+    """Table (n,) of :func:`fitted_curvature`; ``profile`` is a compiled one, ``sign`` +1 for
+    a rail, -1 for a wheel."""
     return _table(profile, sign, reach, fitted_curvature)
 
 
@@ -41,11 +43,12 @@ def _table(profile, sign, scale, curvature):
 
 
 def fitted_curvature(profile, y, reach):
-    """Curvature [1/m] of the circle fitted to a compiled profile over y - reach ... y + reach, at ``y`` (n,) [m].
+    """Curvature [1/m] of the circle fitted to a compiled profile over y - reach ... y +
+    reach, at ``y`` (n,) [m].
 
-    The source's smooth one.  Least squares of the algebraic distance, in axes along the tangent at y: with u along and v
-    across, c (u^2 + v^2) + b u + a = v, whose curvature 2 c / sqrt(1 + b^2 - 4 a c) is exact for a circle and zero for a
-    straight line.  At an end of the profile only what is there is fitted.
+    The source's smooth one. Least squares of the algebraic distance, in axes along the tangent at y: with u
+    along and v across, c (u^2 + v^2) + b u + a = v, whose curvature 2 c / sqrt(1 + b^2 - 4 a c) is exact for
+    a circle and zero for a straight line. At an end of the profile only what is there is fitted.
     """
     start, stop = Profile.at(profile).start, Profile.at(profile).stop
     low, high = np.maximum(y - reach, start), np.minimum(y + reach, stop)
@@ -62,11 +65,11 @@ def fitted_curvature(profile, y, reach):
 
 
 def turned_curvature(profile, y, step):
-    """Change of a compiled profile's angle per arc length [1/m], from chord to chord between nodes ``step`` [m] of arc before
-    ``y`` (n,), at y and after it.
+    """Change of a compiled profile's angle per arc length [1/m], from chord to chord between nodes ``step``
+    [m] of arc before ``y`` (n,), at y and after it.
 
-    The source's rough one, eq. (6.3), which writes what nodes n, n + 1 and n + 2 give to node n; here it stands at the middle
-    one.  Nodes beyond an end of the profile are not there: the three are moved inward.
+    The source's rough one, eq. (6.3), which writes what nodes n, n + 1 and n + 2 give to node n; here it
+    stands at the middle one. Nodes beyond an end of the profile are not there: the three are moved inward.
     """
     arc = ArcLength(profile)
     step = min(step, 0.5 * arc.total)
@@ -106,13 +109,15 @@ class ArcLength:
         return self._lengths[piece] + self._panel(self._ends[piece], y)
 
     def place(self, length):
-        """Abscissa (n,) [m] at arc length ``length`` (n,) [m]: Newton's method within the piece that holds it."""
+        """Abscissa (n,) [m] at arc length ``length`` (n,) [m]: Newton's method within
+        the piece that holds it."""
         piece = np.clip(np.searchsorted(self._lengths, length, side="right") - 1, 0, len(self._ends) - 2)
         low, high = self._ends[piece], self._ends[piece + 1]
         share = (length - self._lengths[piece]) / (self._lengths[piece + 1] - self._lengths[piece])
         y = low + share * (high - low)
         for _ in range(ARC_ITERATIONS):
-            before, y = y, np.clip(y + (length - self._lengths[piece] - self._panel(low, y)) / self.speed(y), low, high)
+            before, y = y, np.clip(y + (length - self._lengths[piece] - self._panel(low, y)) / self.speed(y),
+                                   low, high)
             if np.all(np.abs(y - before) <= ARC_SHARP):
                 break
         return y

@@ -1,12 +1,13 @@
-"""Profiles placed on the track and compiled to the kernel's table by numpy, from the exact zones: the witness of
-kernel/prepare/placement.py and kernel/prepare/pieces.py."""
+"""Profiles placed on the track and compiled to the kernel's table by numpy, from the exact zones: the witness
+of kernel/prepare/placement.py and kernel/prepare/pieces.py."""
 
 import math
 
 import numpy as np
 
 from wrcontact.conventions import MILLIMETRE as MM
-from wrcontact.kernel.layout import PIECE_SIZE, PROFILE_HEAD, Profile as Table
+from wrcontact.kernel.layout import PIECE_SIZE, PROFILE_HEAD
+from wrcontact.kernel.layout import Profile as Table
 from wrcontact.profiles.placement import PlacedRail
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc, Moved, move_zone
@@ -14,14 +15,16 @@ from wrcontact.profiles.zones import Arc, Moved, move_zone
 #: The head is read as a function of y; it ends where it is steeper than this [rad].  Wheels are less steep
 #: (75 deg at most on flanges in use), so no contact lies beyond.
 STEEPEST = math.radians(80.0)
-#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad required of the roll.
+#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad
+#: required of the roll.
 PIECE_ERROR = 1e-9
 #: Permitted error of the second derivative between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
 PIECE_BEND_ERROR = 1e-7
 LONGEST_PIECE = 1.0  # [mm]
 SHORTEST_PIECE = 1e-3  # [mm]; measured profiles have knots this close
-#: Distance from a joint over which a height step of the published coefficients is smoothed [mm].  On UIC60 1:40 the step at
-#: y = -35 mm would hold the contact for 1 um of lateral shift.  Half a millimetre changes the curvature by at most 2 %.
+#: Distance from a joint over which a height step of the published coefficients is smoothed [mm]. On UIC60
+#: 1:40 the step at y = -35 mm would hold the contact for 1 um of lateral shift. Half a millimetre changes the
+#: curvature by at most 2 %.
 REPAIR_WIDTH = 0.5
 #: Smaller height steps are not repaired [mm].
 REPAIRED_STEP = 1e-6
@@ -33,8 +36,10 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
     angle = -math.atan(inclination)
     y_top, z_top = _highest_point(rail, angle)
     y_gauge = _inner_face(rail, angle, z_top + gauge_depth / MM)
-    kept = [part for part in (_readable(zone, angle, -y_top, -z_top) for zone in rail.zones) if part is not None]
-    return PlacedRail(Profile(rail.name, "rail", _around_top(kept), rail.smooth), gauge / 2 + (y_top - y_gauge) * MM)
+    kept = [part for part in (_readable(zone, angle, -y_top, -z_top) for zone in rail.zones)
+            if part is not None]
+    return PlacedRail(Profile(rail.name, "rail", _around_top(kept), rail.smooth),
+                      gauge / 2 + (y_top - y_gauge) * MM)
 
 
 def readable_wheel(wheel):
@@ -48,7 +53,9 @@ def _highest_point(rail, angle):
     """Point (y, z) [mm] of ``rail`` turned by ``angle`` where it is horizontal and highest."""
     best = None
     for zone in rail.zones:
-        slope = lambda t: math.sin(angle) + math.cos(angle) * float(zone(t)[1])
+        def slope(t, zone=zone):
+            return math.sin(angle) + math.cos(angle) * float(zone(t)[1])
+
         inside = slope(zone.start) < 0.0 <= slope(zone.stop)
         t = _bisect(slope, zone.start, zone.stop) if inside else zone.start
         point = Moved(zone, angle).place(t)
@@ -63,9 +70,11 @@ def _inner_face(rail, angle, depth):
         moved = Moved(zone, angle)
         start_depth = moved.place(zone.start)[1]
         if start_depth >= depth:
-            return moved.place(_bisect(lambda t: depth - moved.place(t)[1], zone.start, min(zone.stop, 0.0)))[0]
+            return moved.place(_bisect(lambda t: depth - moved.place(t)[1], zone.start,
+                                       min(zone.stop, 0.0)))[0]
         deepest = max(deepest, start_depth)
-    raise ValueError(f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile {rail.name} ends "
+    raise ValueError(f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile "
+                     f"{rail.name} ends "
                      f"at {deepest * MM:.6g} m; permitted are smaller depths")
 
 
@@ -89,7 +98,8 @@ def _readable(zone, angle, y_shift, z_shift):
         start, stop = max(zone.start, low), min(zone.stop, high)
         if stop - start <= 1e-6:
             return None
-        return move_zone(Arc(start, stop, zone.radius, zone.y_centre, zone.z_centre, zone.side), angle, y_shift, z_shift)
+        return move_zone(Arc(start, stop, zone.radius, zone.y_centre, zone.z_centre, zone.side), angle,
+                         y_shift, z_shift)
     steepness = [math.atan(float(zone(t)[1])) + angle for t in (zone.start, zone.stop)]
     return move_zone(zone, angle, y_shift, z_shift) if max(map(abs, steepness)) <= STEEPEST else None
 
@@ -135,7 +145,8 @@ def _zone_pieces(zone, before, after):
 
 
 def _refined(zone, low, high):
-    """Pieces between ``low`` and ``high`` [mm], halved until they follow ``zone`` within the permitted errors."""
+    """Pieces between ``low`` and ``high`` [mm], halved until they follow ``zone``
+    within the permitted errors."""
     piece = _quintic(low, high, _jet(zone, low), _jet(zone, high))
     y = np.linspace(low, high, 11)[1:-1]
     z, _, bend = zone(y)
@@ -162,7 +173,8 @@ def _mean_jet(before, after, y):
 
 
 def _quintic(low, high, at_low, at_high):
-    """The quintic with given height, slope and second derivative at both ends, as (low, coefficients in y - low)."""
+    """The quintic with given height, slope and second derivative at both ends, as (low,
+    coefficients in y - low)."""
     h = high - low
     c0, c1, c2 = at_low[0], at_low[1], 0.5 * at_low[2]
     rest = at_high[0] - (c0 + h * (c1 + h * c2))

@@ -1,4 +1,5 @@
-"""The search's raster over the wheel by numpy, with the bounds that certify it, as a witness of kernel/prepare/scan.py."""
+"""The search's raster over the wheel by numpy, with the bounds that certify it, as a witness of
+kernel/prepare/scan.py."""
 
 import numpy as np
 
@@ -15,9 +16,9 @@ SAMPLES = 17          # of the second derivative in a piece, a cubic there
 
 
 def scan_table(wheel, rail, radius, arm):
-    """Scan nodes on the wheel and raster of the rail, each with bounds of the second derivative over stretches of 1, 2, 4
-    ... cells, from both compiled profile tables; ``radius`` is the nominal one, ``arm`` half the distance of the running
-    circles [m].
+    """Scan nodes on the wheel and raster of the rail, each with bounds of the second derivative over
+    stretches of 1, 2, 4 ... cells, from both compiled profile tables; ``radius`` is the nominal one, ``arm``
+    half the distance of the running circles [m].
 
     Raises
     ------
@@ -27,7 +28,8 @@ def scan_table(wheel, rail, radius, arm):
     wheel_bends, rail_bends = BendRange(wheel), BendRange(rail)
     y, first = _raster(wheel_bends)
     if len(y) > SCAN_LIMIT:
-        raise ValueError(f"the wheel profile is {wheel_bends.stop - wheel_bends.start:.4g} m wide; permitted are at most "
+        raise ValueError(f"the wheel profile is {wheel_bends.stop - wheel_bends.start:.4g} m wide; "
+                         f"permitted are at most "
                          f"{SCAN_LIMIT * FINE_STEP:.4g} m")
     nodes, bounds = _wheel_rows(wheel, wheel_bends, y), _rail_rows(rail_bends)
     nodes["lever"] = _levers(wheel, y, radius, arm)
@@ -35,8 +37,8 @@ def scan_table(wheel, rail, radius, arm):
     head = Scan.nodes.offset // 8
     cells = head + len(nodes) * size(ScanNode)
     bins = cells + len(bounds) * size(RailCell)
-    return np.concatenate([[len(nodes), len(bounds), rail_bends.start, 1.0 / FINE_STEP, cells, bins, len(first),
-                            len(first) / (wheel_bends.stop - wheel_bends.start), steepest],
+    return np.concatenate([[len(nodes), len(bounds), rail_bends.start, 1.0 / FINE_STEP, cells, bins,
+                            len(first), len(first) / (wheel_bends.stop - wheel_bends.start), steepest],
                            nodes.view(float), bounds.view(float), first.astype(float)])
 
 
@@ -58,18 +60,20 @@ class BendRange:
         self._bends = (2 * c2 + u * (6 * c3 + u * (12 * c4 + u * 20 * c5))).ravel()
 
     def between(self, low, high):
-        """Smallest and largest second derivative [1/m] and largest absolute slope [-], three arrays (n,), between ``low``
-        and ``high`` (n,), clipped to the profile."""
+        """Smallest and largest second derivative [1/m] and largest absolute slope [-], three arrays (n,),
+        between ``low`` and ``high`` (n,), clipped to the profile."""
         low, high = np.clip(low, self.start, self.stop), np.clip(high, self.start, self.stop)
         _, slopes, bends = evaluate_table(self.table, np.stack([low, high]))
         samples = np.searchsorted(self._y, low), np.searchsorted(self._y, high, side="right")
         return (np.minimum(bends.min(axis=0), _over(np.minimum, self._bends, *samples, np.inf)),
                 np.maximum(bends.max(axis=0), _over(np.maximum, self._bends, *samples, -np.inf)),
-                np.maximum(np.abs(slopes).max(axis=0), _over(np.maximum, np.abs(self._slopes), *samples, 0.0)))
+                np.maximum(np.abs(slopes).max(axis=0),
+                           _over(np.maximum, np.abs(self._slopes), *samples, 0.0)))
 
 
 def _over(extreme, values, first, last, nothing):
-    """``extreme`` (n,) of values[first:last] for arrays (n,) of indices, and ``nothing`` where these are empty."""
+    """``extreme`` (n,) of values[first:last] for arrays (n,) of indices, and ``nothing``
+    where these are empty."""
     ends = np.stack([first, last], axis=1).ravel()
     return np.where(last > first, extreme.reduceat(np.append(values, nothing), ends)[::2], nothing)
 
@@ -77,7 +81,8 @@ def _over(extreme, values, first, last, nothing):
 def _wheel_rows(wheel, bends, y):
     """The records ScanNode of the nodes ``y`` (n,), without levers; stretches end with the table.
 
-    Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
+    Stretches that are steeper than the search's bounds allow get a second derivative with
+    which they are not skipped.
     """
     nodes = np.zeros(len(y), ScanNode)
     nodes["y"] = y
@@ -93,7 +98,8 @@ def _wheel_rows(wheel, bends, y):
 
 
 def _levers(wheel, y, radius, arm):
-    """The largest lever of each node ``y`` (n,) and all beyond it [m]: how the gap of a wheelset at zero roll changes with the roll."""
+    """The largest lever of each node ``y`` (n,) and all beyond it [m]: how the gap of a wheelset at zero roll
+    changes with the roll."""
     widths = np.append(np.diff(y), 0.0)[:, None]
     places = y[:, None] + widths * np.linspace(0.0, 1.0, SAMPLES)[:-1]
     z, slope, _ = evaluate_table(wheel, places)
@@ -104,13 +110,15 @@ def _levers(wheel, y, radius, arm):
 def _rail_rows(bends):
     """The records RailCell of the rail's raster.
 
-    A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
+    A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the
+    wheel, stretched by WIDEST.
     """
     count = int(np.ceil((bends.stop - bends.start) / FINE_STEP))
     edges = bends.start + FINE_STEP * np.arange(count)
     rows = np.zeros(count, RailCell)
     # a wheel cell starts in a raster cell and is COARSE_STEP long, a quarter more when yawed
-    rows["least_bend"], rows["most_bend"] = bends.between(edges - FINE_STEP, edges + FINE_STEP + 1.5 * COARSE_STEP)[:2]
+    rows["least_bend"], rows["most_bend"] = bends.between(edges - FINE_STEP,
+                                                          edges + FINE_STEP + 1.5 * COARSE_STEP)[:2]
     for exponent in range(EXPONENTS + 1):
         length = FINE_STEP * (1.01 + (1.0 + WIDEST) * 1.01 * 2**exponent)
         rows["least_bends"][:, exponent] = bends.between(edges - 0.01 * FINE_STEP, edges + length)[0]
@@ -118,8 +126,9 @@ def _rail_rows(bends):
 
 
 def _raster(bends):
-    """Abscissae (n,) of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where
-    it is not nearly straight; and the number of the first node in each coarse step."""
+    """Abscissae (n,) of the scan nodes, no more than COARSE_STEP apart from one end of the
+    wheel to the other, half as much where it is not nearly straight; and the number of the
+    first node in each coarse step."""
     count = int(np.ceil((bends.stop - bends.start) / COARSE_STEP))
     step = (bends.stop - bends.start) / count
     edges = np.append(bends.start + step * np.arange(count), bends.stop)

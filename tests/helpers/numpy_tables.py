@@ -1,29 +1,34 @@
-"""The kernel's tables by numpy from exact profiles: the witness of the kernel's own preparation (kernel/prepare/tables.py)."""
+"""The kernel's tables by numpy from exact profiles: the witness of the kernel's own preparation
+(kernel/prepare/tables.py)."""
 
 import numpy as np
 
-from tests.helpers.numpy_curvatures import empty_curvature_table, rough_curvature_table, smooth_curvature_table
-from tests.helpers.numpy_scan import scan_table
+from tests.helpers.numpy_curvatures import (
+    empty_curvature_table,
+    rough_curvature_table,
+    smooth_curvature_table,
+)
 from tests.helpers.numpy_profiles import compile_profile
+from tests.helpers.numpy_scan import scan_table
+from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
+from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import hertz_table
 from wrcontact.kernel.binding.influence_table import influence_table
-from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.interface.inputs import LATERAL_LIMIT, YAW_LIMIT
 from wrcontact.kernel.prepare.tables import START_STEP
 
 #: Where the kernel keeps the number of each method.
-METHOD_SETTINGS = {"contact_mode": layout.SET_MODE, "load": layout.SET_LOAD, "normal_model": layout.SET_NORMAL_MODEL,
-                   "separation": layout.SET_SEPARATION, "longitudinal_curvature": layout.SET_LONGITUDINAL,
-                   "lateral_curvature": layout.SET_LATERAL}
+METHOD_SETTINGS = {"contact_mode": layout.SET_MODE, "load": layout.SET_LOAD,
+                   "normal_model": layout.SET_NORMAL_MODEL, "separation": layout.SET_SEPARATION,
+                   "longitudinal_curvature": layout.SET_LONGITUDINAL, "lateral_curvature": layout.SET_LATERAL}
 
 
-def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, methods, resolution,
-                 curvature_step=0.2e-3, curvature_reach=3e-3):
+def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance, contact_modulus, methods,
+                 resolution, curvature_step=0.2e-3, curvature_reach=3e-3):
     """Settings and tables (n,) for a readable wheel Profile and a PlacedRail; SI units.
 
-    ``methods`` holds the kernel's number MODE_..., LOAD_..., MODEL_... of each method by its parameter's name (those left
-    out are 0, the first choice), ``resolution`` is a :class:`~wrcontact.methods.Resolution`.
+    ``methods`` holds the kernel's number MODE_..., LOAD_..., MODEL_... of each method by its parameter's name
+    (those left out are 0, the first choice), ``resolution`` is a :class:`~wrcontact.methods.Resolution`.
     """
     lateral_curvature = methods.get("lateral_curvature", layout.LATERAL_ADAPTIVE)
     wheel_table, rail_table = compile_profile(wheel), compile_profile(placed_rail.profile)
@@ -34,8 +39,10 @@ def build_tables(wheel, placed_rail, *, nominal_radius, running_circle_distance,
         layout.SET_HERTZ: hertz_table(),
         layout.SET_INFLUENCE: influence_table(),
         layout.SET_STARTS: empty_starts(),
-        layout.SET_WHEEL_CURVATURE: curvature_table(wheel_table, -1.0, lateral_curvature, curvature_step, curvature_reach),
-        layout.SET_RAIL_CURVATURE: curvature_table(rail_table, 1.0, lateral_curvature, curvature_step, curvature_reach),
+        layout.SET_WHEEL_CURVATURE: curvature_table(wheel_table, -1.0, lateral_curvature, curvature_step,
+                                                    curvature_reach),
+        layout.SET_RAIL_CURVATURE: curvature_table(rail_table, 1.0, lateral_curvature, curvature_step,
+                                                   curvature_reach),
     }
     settings = np.zeros(layout.SETTING_COUNT)
     settings[layout.SET_RADIUS] = nominal_radius
@@ -80,9 +87,11 @@ def empty_starts():
 
 
 def fill_starts(tables):
-    """Roll and contacts at the table of starts' lateral shifts, from the kernel itself, in one sweep without load."""
+    """Roll and contacts at the table of starts' lateral shifts, from the kernel itself, in
+    one sweep without load."""
     starts = layout.Tables.at(tables).starts
-    state, inputs, outputs = (np.zeros(size) for size in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
+    state, inputs, outputs = (np.zeros(size)
+                              for size in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
     bound = default_kernel().bind(tables, state, np.zeros(layout.WORK_SIZE), inputs, outputs)
     found = np.zeros(layout.START_COUNT, layout.Start)
     result = layout.Outputs.at(outputs)
@@ -92,4 +101,5 @@ def fill_starts(tables):
             row["_known"], row["roll"] = 1.0, result.roll
             row["left"], row["right"] = result.left[0].y_wheel, result.left[1].y_wheel
     for row, one in zip(starts.rows, found):
-        row.known, row.roll, row.left, row.right = one["_known"] == 1.0, one["roll"], one["left"], one["right"]
+        row.known, row.roll, row.left, row.right = (one["_known"] == 1.0, one["roll"], one["left"],
+                                                    one["right"])

@@ -1,8 +1,10 @@
-"""Wheel and rail surfaces of many poses at once, by numpy from the printed profiles: a witness for tests, slow in no place.
+"""Wheel and rail surfaces of many poses at once, by numpy from the printed profiles: a witness for
+tests, slow in no place.
 
-It knows nothing of where a contact can lie.  A wheel is cut into circles STATION apart.  On each of them the gap to the rail is
-convex, since a disc and a rail's head are, so Newton's method finds its smallest value; the least along the profile are then
-refined.  Frames and profiles are those of tests/reference/brute_force.py, and no code is the product's.
+It knows nothing of where a contact can lie. A wheel is cut into circles STATION apart. On each of them the
+gap to the rail is convex, since a disc and a rail's head are, so Newton's method finds its smallest value;
+the least along the profile are then refined. Frames and profiles are those of tests/reference/brute_force.py,
+and no code is the product's.
 """
 
 from math import atan
@@ -13,7 +15,8 @@ from tests.reference import brute_force
 
 STATION = 0.5e-3      # [m]
 TABLE = 2e-6          # [m] of the rail's table of heights
-NEAR = 7e-5           # [m] a minimum hides less below its stations: STATION^2 / 8 times 2000 1/m, at the flange root
+# [m] a minimum hides less below its stations: STATION^2 / 8 times 2000 1/m, at the flange root
+NEAR = 7e-5
 WHOLE_START, WHOLE_STOP = -69.6e-3, 60e-3       # [m]
 EDGE = 5e-3           # [m] within which circles of a wheel that is cut off can be lower than its contact
 CHUNK = 64            # poses at a time
@@ -24,16 +27,18 @@ JOINTS, JOINT_REACH, JOINT_STEP = (-35e-3, -26e-3, -49.662510381e-3), 0.501e-3, 
 
 
 class Surfaces:
-    """The pair of one scene: arguments as of ContactSystem; the wheel and the rail between given ends [m], if any."""
+    """The pair of one scene: arguments as of ContactSystem; the wheel and the rail between
+    given ends [m], if any."""
 
-    def __init__(self, rail="UIC60", rail_inclination=1 / 40, gauge=1.435, gauge_depth=0.014, nominal_radius=0.46,
-                 wheel_start=WHOLE_START, wheel_stop=WHOLE_STOP, rail_stop=np.inf):
+    def __init__(self, rail="UIC60", rail_inclination=1 / 40, gauge=1.435, gauge_depth=0.014,
+                 nominal_radius=0.46, wheel_start=WHOLE_START, wheel_stop=WHOLE_STOP, rail_stop=np.inf):
         track = brute_force.track(rail, rail_inclination, gauge, gauge_depth)
         self.wheel, self.rail = track.wheel, track.rail
         self.origin, self.radius, self.arm = track.rail_origin, nominal_radius, 0.75
         self.y = np.append(np.arange(wheel_start, wheel_stop, STATION), wheel_stop)
         self.z, self.slope, _ = self.wheel(self.y)
-        self.edges = [end for end, whole in ((wheel_start, WHOLE_START), (wheel_stop, WHOLE_STOP)) if end != whole]
+        self.edges = [end for end, whole in ((wheel_start, WHOLE_START), (wheel_stop, WHOLE_STOP))
+                      if end != whole]
         x = np.arange(-45e-3, 45e-3, TABLE)
         height, slope, _ = self.rail(x)
         kept = (np.abs(slope) < STEEPEST) & (x <= rail_stop)
@@ -42,12 +47,15 @@ class Surfaces:
     def is_edge(self, y):
         """Whether places ``y`` [m] are at the edge of a wheel that is cut off, within EDGE.
 
-        The product looks for contacts where surfaces are parallel; the edge of a yawed wheel can be lower elsewhere.
+        The product looks for contacts where surfaces are parallel; the edge of a
+        yawed wheel can be lower elsewhere.
         """
-        return np.any([np.abs(y - edge) < EDGE for edge in self.edges], axis=0) if self.edges else np.zeros(y.shape, bool)
+        return np.any([np.abs(y - edge) < EDGE for edge in self.edges],
+                      axis=0) if self.edges else np.zeros(y.shape, bool)
 
     def place(self, shift, yaw, roll, phi, y, z):
-        """Lateral and vertical track coordinate of wheel points, and their derivatives by phi; without vertical shift."""
+        """Lateral and vertical track coordinate of wheel points, and their derivatives by phi;
+        without vertical shift."""
         r = self.radius + z
         s, c = r * np.sin(phi), r * np.cos(phi)
         sin_yaw, cos_yaw, sin_roll, cos_roll = np.sin(yaw), np.cos(yaw), np.sin(roll), np.cos(roll)
@@ -56,7 +64,8 @@ class Surfaces:
         return across, down, sin_yaw * c + cos_yaw * s * sin_roll, -s * cos_roll, r
 
     def table_gap(self, shift, yaw, roll, phi, y, z):
-        """Gap from the rail's table, and its first and about its second derivative by phi; NaN beside the rail."""
+        """Gap from the rail's table, and its first and about its second derivative by
+        phi; NaN beside the rail."""
         across, down, across_rate, down_rate, r = self.place(shift, yaw, roll, phi, y, z)
         u = (across - self.origin - self.x[0]) / TABLE
         k = np.clip(u.astype(np.int64), 0, len(self.x) - 2)
@@ -65,12 +74,13 @@ class Surfaces:
         slope = self.rail_slope[k] + share * (self.rail_slope[k + 1] - self.rail_slope[k])
         bend = (self.rail_slope[k + 1] - self.rail_slope[k]) / TABLE
         beside = (u < 0) | (u > len(self.x) - 1)
-        curved = bend * across_rate**2 - slope * np.sin(yaw) * r * np.sin(phi) + r * np.cos(phi) * np.cos(roll)
+        curved = (bend * across_rate**2 - slope * np.sin(yaw) * r * np.sin(phi)
+                  + r * np.cos(phi) * np.cos(roll))
         return np.where(beside, np.nan, height - down), slope * across_rate - down_rate, curved
 
     def smallest_gaps(self, shift, yaw, roll):
-        """Refined local minima of the gap of right wheels within NEAR of the smallest: row of the pose, gap [m] and place on the
-        wheel [m], each (m,); and the smallest gap over all stations (n,)."""
+        """Refined local minima of the gap of right wheels within NEAR of the smallest: row of the pose, gap
+        [m] and place on the wheel [m], each (m,); and the smallest gap over all stations (n,)."""
         rows, gaps, places, least = [], [], [], []
         for first in range(0, len(shift), CHUNK):
             pose = [column[first:first + CHUNK, None] for column in (shift, yaw, roll)]
@@ -96,7 +106,8 @@ class Surfaces:
         return lowest
 
     def refine(self, shift, yaw, roll, low, high, phi):
-        """Smallest gap between ``low`` and ``high`` and its place, by golden section, on each circle by Newton's method."""
+        """Smallest gap between ``low`` and ``high`` and its place, by golden section, on each
+        circle by Newton's method."""
         ratio = (np.sqrt(5) - 1) / 2
         one, other = high - ratio * (high - low), low + ratio * (high - low)
         at_one, phi = self.circle_gap(shift, yaw, roll, phi, one)
@@ -116,22 +127,24 @@ class Surfaces:
         for _ in range(2):
             across, down, across_rate, down_rate, r = self.place(shift, yaw, roll, phi, y, z)
             height, slope, bend = self.rail(across - self.origin)
-            curved = bend * across_rate**2 - slope * np.sin(yaw) * r * np.sin(phi) + r * np.cos(phi) * np.cos(roll)
+            curved = (bend * across_rate**2 - slope * np.sin(yaw) * r * np.sin(phi)
+                      + r * np.cos(phi) * np.cos(roll))
             phi = phi - np.clip((slope * across_rate - down_rate) / np.maximum(curved, 0.1), -0.05, 0.05)
         across, down, *_ = self.place(shift, yaw, roll, phi, y, z)
         beside = (across - self.origin < self.x[0]) | (across - self.origin > self.x[-1])
         return np.where(beside, np.nan, self.rail(across - self.origin)[0] - down), phi
 
     def contact(self, shift, yaw, roll, x_wheel, y_wheel):
-        """At right wheels' points (x_wheel, y_wheel): gap [m], height of the wheel profile [m], and sine of the angle between
-        the normals of both surfaces."""
+        """At right wheels' points (x_wheel, y_wheel): gap [m], height of the wheel profile [m], and sine of
+        the angle between the normals of both surfaces."""
         z, slope, _ = self.wheel(y_wheel)
         phi = np.arcsin(x_wheel / (self.radius + z))
         across, down, *_ = self.place(shift, yaw, roll, phi, y_wheel, z)
         height, rail_slope, _ = self.rail(across - self.origin)
         # normal of the wheel (sin phi, -slope, cos phi) in the wheelset's axes, rolled and yawed
         n = np.array([np.sin(phi), -slope, np.cos(phi)]) / np.hypot(1.0, slope)
-        n = np.array([n[0], np.cos(roll) * n[1] - np.sin(roll) * n[2], np.sin(roll) * n[1] + np.cos(roll) * n[2]])
+        n = np.array([n[0], np.cos(roll) * n[1] - np.sin(roll) * n[2],
+                      np.sin(roll) * n[1] + np.cos(roll) * n[2]])
         n = np.array([np.cos(yaw) * n[0] - np.sin(yaw) * n[1], np.sin(yaw) * n[0] + np.cos(yaw) * n[1], n[2]])
         rail = np.array([0 * rail_slope, -rail_slope, 1 + 0 * rail_slope]) / np.hypot(1.0, rail_slope)
         return height - down, z, np.linalg.norm(np.cross(n, rail, axis=0), axis=0), np.arctan(-rail_slope)
@@ -143,7 +156,8 @@ def allowance(y):
 
 
 def inclined_stop(rail, inclination, stop):
-    """Where the field side of an inclined head ends that is cut off at ``stop`` [mm] when upright: in its placed frame [m]."""
+    """Where the field side of an inclined head ends that is cut off at ``stop`` [mm] when upright: in
+    its placed frame [m]."""
     pieces, half = brute_force.tangent_chain(brute_force.RAIL_HEADS[rail]), stop
     angle = atan(inclination)
     centre, radius = next((centre, radius) for centre, radius, joint in pieces if half <= joint[0])

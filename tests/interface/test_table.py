@@ -1,4 +1,5 @@
-"""One table: records, variables, results and calls of evaluate follow from its rows; what does not fit is an error."""
+"""One table: records, variables, results and calls of evaluate follow from its rows; what
+does not fit is an error."""
 
 import inspect
 
@@ -48,19 +49,22 @@ def test_every_output_is_a_property_of_a_result_that_reads_its_place():
 def test_properties_have_the_words_and_units_of_their_rows():
     for rows, kind in ((SIDE, state.Side), (PATCH, state.Patch), (WHEELSET, wrcontact.WheelsetState)):
         for row in rows:
-            if not isinstance(row, (Blocks, Run, Vector)) and "." not in row.name and row.name != "patch_count":
+            if (not isinstance(row, (Blocks, Run, Vector)) and "." not in row.name
+                and row.name != "patch_count"):
                 words = inspect.getdoc(getattr(kind, row.name))
                 assert words.lower().startswith(row.meaning.lower()) and f"[{row.unit}]" in words
 
 
 def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     shown = inspect.signature(wrcontact.ContactSystem.evaluate).parameters
-    assert {row.name: row.start for row in INPUTS} == {name: shown[name].default for name in shown if name in REFERENCE}
+    assert {row.name: row.start for row in INPUTS} == {name: shown[name].default for name in shown
+                                                       if name in REFERENCE}
     assert list(shown)[1:5] == ["lateral_shift", "yaw", "normal_force", "load_transfer"]
     system = wrcontact.ContactSystem(normal_model="hertz")
     given = system.evaluate(1e-3, 2e-3, 3e4, 0.1, roll_guess=1e-5).inputs
     assert given.tolist() == [1e-3, 2e-3, 1e-5, 3e4, 0.1, 0.0, 0.0]
-    for arguments, keywords in (((1, 2, 3, 4, 5), {}), ((1e-3,), {"lateral_shift": 2e-3}), ((), {"shift": 0.0})):
+    for arguments, keywords in (((1, 2, 3, 4, 5), {}), ((1e-3,), {"lateral_shift": 2e-3}),
+                                ((), {"shift": 0.0})):
         with pytest.raises(TypeError, match="input"):
             system.evaluate(*arguments, **keywords)
 
@@ -68,9 +72,11 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
 def test_every_parameter_reaches_the_kernel():
     system = wrcontact.ContactSystem(gauge=1.437, poisson_ratio=0.3, stations=7, load="vertical")
     found = dict(zip(KERNEL_PARAMETERS, system._tables[layout.SET_PARAMETERS:]))
-    expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL, "tolerance": 0.01}
+    expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL,
+                "tolerance": 0.01}
     assert {name: found[name] for name in expected} == expected
-    assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {"wheel", "rail", "nodes", "strips", "sweeps", "smoothing"}
+    assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {"wheel", "rail", "nodes", "strips", "sweeps",
+                                                        "smoothing"}
 
 
 def test_a_row_without_a_known_unit_is_an_error():

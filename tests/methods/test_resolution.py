@@ -23,7 +23,8 @@ FINEST_COUNTS = {"analyn": dict(nodes=38), "analyn_strip": dict(nodes=38, strips
 def random_poses(count, seed):
     """Lateral shift, yaw, force (count,): as wrcontact/methods/normal_model.py describes them."""
     rng = np.random.default_rng(seed)
-    return (rng.uniform(-6.6e-3, 6.6e-3, count), np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
+    return (rng.uniform(-6.6e-3, 6.6e-3, count),
+            np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
             np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)))
 
 
@@ -31,12 +32,14 @@ def numbers(system, poses):
     """Penetration, area and peak pressure (3, 2 n) of both wheels at all poses."""
     table = system.evaluate_many(*poses, outputs="patches")
     assert not table.status.any()
-    return np.array([np.concatenate([getattr(getattr(table, side), name) for side in SIDES]) for name in NAMES])
+    return np.array([np.concatenate([getattr(getattr(table, side), name) for side in SIDES])
+                     for name in NAMES])
 
 
 @functools.lru_cache
 def finest(model, count, seed):
-    return numbers(wrcontact.ContactSystem(normal_model=model, **FINEST_COUNTS[model]), random_poses(count, seed))
+    return numbers(wrcontact.ContactSystem(normal_model=model, **FINEST_COUNTS[model]),
+                   random_poses(count, seed))
 
 
 RUNGS = [(model, tolerance) for model, ladder in LADDERS.items() for tolerance in ladder]
@@ -47,7 +50,8 @@ def test_tolerance_is_kept_by_95_of_100(model, tolerance):
     """Each of the three numbers, for 600 wheels: 0.95 less two standard deviations of such a sample."""
     found = numbers(wrcontact.ContactSystem(normal_model=model, tolerance=tolerance), random_poses(300, 51))
     error = np.abs(found / finest(model, 300, 51) - 1)
-    assert np.all((error <= tolerance).mean(axis=1) >= 0.932), dict(zip(NAMES, (error <= tolerance).mean(axis=1)))
+    assert np.all((error <= tolerance).mean(axis=1) >= 0.932), (
+        dict(zip(NAMES, (error <= tolerance).mean(axis=1))))
     assert (error.max(axis=0) <= tolerance).mean() >= 0.91      # all three at once: 0.94 to 0.96
 
 
@@ -56,7 +60,8 @@ def test_tolerance_is_kept_by_95_of_100(model, tolerance):
 def test_tolerance_is_kept_by_95_of_100_of_very_many(model, tolerance):
     found = numbers(wrcontact.ContactSystem(normal_model=model, tolerance=tolerance), random_poses(10000, 52))
     error = np.abs(found / finest(model, 10000, 52) - 1)
-    assert np.all((error <= tolerance).mean(axis=1) >= 0.945), dict(zip(NAMES, (error <= tolerance).mean(axis=1)))
+    assert np.all((error <= tolerance).mean(axis=1) >= 0.945), (
+        dict(zip(NAMES, (error <= tolerance).mean(axis=1))))
     assert (error.max(axis=0) <= tolerance).mean() >= 0.93
 
 
@@ -70,14 +75,16 @@ def test_smaller_tolerances_err_less_and_work_more(model):
         error = np.abs(numbers(system, poses) / finest(model, 300, 51) - 1)
         errors.append(np.percentile(error.max(axis=0), 95))
         chosen = system.resolution
-        work.append((chosen.nodes / chosen.stride, chosen.strips * chosen.sweeps if model == "analyn_strip" else 0))
+        work.append((chosen.nodes / chosen.stride, chosen.strips * chosen.sweeps if model == "analyn_strip"
+                     else 0))
     assert errors == sorted(errors, reverse=True) and errors[-1] < 0.3 * errors[0], errors
     assert [strips for _, strips in work] == sorted(strips for _, strips in work)
 
 
 def test_default_is_one_in_a_hundred():
     for model in LADDERS:
-        plain, told = (wrcontact.ContactSystem(normal_model=model, tolerance=given) for given in (None, DEFAULT))
+        plain, told = (wrcontact.ContactSystem(normal_model=model, tolerance=given)
+                       for given in (None, DEFAULT))
         assert DEFAULT == 0.01 and plain.resolution == told.resolution == LADDERS[model][0.01]
         np.testing.assert_array_equal(plain.evaluate(3e-3, 0.01).values, told.evaluate(3e-3, 0.01).values)
 
@@ -98,7 +105,8 @@ def test_the_coarsest_that_keeps_a_tolerance(model, resolution):
 def test_counts_take_the_place_of_single_numbers():
     assert Strip(strips=40).resolution == Strip.ladder[0.01]._replace(strips=40)
     assert Strip(tolerance=0.004, sweeps=1).resolution == Strip.ladder[0.004]._replace(sweeps=1)
-    assert Analyn(nodes=20).resolution.nodes == 20 and Analyn(nodes=20).resolution.stride == 1      # each of them traced
+    # each of them traced
+    assert Analyn(nodes=20).resolution.nodes == 20 and Analyn(nodes=20).resolution.stride == 1
     assert Strip(tolerance=0.1, nodes=30.0, strips=64, sweeps=4).resolution == Resolution(30, 1, 64, 4)
     assert all(isinstance(value, int) for value in Strip(nodes=30.0, strips=np.int64(32)).resolution)
 
@@ -113,14 +121,18 @@ def test_every_permitted_count_gives_an_answer():
     """All ends and some between: within 20 % of the finest, where nothing is near a jump."""
     shifts = np.array([-3e-3, 0.0, 2e-3, 6.4e-3])
     for model in LADDERS:
-        fine = wrcontact.ContactSystem(normal_model=model, **FINEST_COUNTS[model]).evaluate_many(shifts, 0.005)
+        fine = wrcontact.ContactSystem(normal_model=model,
+                                       **FINEST_COUNTS[model]).evaluate_many(shifts, 0.005)
         for nodes in (4, 5, 9, 17, 38):
-            for strips, sweeps in ((None, None),) if model == "analyn" else ((16, 1), (17, 4), (33, 2), (64, 1), (64, 4)):
-                table = wrcontact.ContactSystem(normal_model=model, nodes=nodes, strips=strips, sweeps=sweeps).evaluate_many(
-                    shifts, 0.005)
+            for strips, sweeps in ((None, None),) if model == "analyn" else ((16, 1), (17, 4), (33, 2),
+                                                                             (64, 1), (64, 4)):
+                table = wrcontact.ContactSystem(normal_model=model, nodes=nodes, strips=strips,
+                                                sweeps=sweeps).evaluate_many(
+shifts, 0.005)
                 assert not table.status.any()
                 for name in NAMES:
-                    np.testing.assert_allclose(getattr(table.right, name), getattr(fine.right, name), rtol=0.2)
+                    np.testing.assert_allclose(getattr(table.right, name), getattr(fine.right, name),
+                                               rtol=0.2)
 
 
 def test_pickled_and_shown():
@@ -129,7 +141,7 @@ def test_pickled_and_shown():
     assert pickle.loads(pickle.dumps(system)).resolution == system.resolution
 
 
-# --- refusals -----------------------------------------------------------------------------------------------------------------
+# --- refusals -----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("arguments, sentence", [
@@ -150,10 +162,13 @@ def test_pickled_and_shown():
     ({"normal_model": "analyn_strip", "strips": 65}, "strips is 65; permitted are whole numbers 16 ... 64"),
     ({"normal_model": "analyn_strip", "sweeps": 0}, "sweeps is 0; permitted are whole numbers 1 ... 4"),
     ({"normal_model": "analyn_strip", "sweeps": 5}, "sweeps is 5; permitted are whole numbers 1 ... 4"),
-    ({"strips": 24}, "strips is 24; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has strips"),
-    ({"sweeps": 2}, "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has sweeps"),
+    ({"strips": 24},
+     "strips is 24; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has strips"),
+    ({"sweeps": 2},
+     "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has sweeps"),
     ({"normal_model": "hertz", "nodes": 15},
-     "nodes is 15; permitted with the normal_model 'hertz' is None, only 'analyn' or 'analyn_strip' has nodes"),
+     "nodes is 15; permitted with the normal_model 'hertz' is None, only 'analyn' or 'analyn_strip' has "
+     "nodes"),
     ({"normal_model": "halfspace", "strips": 24},
      "strips is 24; permitted with the normal_model 'halfspace' is None, only 'analyn_strip' has strips"),
 ])
@@ -175,10 +190,11 @@ def test_ends_of_the_counts_are_permitted():
     for name in ("nodes", "strips", "sweeps"):
         known = Strip.numbers()[name]
         for value in (known.low, known.high):
-            assert getattr(wrcontact.ContactSystem(normal_model="analyn_strip", **{name: value}).resolution, name) == value
+            assert getattr(wrcontact.ContactSystem(normal_model="analyn_strip", **{name: value}).resolution,
+                           name) == value
 
 
-# --- the parameter of an FMU -----------------------------------------------------------------------------------------------------
+# --- the parameter of an FMU --------------------------------------------------------------------------------
 
 
 def session_of(tolerance, model="analyn_strip"):
@@ -203,7 +219,8 @@ def test_session_takes_the_tolerance(tolerance):
 def test_session_refuses_a_tolerance_out_of_range():
     with pytest.raises(Refused) as refusal:
         session_of(0.002).start()
-    assert str(refusal.value) == "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1"
+    assert (str(refusal.value)
+            == "tolerance is 0.002; permitted with the normal_model 'analyn_strip' is 0.004 ... 0.1")
     with pytest.raises(Refused) as refusal:
         session_of(0.5).start()
     assert str(refusal.value) == "tolerance is 0.5; permitted is 0.0001 ... 0.1"

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.helpers.constant_curvatures import MODULUS, hertz, lay_constant_curvatures
+from tests.helpers.cases import planar_cases
+from tests.helpers.constant_curvatures import lay_constant_curvatures
+from tests.helpers.hertz import MODULUS, hertz
 from tests.helpers.paths import REFERENCE_DATA
-from tests.helpers.planar_cases import planar_cases
 from tests.reference import brute_force, halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.hertz_table import coefficients, hertz_table
@@ -45,10 +46,11 @@ def test_hertz_stiffness(A, B):
 
 
 def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
-    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved patches, outputs of the
-    side."""
+    """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved
+    patches, outputs of the side."""
     tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, satisfied = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force, 0.7 * penetration, 0)
+    found, satisfied = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force,
+                                                 0.7 * penetration, 0)
     assert satisfied == 1
     fill_from_nodes(work.regions, work.nodes, work.solved, 1)
     side = work.outputs.left[0]
@@ -71,7 +73,8 @@ def test_analyn_on_constant_curvatures_is_hertz(A, B, force):
     assert side.patch_centroid == pytest.approx(0.0, abs=1e-12 * b)
     assert side.normal_force == pytest.approx(force, rel=1e-12)
     ellipse = np.sqrt(np.maximum(0.0, 1 - (np.array(side.station) / b) ** 2))
-    np.testing.assert_allclose(side.half_length, a * ellipse, atol=1e-6 * a)    # the ends, like a root, to 1e-12
+    # the ends, like a root, to 1e-12
+    np.testing.assert_allclose(side.half_length, a * ellipse, atol=1e-6 * a)
 
 
 @pytest.mark.parametrize("A, B", CURVATURES)
@@ -104,18 +107,21 @@ def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
     side = wrcontact.ContactSystem(normal_model="hertz").evaluate(lateral_shift=shift).right
     A, B = side.curvature_x / 2, max(side.curvature_y / 2, FLOOR * side.curvature_x / 2)
     penetration, a, b, pressure = hertz(A, B, 78.5e3)
-    assert (side.penetration, side.area, side.max_pressure) == pytest.approx((penetration, np.pi * a * b, pressure), rel=1e-8)
+    assert (side.penetration, side.area,
+            side.max_pressure) == pytest.approx((penetration, np.pi * a * b, pressure), rel=1e-8)
     outline = side.outline
     np.testing.assert_allclose((outline.half_length / a) ** 2 + (outline.station / b) ** 2, 1.0, atol=1e-8)
 
 
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_complete_theory_on_the_planar_gap(system, case):
-    """CONTACT's frictionless solution for the same gap: 5 % in penetration, 12 % in area, 15 % in peak pressure."""
+    """CONTACT's frictionless solution for the same gap: 5 % in penetration, 12 % in
+    area, 15 % in peak pressure."""
     truth = case["solution"]
     side = system.evaluate(lateral_shift=case["y_ws_mm"] * 1e-3, normal_force=78.5e3).right
     assert side.contact_angle == pytest.approx(-case["delta_rad"], abs=1e-4)
-    # theirs is r / cos(angle in the track), exact is the angle in the wheelset's frame: roll times tan(angle) less
+    # theirs is r / cos(angle in the track), exact is the angle in the wheelset's
+    # frame: roll times tan(angle) less
     assert 1e3 / side.curvature_x == pytest.approx(case["R_x_mm"], rel=4e-4)
     assert side.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=0.05)
     assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=0.12)
@@ -129,8 +135,9 @@ def test_complete_theory_on_the_planar_gap(system, case):
 
 
 def test_complete_theory_with_full_geometry_and_yaw(system):
-    """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose.  At 5 and 6 mm its load-weighted
-    contact plane is 0.02 ... 0.09 rad away from the rigid one and the figures are not comparable."""
+    """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose. At 5 and
+    6 mm its load-weighted contact plane is 0.02 ... 0.09 rad away from the rigid one and the
+    figures are not comparable."""
     with open(REFERENCE_DATA / "contact_full.csv", newline="") as file:
         finest = {(row["lateral_shift_mm"], row["yaw_deg"]): row for row in csv.DictReader(file)}
     compared = 0
@@ -140,18 +147,20 @@ def test_complete_theory_with_full_geometry_and_yaw(system):
         side = system.evaluate(lateral_shift=float(shift) * 1e-3, yaw=np.radians(float(yaw))).right
         assert side.penetration * 1e3 == pytest.approx(float(row["penetration_mm"]), rel=0.05), (shift, yaw)
         assert side.area * 1e6 == pytest.approx(float(row["area_fit_mm2"]), rel=0.12), (shift, yaw)
-        assert side.max_pressure * 1e-6 == pytest.approx(float(row["max_pressure_MPa"]), rel=0.15), (shift, yaw)
+        assert (side.max_pressure * 1e-6
+                == pytest.approx(float(row["max_pressure_MPa"]), rel=0.15)), (shift, yaw)
         compared += 1
     assert compared == 5
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shift", [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 4.7, 5.0, 5.2, 5.5, 5.8, 6.0, 6.2, 6.3,
-                                   6.4, 6.5])
+@pytest.mark.parametrize("shift", [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 4.7, 5.0, 5.2, 5.5, 5.8,
+                                   6.0, 6.2, 6.3, 6.4, 6.5])
 def test_half_space_on_positions_from_tread_to_flange(system, shift):
     """Complete theory on the true gap, millimetre by millimetre; no yaw, 78.5 kN."""
     track = brute_force.track()
-    truth = halfspace_reference.normal_contact(track, brute_force.rigid_contact(track, shift * 1e-3, 0.0), "right", 78.5e3)
+    truth = halfspace_reference.normal_contact(track, brute_force.rigid_contact(track, shift * 1e-3, 0.0),
+                                               "right", 78.5e3)
     side = system.evaluate(shift * 1e-3).right
     assert side.penetration == pytest.approx(truth.penetration, rel=0.05)
     assert side.area == pytest.approx(truth.area, rel=0.12)
@@ -177,11 +186,13 @@ def test_force_balance_and_sane_patches(system):
         np.testing.assert_allclose(shown[few], side.normal_force[few], rtol=1e-9)
         for name in ("penetration", "area", "max_pressure", "patch_length", "patch_width"):
             assert np.all(getattr(side, name) > 0), name
-        # no spurious peak: not above four times the Hertz pressure of the mean, p = 1.5 N / area (3.4 of two joined regions)
+        # no spurious peak: not above four times the Hertz pressure of the mean, p = 1.5 N / area (3.4
+        # of two joined regions)
         assert np.all(side.max_pressure < 6 * side.normal_force / side.area)
         outline = side.outline
         assert np.all(np.diff(outline.station, axis=1) > 0) and np.all(outline.half_length >= 0)
-        longest = 2 * outline.half_length.max(axis=1) / side.patch_length    # 31 stations can miss a narrow second patch
+        # 31 stations can miss a narrow second patch
+        longest = 2 * outline.half_length.max(axis=1) / side.patch_length
         assert longest.max() < 1 + 1e-12 and np.all(longest[side.patch_count == 1] > 0.9)
         width = outline.station[:, -1] - outline.station[:, 0]
         np.testing.assert_allclose(width, side.patch_width, rtol=1e-12)
@@ -198,13 +209,14 @@ def test_outline_integrates_to_area_and_force(system):
 
 
 def test_prescribed_penetration_is_the_inverse(system):
-    """The window of the lateral curvature follows the estimated penetration in one case and the given one in the other;
-    that is a few per cent of a window, and much less of the force unless regions exchange load."""
+    """The window of the lateral curvature follows the estimated penetration in one case and the given one in
+    the other; that is a few per cent of a window, and much less of the force unless regions exchange load."""
     shift, yaw, force = random_poses(100, 9, least_force=1e3)
     ratios = []
     for k in range(100):
         by_force = system.evaluate(shift[k], yaw[k], force[k])
-        back = system.evaluate(shift[k], yaw[k], penetration=(by_force.left.penetration, by_force.right.penetration))
+        back = system.evaluate(shift[k], yaw[k],
+                               penetration=(by_force.left.penetration, by_force.right.penetration))
         for one, other in ((by_force.left, back.left), (by_force.right, back.right)):
             ratios.append(other.normal_force / one.normal_force)
             assert other.penetration == one.penetration, (shift[k], yaw[k], force[k])
@@ -226,7 +238,8 @@ def test_no_penetration_is_no_load(model):
 
 def test_force_rises_with_penetration(system):
     for shift, yaw in ((0.0, 0.0), (1e-3, 0.0), (5e-3, 0.0), (6e-3, 0.02), (6.2e-3, 0.0), (7e-3, 0.01)):
-        loads = [system.evaluate(shift, yaw, penetration=d).right.normal_force for d in np.linspace(5e-6, 2e-4, 60)]
+        loads = [system.evaluate(shift, yaw, penetration=d).right.normal_force
+                 for d in np.linspace(5e-6, 2e-4, 60)]
         assert np.all(np.diff(loads) > 0), (shift, yaw)
 
 
@@ -234,9 +247,11 @@ def test_light_loads_tend_to_hertz():
     """As the patch shrinks the curvatures become constant: ANALYN and Hertz meet, away from joints."""
     bodies = {model: wrcontact.ContactSystem(normal_model=model) for model in ("analyn", "hertz")}
     for shift in (0.0, 3e-3, 6e-3, 7e-3):
-        light = {model: body.evaluate(lateral_shift=shift, normal_force=1e-2).right for model, body in bodies.items()}
+        light = {model: body.evaluate(lateral_shift=shift, normal_force=1e-2).right
+                 for model, body in bodies.items()}
         for name in ("penetration", "area", "max_pressure"):
-            assert getattr(light["analyn"], name) == pytest.approx(getattr(light["hertz"], name), rel=2e-3), (shift, name)
+            assert (getattr(light["analyn"], name)
+                    == pytest.approx(getattr(light["hertz"], name), rel=2e-3)), (shift, name)
 
 
 def test_scaling_with_size():
@@ -245,8 +260,9 @@ def test_scaling_with_size():
     def contact(k):
         wheel = Profile("ball", "wheel", (Arc(-50.0 * k, 50.0 * k, 200.0 * k, 20.0 * k, -199.0 * k, 1),))
         rail = Profile("crown", "rail", (Arc(-36.0 * k, 36.0 * k, 90.0 * k, 0.0, 90.0 * k, -1),))
-        pair = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4 * k, gauge_depth=6e-3 * k,
-                                       running_circle_distance=1.5 * k, nominal_radius=0.46 * k)
+        pair = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4 * k,
+                                       gauge_depth=6e-3 * k, running_circle_distance=1.5 * k,
+                                       nominal_radius=0.46 * k)
         return pair.evaluate(lateral_shift=2e-3 * k, yaw=0.01, normal_force=5e4 * k**2)
 
     one, large = contact(1.0), contact(1.3)
@@ -263,13 +279,15 @@ def test_scaling_with_stiffness(system):
     """Twice the modulus under twice the force is the same geometry at twice the pressure."""
     stiff = wrcontact.ContactSystem(youngs_modulus=420e9)
     for shift in (0.0, 5e-3, 6.5e-3):
-        soft, hard = system.evaluate(shift, normal_force=5e4).right, stiff.evaluate(shift, normal_force=1e5).right
+        soft, hard = system.evaluate(shift,
+                                     normal_force=5e4).right, stiff.evaluate(shift, normal_force=1e5).right
         assert (hard.penetration, hard.area) == pytest.approx((soft.penetration, soft.area), rel=1e-9)
         assert hard.max_pressure == pytest.approx(2 * soft.max_pressure, rel=1e-9)
 
 
 def test_flat_and_concave_pairs_are_handled(system):
-    """S1002 on UIC60: the relative lateral curvature is below zero at some tread contacts and inside many patches."""
+    """S1002 on UIC60: the relative lateral curvature is below zero at some tread
+    contacts and inside many patches."""
     table = system.evaluate_many(np.linspace(-4e-3, 4e-3, 400))
     assert not np.any(table.status)
     for side in (table.left, table.right):
@@ -279,16 +297,19 @@ def test_flat_and_concave_pairs_are_handled(system):
 
 
 def test_basic_and_effective_longitudinal_curvature():
-    """At the flange the effective radius is longer: the patch grows along the track and shrinks across (source, ch. 7.2)."""
+    """At the flange the effective radius is longer: the patch grows along the track and shrinks
+    across (source, ch. 7.2)."""
     states = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate(lateral_shift=6.5e-3)
               for kind in ("effective", "basic")]
     effective, basic = (state.right for state in states)
     in_the_wheelset = effective.contact_angle + states[0].roll
-    assert 1 / effective.curvature_x == pytest.approx(effective.rolling_radius / np.cos(in_the_wheelset), rel=1e-9)
+    assert 1 / effective.curvature_x == pytest.approx(effective.rolling_radius / np.cos(in_the_wheelset),
+                                                      rel=1e-9)
     assert 1 / basic.curvature_x == pytest.approx(basic.rolling_radius, rel=1e-12)
     assert effective.patch_length > 1.2 * basic.patch_length
     assert effective.patch_width < basic.patch_width
-    tread = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate().right.area for kind in ("effective", "basic")]
+    tread = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate().right.area
+             for kind in ("effective", "basic")]
     assert tread[0] == pytest.approx(tread[1], rel=1e-3)
 
 
@@ -303,11 +324,13 @@ def test_unloaded_wheels_keep_their_geometry(system):
 
 
 def test_work_is_bounded(system):
-    """Counts per pose, in trajectory order and at random: the budget that performance rests on.  Some twenty of the gaps look at
-    the ends of the profiles and for minima between two nodes of the scan."""
+    """Counts per pose, in trajectory order and at random: the budget that performance rests on. Some twenty
+    of the gaps look at the ends of the profiles and for minima between two nodes of the scan."""
     stepper = system.stepper()
-    for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)), (73, 2.3, 135, 11)),
-                                ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000), (73, 2.3, 135, 11))):
+    for name, shift, budget in (("trajectory", 6.6e-3 * np.sin(np.linspace(0, 6.28, 2000)),
+                                 (73, 2.3, 135, 11)),
+                                ("random", np.random.default_rng(1).uniform(-6.6e-3, 6.6e-3, 2000),
+                                 (73, 2.3, 135, 11))):
         stepper.state[:] = 0.0
         inputs = np.zeros((2000, layout.INPUT_COUNT))
         inputs[:, layout.IN_LATERAL_SHIFT], inputs[:, layout.IN_NORMAL_FORCE] = shift, 78.5e3

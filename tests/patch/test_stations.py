@@ -1,16 +1,17 @@
-"""Outlines with other numbers of stations than 31: the kernel's own evaluation at each, everything else to the last bit."""
+"""Outlines with other numbers of stations than 31: the kernel's own evaluation at each, everything
+else to the last bit."""
 
 import math
 
 import numpy as np
 import pytest
 
+from tests.helpers.cases import MODELS
 from wrcontact import ContactSystem, Status
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.state import WheelsetState
 
-MODELS = ("analyn", "analyn_strip", "hertz")
 METHODS = {**{model: {"normal_model": model} for model in MODELS}, "elastic": {"contact_mode": "elastic"}}
 NUMBERS = (3, 7, 61, 201)
 RUNS = ("station", "half_length", "pressure")
@@ -47,7 +48,8 @@ def test_common_stations_and_all_else_are_equal(name, pose):
                 same = SAME * np.abs(wanted).max()
                 np.testing.assert_allclose(found[ours], wanted[theirs], rtol=0.0, atol=same, err_msg=run)
             assert np.ptp(side.outline.station) == pytest.approx(side.patch_width, rel=SAME)
-            assert (side.outline.half_length[[0, -1]] == 0.0).all() and (side.outline.pressure[[0, -1]] == 0.0).all()
+            assert (side.outline.half_length[[0, -1]] == 0.0).all()
+            assert (side.outline.pressure[[0, -1]] == 0.0).all()
 
 
 @pytest.mark.skipif(not default_kernel().compiled, reason="no compiled library here")
@@ -71,11 +73,13 @@ def test_rates_of_common_stations_and_of_all_else_are_equal(name, pose):
         for side, other in zip(sides(WheelsetState(rates, 0, None)), sides(WheelsetState(usual, 0, None))):
             for run in RUNS:
                 found, wanted = getattr(side.outline, run), getattr(other.outline, run)
-                np.testing.assert_allclose(found[ours], wanted[theirs], rtol=0.0, atol=1e-9 * np.abs(wanted).max(), err_msg=run)
+                np.testing.assert_allclose(found[ours], wanted[theirs], rtol=0.0,
+                                           atol=1e-9 * np.abs(wanted).max(), err_msg=run)
 
 
 def test_stations_31_is_the_default_to_the_last_bit():
-    usual, chosen = ContactSystem().evaluate(**TWO_PATCHES), ContactSystem(stations=31).evaluate(**TWO_PATCHES)
+    usual, chosen = (ContactSystem().evaluate(**TWO_PATCHES),
+                     ContactSystem(stations=31).evaluate(**TWO_PATCHES))
     assert usual.values.shape == chosen.values.shape and (usual.values == chosen.values).all()
 
 
@@ -83,8 +87,10 @@ def test_an_ellipse_at_every_station():
     state = ContactSystem(normal_model="hertz", stations=61).evaluate(**ONE_PATCH)
     for side in sides(state):
         height = np.sqrt(np.maximum(1.0 - (2.0 * side.outline.station / side.patch_width) ** 2, 0.0))
-        np.testing.assert_allclose(side.outline.half_length, 0.5 * side.patch_length * height, atol=1e-7 * side.patch_length)
-        np.testing.assert_allclose(side.outline.pressure, side.max_pressure * height, atol=1e-7 * side.max_pressure)
+        np.testing.assert_allclose(side.outline.half_length, 0.5 * side.patch_length * height,
+                                   atol=1e-7 * side.patch_length)
+        np.testing.assert_allclose(side.outline.pressure, side.max_pressure * height,
+                                   atol=1e-7 * side.max_pressure)
 
 
 def trapezoid(values, stations):
@@ -103,8 +109,8 @@ def misses(number, **pose):
 
 
 def test_area_and_load_of_the_outline_tend_to_those_of_the_patch():
-    """The trapezoidal rule over n cells misses n^-1.5 of a half-ellipse's area, whose edge is a root, and n^-2 of its load;
-    the line load is the product of two interpolated roots, with an error of its own."""
+    """The trapezoidal rule over n cells misses n^-1.5 of a half-ellipse's area, whose edge is a root, and
+    n^-2 of its load; the line load is the product of two interpolated roots, with an error of its own."""
     coarse, fine = misses(51, **ONE_PATCH), misses(201, **ONE_PATCH)
     assert (np.abs(fine) < 5e-4).all()
     np.testing.assert_allclose(coarse[:, 0] / fine[:, 0], 4.0 ** 1.5, rtol=0.15)
@@ -134,7 +140,8 @@ def test_tables_of_poses():
     shift = np.array([0.0, 1e-3, math.nan, 6.2e-3])
     table = system.evaluate_many(lateral_shift=shift)
     assert table.right.outline.pressure.shape == (4, 61)
-    assert np.isnan(table.right.outline.pressure[2]).all() and np.isfinite(table.right.outline.pressure[[0, 1, 3]]).all()
+    assert np.isnan(table.right.outline.pressure[2]).all()
+    assert np.isfinite(table.right.outline.pressure[[0, 1, 3]]).all()
     for row in (0, 1, 3):
         state = system.evaluate(lateral_shift=shift[row])
         for found, wanted in zip(sides(table), sides(state)):
@@ -143,7 +150,8 @@ def test_tables_of_poses():
 
 @pytest.mark.parametrize("model", [*MODELS, "halfspace"])
 def test_what_is_not_wanted_is_not_a_number(model):
-    system = ContactSystem(normal_model=model, stations=7, **({"tolerance": 0.03} if model == "halfspace" else {}))
+    system = ContactSystem(normal_model=model, stations=7,
+                           **({"tolerance": 0.03} if model == "halfspace" else {}))
     patches = system.evaluate(outputs="patches")
     assert all(np.isnan(side.outline.station).all() and side.area > 0.0 for side in sides(patches))
     left = system.evaluate(side="left")
@@ -171,7 +179,8 @@ def test_halfspace_at_other_stations():
         assert side.area == other.area
         for run in RUNS:
             wanted = getattr(other.outline, run)
-            np.testing.assert_allclose(getattr(side.outline, run)[::2], wanted, rtol=0.0, atol=SAME * np.abs(wanted).max())
+            np.testing.assert_allclose(getattr(side.outline, run)[::2], wanted, rtol=0.0,
+                                       atol=SAME * np.abs(wanted).max())
 
 
 @pytest.mark.parametrize("wrong", [2, 0, 202, -31, 31.5, math.nan, "31", None, True])

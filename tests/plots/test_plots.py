@@ -11,7 +11,16 @@ from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
 from wrcontact.cli.demo import stored_inputs, stored_run
 from wrcontact.cli.report import columns_of
-from wrcontact.plots import contact_figure, demo_figure, find_jumps, outline_figure, pose_figure, save, sweep, sweep_figure
+from wrcontact.plots import (
+    contact_figure,
+    demo_figure,
+    find_jumps,
+    outline_figure,
+    pose_figure,
+    save,
+    sweep,
+    sweep_figure,
+)
 from wrcontact.plots.demo import SHOWN_SHIFTS
 from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline, wheel_zone
 from wrcontact.plots.patch import fine_outline
@@ -21,10 +30,13 @@ from wrcontact.profiles import standard_profile
 
 SYSTEM = ContactSystem()
 MM = 1e-3
-#: Shifts [m] at which the right contact jumps, from the independent search of tests/reference/find_jumps.py, by yaw [deg].
-JUMPS = {0.0: (4.847933 * MM, 6.251818 * MM), 0.5: (4.867662 * MM, 6.228034 * MM), 1.0: (4.926844 * MM, 6.157520 * MM)}
+#: Shifts [m] at which the right contact jumps, from the independent search of
+#: tests/reference/find_jumps.py, by yaw [deg].
+JUMPS = {0.0: (4.847933 * MM, 6.251818 * MM), 0.5: (4.867662 * MM, 6.228034 * MM),
+         1.0: (4.926844 * MM, 6.157520 * MM)}
 POSES = {"tread": dict(lateral_shift=1 * MM), "flange_root": dict(lateral_shift=5.5 * MM, yaw=0.02),
-         "flange": dict(lateral_shift=7 * MM, yaw=-0.01), "left_flange": dict(lateral_shift=-6.8 * MM, yaw=0.015)}
+         "flange": dict(lateral_shift=7 * MM, yaw=-0.01),
+         "left_flange": dict(lateral_shift=-6.8 * MM, yaw=0.015)}
 
 
 def panel(figure, label):
@@ -47,14 +59,16 @@ def swept():
 @pytest.mark.parametrize("yaw", JUMPS)
 def test_jumps_are_where_the_brute_force_search_has_them(yaw):
     told = told_jumps(sweep(SYSTEM, np.linspace(4, 8, 81) * MM, np.radians(yaw)), "right")
-    assert [shift for shift, *_ in told] == pytest.approx(JUMPS[yaw], abs=0.3e-6)  # [m] the printed S1002 has steps
+    # [m] the printed S1002 has steps
+    assert [shift for shift, *_ in told] == pytest.approx(JUMPS[yaw], abs=0.3e-6)
     assert [wheel_zone(after) for *_, after in told] == ["flange root", "flange"]
 
 
 def test_the_left_contact_jumps_in_the_mirror(swept):
     left, right = (told_jumps(swept, side) for side in ("left", "right"))
     assert len(right) == 3  # on the tread, to the flange root, to the flange
-    assert [-shift for shift, *_ in reversed(left)] == pytest.approx([shift for shift, *_ in right], abs=2e-9)  # [m]
+    # [m]
+    assert [-shift for shift, *_ in reversed(left)] == pytest.approx([shift for shift, *_ in right], abs=2e-9)
 
 
 def test_no_jump_where_the_contact_moves_steadily():
@@ -65,7 +79,8 @@ def test_zones_are_bounded_by_joints_of_the_standard():
     joints = [joint.y for joint in standard_profile("S1002").joints]
     for limit in (WHEEL_ZONES["tread"][0], WHEEL_ZONES["flange"][1]):
         assert min(abs(limit - joint) for joint in joints) < 1e-9  # [m]
-    assert [wheel_zone(y * MM) for y in (3.3, -17.9, -28.6, -38.43, -42)] == ["tread", "tread", "flange root", "flange", "flange"]
+    assert [wheel_zone(y * MM) for y in (3.3, -17.9, -28.6, -38.43, -42)] == ["tread", "tread", "flange root",
+                                                                              "flange", "flange"]
 
 
 # --- contacts and roll over the lateral shift --------------------------------------------------------
@@ -79,7 +94,8 @@ def test_curve_breaks_and_is_labelled_where_the_contact_jumps(swept, side, sign)
     breaks = sorted(abs(shift[np.isnan(place)]))
     for jump in JUMPS[0.0]:
         assert min(abs(breaks - np.float64(jump / MM))) < 3e-4  # [mm]
-    labels = [float(re.search(r"[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0]) for text in texts(axes) if "jump" in text]
+    labels = [float(re.search(r"[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0]) for text in texts(axes)
+              if "jump" in text]
     assert sorted(labels) == [0.21, 4.85, 6.25]
     dotted = [line.get_xdata()[0] for line in axes.lines if line.get_gid() == "jump"]
     assert sorted(sign * np.array(dotted)) == pytest.approx([0.2089, 4.8479, 6.2518], abs=5e-4)  # [mm]
@@ -130,7 +146,8 @@ def test_contact_plane_is_tangent(side):
     axes = panel(contact_figure(SYSTEM, state), f"{side} contact")
     *_, plane, point = axes.lines
     contact = getattr(state, side)
-    assert point.get_xydata()[0] == pytest.approx([contact.contact.y_track / MM, -contact.contact.z_track / MM])
+    assert point.get_xydata()[0] == pytest.approx([contact.contact.y_track / MM,
+                                                   -contact.contact.z_track / MM])
     (y0, y1), (z0, z1) = plane.get_data()
     outwards = 1 if side == "right" else -1
     assert np.arctan2(z1 - z0, outwards * (y1 - y0)) % np.pi == pytest.approx(contact.contact_angle)
@@ -143,7 +160,8 @@ def test_contact_plane_is_tangent(side):
 def test_drawn_outline_holds_area_and_force(shift):
     side = SYSTEM.evaluate(lateral_shift=shift).right
     station, half_length, pressure = fine_outline(side.outline)
-    area = np.trapezoid(2 * half_length, station) if hasattr(np, "trapezoid") else np.trapz(2 * half_length, station)
+    area = np.trapezoid(2 * half_length,
+                        station) if hasattr(np, "trapezoid") else np.trapz(2 * half_length, station)
     assert area == pytest.approx(side.area, rel=0.01)
     line_load = np.pi / 2 * half_length * pressure  # elliptic in the rolling direction
     force = np.sum(0.5 * (line_load[1:] + line_load[:-1]) * np.diff(station))
@@ -184,7 +202,8 @@ def test_a_pressed_wheelset_is_drawn_too(tmp_path, mode, given, told):
     system = ContactSystem(contact_mode=mode)
     state = system.evaluate(**given)
     figure = pose_figure(system, state)
-    assert told in figure.get_suptitle() if hasattr(figure, "get_suptitle") else told in figure._suptitle.get_text()
+    assert told in figure.get_suptitle() if hasattr(figure,
+                                                    "get_suptitle") else told in figure._suptitle.get_text()
     mesh = panel(figure, "right patch").collections[0]
     assert np.max(mesh.get_array()) == pytest.approx(np.max(state.right.outline.pressure) / 1e6, rel=0.01)
     assert save(figure, tmp_path / "pressed.png").stat().st_size > 20_000
@@ -219,15 +238,18 @@ def test_demo_draws_answers_and_stored_values(demo_picture, run):
         np.testing.assert_array_equal(right_line.get_ydata(), answers[f"right.{name}"] / unit)
         np.testing.assert_array_equal(right_circles.get_ydata(), stored[f"right.{name}"] / unit)
         assert len(left_circles.get_ydata()) == len(stored["time"])  # none is left out
-    np.testing.assert_allclose(panel(demo_picture, "run yaw").lines[0].get_ydata(), np.degrees(stored["yaw"]), rtol=1e-12)
+    np.testing.assert_allclose(panel(demo_picture, "run yaw").lines[0].get_ydata(), np.degrees(stored["yaw"]),
+                               rtol=1e-12)
 
 
 def test_demo_patches_are_drawn_to_one_scale(demo_picture):
     panels = [panel(demo_picture, f"patch at {shift / MM:g} mm") for shift in SHOWN_SHIFTS]
-    assert len({(round(np.ptp(axes.get_xlim()), 9), round(np.ptp(axes.get_ylim()), 9)) for axes in panels}) == 1
+    assert len({(round(np.ptp(axes.get_xlim()), 9), round(np.ptp(axes.get_ylim()), 9))
+                for axes in panels}) == 1
     assert len({axes.collections[0].norm.vmax for axes in panels}) == 1
     titles = [axes.get_title(loc="left") for axes in panels]
-    assert [title.split(",")[0] for title in titles] == ["tread", "tread", "flange root", "flange root", "flange"]
+    assert [title.split(",")[0] for title in titles] == ["tread", "tread", "flange root", "flange root",
+                                                         "flange"]
 
 
 # --- looks -------------------------------------------------------------------------------------------
@@ -246,7 +268,8 @@ def test_settings_of_the_caller_are_left_alone(tmp_path):
         assert not figure.axes[0].spines["top"].get_visible()
 
 
-@pytest.mark.parametrize("value, digits, text", [(-28.61, 1, "\N{MINUS SIGN}28.6"), (-0.001, 1, "0.0"), (5.0, 2, "5.00")])
+@pytest.mark.parametrize("value, digits, text",
+                         [(-28.61, 1, "\N{MINUS SIGN}28.6"), (-0.001, 1, "0.0"), (5.0, 2, "5.00")])
 def test_number(value, digits, text):
     assert number(value, digits) == text
 
@@ -258,4 +281,5 @@ def test_jumps_of_the_documentation(swept):
     told = np.array(told_jumps(swept, "right")) / MM
     assert np.shape(rows) == told.shape
     np.testing.assert_allclose(np.array(rows)[:, 0], told[:, 0], atol=6e-4)  # [mm]
-    np.testing.assert_allclose(np.array(rows)[:, 1:], told[:, 1:], atol=0.5)  # [mm] steep before the last jump
+    # [mm] steep before the last jump
+    np.testing.assert_allclose(np.array(rows)[:, 1:], told[:, 1:], atol=0.5)

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from tests.helpers.numpy_profiles import compile_profile
-from wrcontact.kernel.layout import PIECE_SIZE, Profile as Table, offset
+from wrcontact.kernel.layout import PIECE_SIZE, offset
+from wrcontact.kernel.layout import Profile as Table
+from wrcontact.kernel.prepare.pieces import REPAIR_WIDTH
 from wrcontact.kernel.surface import profile_table
 from wrcontact.profiles import RAILS, WHEELS, Profile, standard_profile
-from wrcontact.kernel.prepare.pieces import REPAIR_WIDTH
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.files import prepared_text
 from wrcontact.profiles.find import find_profile
@@ -38,7 +39,8 @@ def test_s1002_known_points():
     assert abs(wheel.curvature(-0.037)) == pytest.approx(1 / 0.013, rel=1e-9)
 
 
-@pytest.mark.parametrize("name, corner, depth", [("UIC60", 0.036, 0.014259738), ("60E1", 0.0359998, 0.0142999)])
+@pytest.mark.parametrize("name, corner, depth",
+                         [("UIC60", 0.036, 0.014259738), ("60E1", 0.0359998, 0.0142999)])
 def test_rail_chain_ends_where_published(name, corner, depth):
     assert standard_profile(name).height(corner) == pytest.approx(depth, abs=1e-6)
 
@@ -71,7 +73,8 @@ def test_arrays_in_arrays_out_and_nan_outside():
 
 
 def test_highest_point_of_the_inclined_uic60():
-    # UIC60, 1:40, gauge 1435 mm: 760.5385 mm from the track centre (tests/reference/brute_force.py finds the same)
+    # UIC60, 1:40, gauge 1435 mm: 760.5385 mm from the track centre
+    # (tests/reference/brute_force.py finds the same)
     assert placed("UIC60").y_track == pytest.approx(0.7605385, abs=5e-8)
 
 
@@ -87,7 +90,8 @@ def test_inclined_rail_is_the_turned_one(name, inclination):
     turned_y = np.cos(angle) * y - np.sin(angle) * rail.height(y)
     turned_z = np.sin(angle) * y + np.cos(angle) * rail.height(y)
     centre = -0.3 * np.sin(angle), 0.3 * np.cos(angle)
-    top = (centre[0], centre[1] - 0.3) if abs(centre[0]) < 0.01 else None  # at 1:20 the top lies on the R80 shoulder
+    # at 1:20 the top lies on the R80 shoulder
+    top = (centre[0], centre[1] - 0.3) if abs(centre[0]) < 0.01 else None
     if top is None:
         finest = np.linspace(0.0, 0.02, 2000001)
         k = np.argmin(np.sin(angle) * finest + np.cos(angle) * rail.height(finest))
@@ -104,7 +108,8 @@ def test_gauge_is_measured_14_mm_below_the_top(gauge):
     y = np.linspace(rail.start, -0.03, 400001)
     turned_y = np.cos(angle) * y - np.sin(angle) * rail.height(y)
     turned_z = np.sin(angle) * y + np.cos(angle) * rail.height(y)
-    top = np.array([-0.3 * np.sin(angle), 0.3 * np.cos(angle) - 0.3])      # the highest point lies on the R300 crown
+    # the highest point lies on the R300 crown
+    top = np.array([-0.3 * np.sin(angle), 0.3 * np.cos(angle) - 0.3])
     inner = np.interp(-top[1] - 0.014, -turned_z, turned_y) - top[0]
     assert placed("60E1", inclination, gauge).y_track + inner == pytest.approx(gauge / 2, abs=1e-8)
 
@@ -116,7 +121,8 @@ def test_shallow_rail_is_refused():
 
 
 @pytest.mark.parametrize("profile", [readable_wheel(standard_profile("S1002")), placed("UIC60").profile,
-                                     placed("60E1", 1 / 20).profile, placed("54E1").profile], ids=lambda p: p.name)
+                                     placed("60E1", 1 / 20).profile, placed("54E1").profile],
+                         ids=lambda p: p.name)
 def test_kernel_table_follows_the_definition(profile):
     table = compile_profile(profile)
     y = np.random.default_rng(1).uniform(profile.start, profile.stop, 20000)
@@ -126,8 +132,10 @@ def test_kernel_table_follows_the_definition(profile):
     error = np.abs(kernel - exact)
     assert error[0][smooth].max() < 5e-10                                  # 5e-7 mm
     assert error[1][smooth].max() < 1e-6
-    assert (error[2] / (100 + np.abs(exact[2])))[smooth].max() < 1e-5      # curvature jumps included: joints are knots
-    assert error[0].max() < 7e-8                                           # half the standard's own step where it is closed
+    # curvature jumps included: joints are knots
+    assert (error[2] / (100 + np.abs(exact[2])))[smooth].max() < 1e-5
+    # half the standard's own step where it is closed
+    assert error[0].max() < 7e-8
 
 
 def test_the_kernel_reads_its_table_as_numpy_does():
@@ -150,11 +158,13 @@ def test_points_file_gives_the_profile_back(tmp_path):
     wheel = standard_profile("S1002")
     y = np.concatenate([np.arange(-0.069, -0.0305, 5e-5), np.arange(-0.03, 0.06, 5e-4)])
     path = tmp_path / "worn wheel.csv"
-    path.write_text("y;z\n" + "\n".join(f"{a / MM!r}; {b / MM!r}" for a, b in zip(y.tolist(), wheel.height(y).tolist())))
+    path.write_text("y;z\n" + "\n".join(f"{a / MM!r}; {b / MM!r}"
+                                        for a, b in zip(y.tolist(), wheel.height(y).tolist())))
     read = Profile.from_file(path, "wheel")
     assert read.name == "worn wheel"
     smooth = np.random.default_rng(3).uniform(-0.06, 0.059, 2000)
-    assert np.max(np.abs(read.height(smooth) - wheel.height(smooth))) < 2e-7   # a spline rings where S1002 steps (1.2e-7 m)
+    # a spline rings where S1002 steps (1.2e-7 m)
+    assert np.max(np.abs(read.height(smooth) - wheel.height(smooth))) < 2e-7
 
 
 def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
@@ -163,7 +173,8 @@ def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
     path = tmp_path / "measured.json"
     path.write_text(prepared_text(rail))
     assert Profile.from_file(path, "rail") == rail
-    assert rail.height(0.0) == pytest.approx(0.0, abs=1e-15) and rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)
+    assert rail.height(0.0) == pytest.approx(0.0, abs=1e-15)
+    assert rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)
 
 
 @pytest.mark.parametrize("source, kind, sentence", [

@@ -7,13 +7,14 @@ both wheels, and where are the two contact points?  The recipe::
     dense grid over both          ->  every local minimum, refined        smallest_gap
     equal smallest gaps           ->  roll, by bracketing                 rigid_contact
 
-Nothing here knows where on the wheel a contact can lie: both surface parameters are searched.  The module shares no
-code with the product that it checks; it needs numpy and scipy only.
+Nothing here knows where on the wheel a contact can lie: both surface parameters are searched. The module
+shares no code with the product that it checks; it needs numpy and scipy only.
 
-Frames.  Track: x forward, y right, z down, origin on the track centre line at top-of-rail height.  Everything is worked
-out for the right-hand side; the left side is the mirror image, that is the right side with shift, yaw and roll
-negated.  Wheel profile: y to the field side from the running circle, z down.  Rail: axes parallel to the track, origin
-at the highest point of the inclined head, y to the field side.  Units m and rad; profile tables in mm as printed.
+Frames. Track: x forward, y right, z down, origin on the track centre line at top-of-rail height. Everything
+is worked out for the right-hand side; the left side is the mirror image, that is the right side with shift,
+yaw and roll negated. Wheel profile: y to the field side from the running circle, z down. Rail: axes parallel
+to the track, origin at the highest point of the inclined head, y to the field side. Units m and rad; profile
+tables in mm as printed.
 """
 
 from dataclasses import dataclass
@@ -25,7 +26,7 @@ from scipy.optimize.elementwise import find_root
 
 MM = 1e-3  # [m]
 
-# ---------------------------------------------------------------------------------------------------------------- wheel
+# ------------------------------------------------------------------------------------------------------ wheel
 
 
 def polynomial(*coefficients):
@@ -36,7 +37,8 @@ def polynomial(*coefficients):
 
 
 def arc(centre_y, centre_z, radius, sign):
-    """The same for a circle, z = z_c + sign sqrt(R^2 - (y - y_c)^2) [mm]; sign -1 is the upper arc (z points down)."""
+    """The same for a circle, z = z_c + sign sqrt(R^2 - (y - y_c)^2) [mm]; sign -1 is the
+    upper arc (z points down)."""
 
     def evaluate(y):
         u = y - centre_y
@@ -58,7 +60,8 @@ class Zones:
         return np.searchsorted([start for start, _ in self.ends[1:]], np.asarray(y) / MM, side="right")
 
     def __call__(self, y, zone=None):
-        """Height [m], slope [1], curvature [1/m] at y [m], by the formula of ``zone`` (default: the owner)."""
+        """Height [m], slope [1], curvature [1/m] at y [m], by the formula of ``zone``
+        (default: the owner)."""
         y = np.asarray(y, dtype=float)
         zone = np.broadcast_to(self.zone_of(y) if zone is None else zone, y.shape)
         z, dz, ddz = np.empty(y.shape), np.empty(y.shape), np.empty(y.shape)
@@ -69,7 +72,8 @@ class Zones:
 
 
 def s1002():
-    """Wheel profile S1002 as printed in EN 13715 / UIC 510-2, zones H to A, rounding steps at the joints included."""
+    """Wheel profile S1002 as printed in EN 13715 / UIC 510-2, zones H to A, rounding
+    steps at the joints included."""
     table = [
         (-70, -62.764705882, arc(-49.5, 9.519259302, 20.5, +1)),
         (-62.764705882, -49.662510381, arc(-55, 16, 12, +1)),
@@ -78,14 +82,15 @@ def s1002():
         (-38.426669071, -35, arc(-26.210665, 16.446, 13, -1)),
         (-35, -26, polynomial(-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1,
                               -4.169739389e-3, -4.687195829e-5, -2.252755540e-7)),
-        (-26, 32.15796, polynomial(0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8, -1.562379023e-8,
-                                   5.309217349e-15, -5.957839843e-12, 2.646656573e-13)),
+        (-26, 32.15796,
+         polynomial(0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8, -1.562379023e-8,
+                    5.309217349e-15, -5.957839843e-12, 2.646656573e-13)),
         (32.15796, 60, polynomial(1.364323640, -0.066666667)),
     ]
     return Zones(ends=tuple((a, b) for a, b, _ in table), formulas=tuple(f for *_, f in table))
 
 
-# ----------------------------------------------------------------------------------------------------------------- rail
+# ------------------------------------------------------------------------------------------------------- rail
 
 RAIL_HEADS = {  # half-widths [mm] at the joints R300|R80, R80|R13, R13|side
     "UIC60": (10.5, 25.988023, 36.0),
@@ -100,11 +105,12 @@ STEEPEST = 115.0  # steepest slope kept after inclining (89.5 deg): z must stay 
 
 
 def tangent_chain(half_widths, radii=RAIL_RADII):
-    """Centre, radius and far joint of each arc of the field-side half, head upright, crown at the origin, z down [mm].
+    """Centre, radius and far joint of each arc of the field-side half, head upright, crown at
+    the origin, z down [mm].
 
     At each joint two arcs share the tangent, so the next centre lies on the radius through the joint::
 
-        joint_k    = centre_k + R_k n_k,   n_k = (sin a_k, -cos a_k),   sin a_k = (half-width - y_centre_k) / R_k
+        joint_k = centre_k + R_k n_k, n_k = (sin a_k, -cos a_k), sin a_k = (half-width - y_centre_k) / R_k
         centre_k+1 = joint_k - R_k+1 n_k
 
     The last arc ends where it is as steep as the side; the printed width is then met to 5e-4 mm.
@@ -125,11 +131,12 @@ def tangent_chain(half_widths, radii=RAIL_RADII):
 def inclined_head(half_widths, inclination):
     """Zones of the inclined right-hand head, origin at its highest point [mm in the table].
 
-    Inclining turns every point by atan(inclination) so that the crown leans to the track centre, here to -y; an arc
-    stays an arc about its turned centre.
+    Inclining turns every point by atan(inclination) so that the crown leans to the track centre, here to -y;
+    an arc stays an arc about its turned centre.
     """
     angle = atan(inclination)
-    turn = np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])  # (y, z): an upright axis leans to -y
+    # (y, z): an upright axis leans to -y
+    turn = np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])
     chain = tangent_chain(half_widths)
     foot = chain[-1][2] + (SIDE_DEPTH - chain[-1][2][1]) * np.array([1 / SIDE_SLOPE, 1])
     field = [(turn @ c, r, turn @ joint) for c, r, joint in chain]
@@ -144,7 +151,8 @@ def inclined_head(half_widths, inclination):
 
 
 def highest_point(pieces):
-    """The point of the head with a horizontal tangent: straight above the centre of the arc that has one [mm]."""
+    """The point of the head with a horizontal tangent: straight above the centre of
+    the arc that has one [mm]."""
     for kind, start, end, *circle in pieces:
         if kind == "arc" and start[0] <= circle[0][0] <= end[0]:
             (y, z), radius = circle
@@ -153,7 +161,8 @@ def highest_point(pieces):
 
 
 def single_valued(pieces):
-    """Pieces -> Zones about the highest point, cut where steeper than 89.5 deg and prolonged straight at both ends."""
+    """Pieces -> Zones about the highest point, cut where steeper than 89.5 deg and prolonged
+    straight at both ends."""
     origin = highest_point(pieces)
     zones = []
     for kind, start, end, *circle in pieces:
@@ -177,7 +186,7 @@ def tangent(formula, y):
     return polynomial(z - slope * y, slope)
 
 
-# ---------------------------------------------------------------------------------------------------------- wheel on rail
+# ---------------------------------------------------------------------------------------------- wheel on rail
 
 
 @dataclass(frozen=True)
@@ -192,7 +201,8 @@ class Track:
 
 
 def track(rail="UIC60", inclination=1 / 40, gauge=1.435, gauge_depth=0.014):
-    """S1002 wheels on a track laid to ``gauge``, measured ``gauge_depth`` below the highest point of the head."""
+    """S1002 wheels on a track laid to ``gauge``, measured ``gauge_depth`` below the
+    highest point of the head."""
     head = inclined_head(RAIL_HEADS[rail], inclination)
     side, top = -0.060, -0.020  # [m] bracket of the gauge point
     gauge_point = brentq(lambda y: head(y)[0] - gauge_depth, side, top, xtol=1e-16, rtol=1e-15)
@@ -224,7 +234,8 @@ class Pose:
 def wheel_surface(system, pose, phi, y, zone=None):
     """Point of the right wheel in the track frame and its partial derivatives.
 
-    ``p = R (r sin phi, b + y, r cos phi) + centre``, r = R0 + z_wheel(y).  Returns p, p_phi, p_y, p_phiphi, each (3, ...).
+    ``p = R (r sin phi, b + y, r cos phi) + centre``, r = R0 + z_wheel(y). Returns p, p_phi, p_y,
+    p_phiphi, each (3, ...).
     """
     z, dz, _ = system.wheel(y, zone)
     r, s, c = system.nominal_radius + z, np.sin(phi), np.cos(phi)
@@ -239,29 +250,33 @@ def wheel_surface(system, pose, phi, y, zone=None):
 
 
 def vertical_gap(system, pose, phi, y, zone=None):
-    """Vertical gap z_rail - z_wheel [m] over a wheel point, and its derivatives by phi, by y and twice by phi."""
+    """Vertical gap z_rail - z_wheel [m] over a wheel point, and its derivatives by
+    phi, by y and twice by phi."""
     p, p_phi, p_y, p_phiphi = wheel_surface(system, pose, phi, y, zone)
     z, dz, ddz = system.rail(p[1] - system.rail_origin)
     return (z - p[2], dz * p_phi[1] - p_phi[2], dz * p_y[1] - p_y[2],
             ddz * p_phi[1] ** 2 + dz * p_phiphi[1] - p_phiphi[2])
 
 
-# --------------------------------------------------------------------------------------------------------------- search
+# ----------------------------------------------------------------------------------------------------- search
 
-PHI_GRID = np.linspace(-0.24, 0.24, 25)  # [rad] +-110 mm around the wheel, far more than yaw can move a contact
+# [rad] +-110 mm around the wheel, far more than yaw can move a contact
+PHI_GRID = np.linspace(-0.24, 0.24, 25)
 STEP = 0.05 * MM  # [m] grid over the profile
 REACH = 0.5 * MM  # [m] a minimum hides at most 3 STEP = 0.15 mm below its grid points on a 70 deg flank
 ROUNDING = 4e-16  # relative precision at which root searches stop
 
 
 def profile_grid(wheel, step=STEP):
-    """Dense grid over the profile, every zone with both its ends: y (n,) [m] and the zone of each point (n,)."""
+    """Dense grid over the profile, every zone with both its ends: y (n,) [m] and the
+    zone of each point (n,)."""
     grids = [np.linspace(a, b, int((b - a) * MM / step) + 2) * MM for a, b in wheel.ends]
     return np.concatenate(grids), np.repeat(np.arange(len(grids)), [len(g) for g in grids])
 
 
 def lowest_around(system, pose, y, zone, precision=1e-17):
-    """phi (n,) at which the gap over the circle at each y is smallest: grid, then the root of d gap / d phi."""
+    """phi (n,) at which the gap over the circle at each y is smallest: grid, then the
+    root of d gap / d phi."""
     grid = vertical_gap(system, pose, PHI_GRID[:, None], y, zone)[0]
     k = np.clip(np.argmin(grid, axis=0), 1, len(PHI_GRID) - 2)
 
@@ -274,10 +289,11 @@ def lowest_around(system, pose, y, zone, precision=1e-17):
 
 
 def local_minima(system, pose):
-    """Local minima of the vertical gap of the right wheel, within REACH of the lowest: gap, phi, y_wheel, zone.
+    """Local minima of the vertical gap of the right wheel, within REACH of the
+    lowest: gap, phi, y_wheel, zone.
 
-    Along the profile the gap is taken at its smallest around each circle.  A minimum is a place where its derivative
-    turns from falling to rising inside a zone, or an end of a zone that the gap falls towards.
+    Along the profile the gap is taken at its smallest around each circle. A minimum is a place where its
+    derivative turns from falling to rising inside a zone, or an end of a zone that the gap falls towards.
     """
     y, zone = profile_grid(system.wheel)
     phi = lowest_around(system, pose, y, zone, precision=1e-9)
@@ -287,13 +303,15 @@ def local_minima(system, pose):
     end = np.r_[start[1:], True]
     turn = np.flatnonzero(near[:-1] & (slope[:-1] < 0) & (slope[1:] >= 0) & ~end[:-1])
     edge = np.flatnonzero(near & ((start & (slope >= 0)) | (end & (slope <= 0))))
-    y, zone = np.r_[refine(system, pose, y[turn], y[turn + 1], zone[turn]), y[edge]], np.r_[zone[turn], zone[edge]]
+    y, zone = np.r_[refine(system, pose, y[turn], y[turn + 1], zone[turn]),
+                    y[edge]], np.r_[zone[turn], zone[edge]]
     phi = lowest_around(system, pose, y, zone)
     return vertical_gap(system, pose, phi, y, zone)[0], phi, y, zone
 
 
 def refine(system, pose, left, right, zone):
-    """Minimum in each bracket [left, right] of the profile: root of d gap / d y with phi kept at its own minimum."""
+    """Minimum in each bracket [left, right] of the profile: root of d gap / d y with
+    phi kept at its own minimum."""
 
     def slope(y, zone):
         zone = zone.astype(int)
@@ -310,12 +328,13 @@ def smallest_gap(system, pose):
     return tuple(value[k] for value in minima)
 
 
-# ------------------------------------------------------------------------------------------------------------ wheelset
+# --------------------------------------------------------------------------------------------------- wheelset
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Rigid contact point of one wheel.  y_wheel, y_rail to the field side on both sides; y_track to the right."""
+    """Rigid contact point of one wheel. y_wheel, y_rail to the field side on both sides;
+    y_track to the right."""
 
     x_wheel: float
     y_wheel: float
@@ -345,7 +364,8 @@ ROLL_RANGE = 0.03  # [rad]
 
 
 def equilibrium_roll(system, lateral_shift, yaw):
-    """Roll at which the smallest gaps of both wheels agree [rad]; their difference falls steadily with roll."""
+    """Roll at which the smallest gaps of both wheels agree [rad]; their difference
+    falls steadily with roll."""
 
     def difference(roll):
         pose = Pose(lateral_shift, yaw, roll)
@@ -361,7 +381,8 @@ def rigid_contact(system, lateral_shift, yaw=0.0):
     right, left = smallest_gap(system, pose), smallest_gap(system, pose.mirrored())
     shift = float(min(right[0], left[0]))
     return Wheelset(lateral_shift, yaw, roll, shift,
-                    left=contact(system, Pose(lateral_shift, yaw, roll, shift).mirrored(), *left[1:], side=-1),
+                    left=contact(system, Pose(lateral_shift, yaw, roll, shift).mirrored(), *left[1:],
+                                 side=-1),
                     right=contact(system, Pose(lateral_shift, yaw, roll, shift), *right[1:], side=+1))
 
 

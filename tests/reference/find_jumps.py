@@ -1,7 +1,7 @@
 """Where the rigid contact point jumps: lateral shifts at which two local minima of the gap exchange rank.
 
-Walk along the lateral shift; where the right contact moves far in one step, halve the step until the move is either
-plainly continuous or confined to a nanometre.  Run as a script to print a table for a few yaw angles.
+Walk along the lateral shift; where the right contact moves far in one step, halve the step until the move is
+either plainly continuous or confined to a nanometre. Run as a script to print a table for a few yaw angles.
 """
 
 from dataclasses import dataclass
@@ -52,5 +52,6 @@ if __name__ == "__main__":
     print("yaw [deg]  lateral shift [mm]  y_wheel before, after [mm]")
     for degrees in (0, 0.5, 1, 1.2, 1.5, 2):
         for jump in find_jumps(standard, np.radians(degrees), 3.5e-3, 6.6e-3):
-            print(f"{degrees:8.2f} {jump.lateral_shift * 1e3:16.6f} {jump.before * 1e3:18.4f} {jump.after * 1e3:10.4f}",
+            print(f"{degrees:8.2f} {jump.lateral_shift * 1e3:16.6f} {jump.before * 1e3:18.4f} "
+                  f"{jump.after * 1e3:10.4f}",
                   flush=True)

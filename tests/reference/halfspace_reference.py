@@ -1,17 +1,18 @@
-"""Frictionless normal contact of two elastic half-spaces: the slow, independent witness for patch and pressure.
+"""Frictionless normal contact of two elastic half-spaces: the slow, independent
+witness for patch and pressure.
 
-Half-space solver: pressure constant on each rectangle of a grid, displacement by Love (1929) and a fast Fourier
-convolution, complementarity by the constrained conjugate gradients of Polonsky & Keer (1999)::
+Half-space solver: pressure constant on each rectangle of a grid, displacement by Love (1929) and a fast
+Fourier convolution, complementarity by the constrained conjugate gradients of Polonsky & Keer (1999)::
 
     gap h(x, s), force N  ->  pressure p >= 0,  u(p) + h - delta >= 0,  p (u + h - delta) = 0,  sum p = N
 
-True gap of wheel and rail: both surfaces are met along the normals of the tangent plane at the rigid contact point,
-by root search on the surfaces themselves - no parabola along the rail, no contact locus::
+True gap of wheel and rail: both surfaces are met along the normals of the tangent plane at the rigid contact
+point, by root search on the surfaces themselves - no parabola along the rail, no contact locus::
 
-    rigid pose  ->  tangent plane  ->  h(x, s)  ->  coarse solution  ->  grid fitted to the patch  ->  solution
+    rigid pose -> tangent plane -> h(x, s) -> coarse solution -> grid fitted to the patch -> solution
 
-References: Love, Phil. Trans. R. Soc. A 228 (1929); Johnson, Contact Mechanics (1985), section 3.3; Polonsky & Keer,
-Wear 231 (1999) 206-219.  Units m, N, Pa, rad.
+References: Love, Phil. Trans. R. Soc. A 228 (1929); Johnson, Contact Mechanics (1985), section 3.3; Polonsky
+& Keer, Wear 231 (1999) 206-219. Units m, N, Pa, rad.
 """
 
 from dataclasses import dataclass, replace
@@ -28,15 +29,15 @@ YOUNGS_MODULUS = 210e9  # [Pa] both bodies
 POISSON_RATIO = 0.28
 CONTACT_MODULUS = YOUNGS_MODULUS / (2 * (1 - POISSON_RATIO**2))  # E* [Pa], Johnson eq. (4.20)
 
-# --------------------------------------------------------------------------------------------------- half-space solver
+# ------------------------------------------------------------------------------------------ half-space solver
 
 
 def influence_coefficients(shape, dx, ds, contact_modulus=CONTACT_MODULUS):
     """Displacement [m] i, j cells away from a rectangle dx x ds [m] that carries 1 Pa; array (n, m).
 
     ``u = 1/(pi E*) [F(x+a, s+b) - F(x-a, s+b) - F(x+a, s-b) + F(x-a, s-b)]``, a = dx/2, b = ds/2, where
-    ``F(x, s) = x arsinh(s/|x|) + s arsinh(x/|s|)`` is the integral of 1/r over the rectangle from (0, 0) to (x, s):
-    Love (1929), Johnson (1985) eq. (3.25) with the logarithms gathered.
+    ``F(x, s) = x arsinh(s/|x|) + s arsinh(x/|s|)`` is the integral of 1/r over the rectangle from (0, 0) to
+    (x, s): Love (1929), Johnson (1985) eq. (3.25) with the logarithms gathered.
     """
     x = (np.arange(shape[0] + 1) - 0.5)[:, None] * dx
     s = (np.arange(shape[1] + 1) - 0.5)[None, :] * ds
@@ -45,7 +46,8 @@ def influence_coefficients(shape, dx, ds, contact_modulus=CONTACT_MODULUS):
 
 
 class Displacement:
-    """p (n, m) -> u (n, m): discrete convolution with the influence coefficients, zero-padded so nothing wraps round."""
+    """p (n, m) -> u (n, m): discrete convolution with the influence coefficients, zero-padded
+    so nothing wraps round."""
 
     def __init__(self, shape, dx, ds, contact_modulus=CONTACT_MODULUS):
         self.shape = shape
@@ -77,7 +79,8 @@ class Solution:
 
     @property
     def area(self):
-        """Loaded area [m^2], rows along x cut where p^2 falls to zero; counting cells would give 0.5 % more."""
+        """Loaded area [m^2], rows along x cut where p^2 falls to zero; counting cells
+        would give 0.5 % more."""
         return float(sum(loaded_cells(row) for row in self.pressure.T) * self.cell)
 
     @property
@@ -94,10 +97,11 @@ SHORT = 8  # [cells] a run this short is counted, not fitted
 
 
 def loaded_cells(row):
-    """Length of the loaded runs of one row [cells]; the ends of each are where a straight line through p^2 meets zero.
+    """Length of the loaded runs of one row [cells]; the ends of each are where a straight
+    line through p^2 meets zero.
 
-    At the edge of a Hertzian patch p^2 falls linearly.  The outermost cell is only partly loaded, so the line goes
-    through the second and third cell from the end.
+    At the edge of a Hertzian patch p^2 falls linearly. The outermost cell is only partly loaded, so the line
+    goes through the second and third cell from the end.
     """
     loaded = np.flatnonzero(row)
     runs = np.split(loaded, np.flatnonzero(np.diff(loaded) > 1) + 1)
@@ -150,14 +154,15 @@ def solve(x, s, gap, force, contact_modulus=CONTACT_MODULUS, guess=None):
     raise ArithmeticError(f"no convergence in {ITERATIONS} iterations, overlapping cells: {overlap.sum()}")
 
 
-# -------------------------------------------------------------------------------------------------------------- true gap
+# --------------------------------------------------------------------------------------------------- true gap
 
 
 def without_steps(profile):
-    """The same profile with the zones moved in height to meet at their joints, starting from the zone of y = 0.
+    """The same profile with the zones moved in height to meet at their joints,
+    starting from the zone of y = 0.
 
-    The rounding of the printed S1002 leaves steps of 0.04 and 0.12 um.  They hardly move a rigid contact, but a step is
-    an edge, and the elastic pressure at an edge grows without limit as the grid gets finer.
+    The rounding of the printed S1002 leaves steps of 0.04 and 0.12 um. They hardly move a rigid contact, but
+    a step is an edge, and the elastic pressure at an edge grows without limit as the grid gets finer.
     """
     home, count = int(profile.zone_of(0.0)), len(profile.ends)
     lift = np.zeros(count)
@@ -186,7 +191,8 @@ def lifted(formula, height):
 
 @dataclass(frozen=True)
 class ContactPlane:
-    """Tangent plane at the rigid contact of one wheel, seen as a right wheel: x along the track, s to the field side."""
+    """Tangent plane at the rigid contact of one wheel, seen as a right wheel: x along the
+    track, s to the field side."""
 
     system: object
     pose: Pose
@@ -206,7 +212,7 @@ class ContactPlane:
     def point(self, x, s, t):
         """Track coordinates (3, ...) of the point at (x, s) in the plane and t above it."""
         x, s, t = np.broadcast_arrays(x, s, t)
-        return np.array([o + x * e + s * l + t * n for o, e, l, n in
+        return np.array([o + x * along + s * across + t * up for o, along, across, up in
                          zip(self.origin, (1, 0, 0), self.lateral, self.normal)])
 
     def rail(self, s):
@@ -231,7 +237,8 @@ class ContactPlane:
         return meet(inside, *np.broadcast_arrays(x, s))
 
     def gap(self, x, s):
-        """Distance h of the surfaces, beyond that at the origin, at x (n,), s (m,) -> (n, m) [m]; FAR where none is found."""
+        """Distance h of the surfaces, beyond that at the origin, at x (n,), s (m,) -> (n, m)
+        [m]; FAR where none is found."""
         origin = self.wheel(0.0, 0.0) - self.rail(0.0)  # what without_steps has opened there
         distance = self.wheel(x[:, None], s[None, :]) - self.rail(s) - origin
         return np.where(np.isfinite(distance), distance, FAR)
@@ -257,7 +264,7 @@ def contact_plane(system, wheelset, side):
     return ContactPlane(smooth, pose if mirror > 0 else pose.mirrored(), origin, contact.contact_angle)
 
 
-# ---------------------------------------------------------------------------------------------------------- patch finder
+# ----------------------------------------------------------------------------------------------- patch finder
 
 WINDOW = (60e-3, 25e-3)  # [m] half-width of the region that is looked at, along and across
 COARSE = (48, 120)  # cells of the first solution
@@ -284,7 +291,8 @@ def normal_contact(system, wheelset, side, force, fine=FINE):
 
 
 def where_closer(plane, limit):
-    """Corners (low, high) of the rectangle in which the gap is below ``limit`` [m], found by closing in on it."""
+    """Corners (low, high) of the rectangle in which the gap is below ``limit`` [m],
+    found by closing in on it."""
     high = np.array(WINDOW)
     low = -high
     for level in limit * 4.0 ** np.arange(max(0, np.ceil(np.log(1e-3 / limit) / np.log(4))), -1, -1):
@@ -311,9 +319,11 @@ def around_patch(solution):
 
 
 def solve_within(plane, low, high, cells, force, guess=None):
-    """Solution on a grid of ``cells`` over a rectangle of the plane, started from a coarser one if there is any."""
+    """Solution on a grid of ``cells`` over a rectangle of the plane, started from a
+    coarser one if there is any."""
     x, s = (a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, cells))
     if guess is not None:
-        look_up = RegularGridInterpolator((guess.x, guess.s), guess.pressure, bounds_error=False, fill_value=0.0)
+        look_up = RegularGridInterpolator((guess.x, guess.s), guess.pressure, bounds_error=False,
+                                          fill_value=0.0)
         guess = look_up(tuple(np.meshgrid(x, s, indexing="ij")))
     return solve(x, s, plane.gap(x, s), force, guess=guess)

@@ -1,7 +1,7 @@
 """Writes positions.csv: the right wheel's patch from tread to flange, complete theory at the rigid pose.
 
-S1002 on UIC60 1:40, gauge 1435 mm, 78.5 kN, no yaw; rigid pose from ``brute_force``, patch from ``halfspace_reference``.
-SI units.  About a minute on one core::
+S1002 on UIC60 1:40, gauge 1435 mm, 78.5 kN, no yaw; rigid pose from ``brute_force``, patch from
+``halfspace_reference``. SI units. About a minute on one core::
 
     python -m tests.reference.make_positions
 """
@@ -13,7 +13,8 @@ from tests.reference.brute_force import rigid_contact, track
 from tests.reference.halfspace_reference import normal_contact
 
 OUTPUT = Path(__file__).resolve().with_name("positions.csv")
-POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6.2, 6.3, 6.4, 6.5)  # lateral shift [mm]
+# lateral shift [mm]
+POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6.2, 6.3, 6.4, 6.5)
 FORCE = 78.5e3  # [N]
 NAMES = ("lateral_shift", "yaw", "normal_force", "right.penetration", "right.area", "right.max_pressure")
 

@@ -1,7 +1,7 @@
 """Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv.
 
-Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``halfspace_reference`` at the rigid
-pose.  S1002 on UIC60 1:40, gauge 1435 mm.  SI units.  About a quarter of an hour on one core::
+Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``halfspace_reference`` at
+the rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About a quarter of an hour on one core::
 
     python -m tests.reference.make_trajectories [hunting] [jumps] [load]
 """
@@ -9,7 +9,7 @@ pose.  S1002 on UIC60 1:40, gauge 1435 mm.  SI units.  About a quarter of an hou
 import csv
 import sys
 from dataclasses import asdict
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -36,12 +36,13 @@ def main(names):
         write(name, [{**row, **patches(row)} for row in rows])
 
 
-# -------------------------------------------------------------------------------------------------------------- inputs
+# ----------------------------------------------------------------------------------------------------- inputs
 # Each run is a list of (lateral_shift, yaw, roll_guess, normal_force, load_transfer).
 
 
 def hunting(rows=160, cycles=4):
-    """Growing hunting: shift to +-7.6 mm, yaw a quarter cycle behind to +-1.2 deg, load moving with the shift."""
+    """Growing hunting: shift to +-7.6 mm, yaw a quarter cycle behind to +-1.2 deg, load
+    moving with the shift."""
     phase = 2 * np.pi * cycles * np.arange(rows) / (rows - 1)
     growth = np.minimum(1, (0.3 + phase / phase[-1]) / 1.05)
     shift, yaw = growth * np.sin(phase), growth * np.sin(phase - np.pi / 2)
@@ -75,26 +76,30 @@ def sweep(yaw, start, stop, rows):
 
 
 def load():
-    """Load from nothing to 150 kN and back at 3 and 6 mm, then all of it moved from one wheel to the other."""
-    forces = 1e3 * np.array([0, 0.1, 1, 3, 10, 20, 35, 55, 78.5, 55, 20, 3, 0, 40, 78.5, 100, 125, 150, 110, 78.5])
+    """Load from nothing to 150 kN and back at 3 and 6 mm, then all of it moved from
+    one wheel to the other."""
+    forces = 1e3 * np.array([0, 0.1, 1, 3, 10, 20, 35, 55, 78.5, 55, 20, 3, 0, 40, 78.5, 100, 125, 150, 110,
+                             78.5])
     shares = np.concatenate([np.linspace(0, -1, 6), np.linspace(-0.9, 1, 14)])
     wrong = (0.01, -0.01, 0.0)  # roll guesses that must not matter
     plan = [(f, 0.0) for f in forces] + [(WHEEL_FORCE, round(float(share), 6)) for share in shares]
-    return [(shift, 0.0, wrong[k % 3], float(f), share) for shift in (3e-3, 6e-3) for k, (f, share) in enumerate(plan)]
+    return [(shift, 0.0, wrong[k % 3], float(f), share) for shift in (3e-3, 6e-3)
+            for k, (f, share) in enumerate(plan)]
 
 
 RUNS = {"hunting": hunting, "jumps": jumps, "load": load}
 
-# ---------------------------------------------------------------------------------------------------------------- rows
+# ------------------------------------------------------------------------------------------------------- rows
 
 
-@lru_cache(maxsize=None)
+@cache
 def rigid(lateral_shift, yaw):
     return rigid_contact(SYSTEM, lateral_shift, yaw)
 
 
 def rigid_rows(inputs):
-    """Inputs and rigid answers, patch columns still empty; a roll_guess of None becomes the roll of the row before."""
+    """Inputs and rigid answers, patch columns still empty; a roll_guess of None becomes the
+    roll of the row before."""
     rows, last_roll = [], 0.0
     for index, (lateral_shift, yaw, roll_guess, normal_force, load_transfer) in enumerate(inputs):
         wheelset = rigid(lateral_shift, yaw)
@@ -125,7 +130,7 @@ def patches(row):
             for key, value in zip(PATCH, patch(wheelset, side, row[f"{side}.normal_force"]))}
 
 
-@lru_cache(maxsize=None)
+@cache
 def patch(wheelset, side, force):
     """penetration [m], area [m^2], max_pressure [Pa] to nine digits."""
     if force == 0:

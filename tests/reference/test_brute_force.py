@@ -6,7 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.reference.brute_force import RAIL_HEADS, Pose, inclined_head, local_minima, rigid_contact, s1002, track, vertical_gap
+
+from tests.reference.brute_force import (
+    RAIL_HEADS,
+    Pose,
+    inclined_head,
+    local_minima,
+    rigid_contact,
+    s1002,
+    track,
+    vertical_gap,
+)
 
 TABLE = Path(__file__).with_name("rigid_positions.csv")
 ROLL = 1e-12  # [rad]
@@ -29,24 +39,28 @@ def every_third_is_quick(rows):
     return [pytest.param(row, marks=[pytest.mark.slow] if k % 3 else []) for k, row in enumerate(rows)]
 
 
-@pytest.mark.parametrize("row", every_third_is_quick(stored_positions()), ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg")
+@pytest.mark.parametrize("row", every_third_is_quick(stored_positions()),
+                         ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg")
 def test_agrees_with_stored_positions(system, row):
     found = rigid_contact(system, row["lateral_shift_mm"] * 1e-3, radians(row["yaw_deg"]))
     assert found.roll == pytest.approx(row["roll_rad"], abs=ROLL)
     assert found.vertical_shift * 1e3 == pytest.approx(row["wheelset_z_mm"], abs=POSITION)
     for side, wheel in (("R", found.right), ("L", found.left)):
         for name in ("y_wheel", "x_wheel", "y_track", "rolling_radius"):
-            assert getattr(wheel, name) * 1e3 == pytest.approx(row[f"{side}_{name}_mm"], abs=POSITION), (side, name)
+            assert (getattr(wheel, name) * 1e3
+                    == pytest.approx(row[f"{side}_{name}_mm"], abs=POSITION)), (side, name)
         assert wheel.contact_angle == pytest.approx(row[f"{side}_contact_angle_rad"], abs=ANGLE)
 
 
 def test_wheel_and_rail_touch_with_a_common_tangent(system):
-    """At the contact z_wheel = r cos phi - R0, z_rail = z_track, and wheel and rail have the same angle to the track."""
+    """At the contact z_wheel = r cos phi - R0, z_rail = z_track, and wheel and rail have the
+    same angle to the track."""
     found = rigid_contact(system, 2e-3, 0.0)
     for wheel, side in ((found.right, 1), (found.left, -1)):
         assert wheel.z_rail == pytest.approx(wheel.z_track, abs=1e-15)
         assert wheel.z_wheel == pytest.approx(wheel.rolling_radius - system.nominal_radius, abs=1e-15)
-        assert -atan(system.wheel(wheel.y_wheel)[1]) - side * found.roll == pytest.approx(wheel.contact_angle, abs=1e-12)
+        assert (-atan(system.wheel(wheel.y_wheel)[1])
+                - side * found.roll == pytest.approx(wheel.contact_angle, abs=1e-12))
 
 
 def test_no_point_of_the_wheel_is_lower(system):

@@ -1,4 +1,5 @@
-"""The elastic witness against Hertz, against CONTACT on the same gap, and against CONTACT with its own geometry."""
+"""The elastic witness against Hertz, against CONTACT on the same gap, and against CONTACT
+with its own geometry."""
 
 import csv
 import json
@@ -7,11 +8,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.reference.brute_force import rigid_contact, track
-from tests.reference.halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
+
+from tests.reference.brute_force import rigid_contact, track
+from tests.reference.halfspace_reference import CONTACT_MODULUS, influence_coefficients, normal_contact, solve
 
 HERE = Path(__file__).parent
 PLANAR = json.loads((HERE / "contact_planar.json").read_text())["cases"]
@@ -22,7 +24,8 @@ def cells(half_width, count):
 
 
 def hertz(A, B, force):
-    """Penetration [m], semi-axes along x and s [m], peak pressure [Pa] on z = A x^2 + B s^2; Johnson (1985) ch. 4."""
+    """Penetration [m], semi-axes along x and s [m], peak pressure [Pa] on z = A x^2 + B s^2;
+    Johnson (1985) ch. 4."""
     small, large = sorted((A, B))
 
     def mismatch(q):
@@ -44,7 +47,8 @@ def test_displacement_of_a_square_and_far_away():
     assert u[50, 30] == pytest.approx(1e-6 / (pi * CONTACT_MODULUS * np.hypot(50e-3, 30e-3)), rel=2e-5)
 
 
-@pytest.mark.parametrize("A, B", [(1 / 0.92, 1 / 0.92), (1 / 0.92, 1 / 0.04), (1 / 2, 1 / 0.02), (1 / 0.04, 1 / 0.92)])
+@pytest.mark.parametrize("A, B", [(1 / 0.92, 1 / 0.92), (1 / 0.92, 1 / 0.04), (1 / 2, 1 / 0.02),
+                                  (1 / 0.04, 1 / 0.92)])
 def test_hertz(A, B):
     force = 78.5e3
     penetration, a, b, peak = hertz(A, B, force)
@@ -59,7 +63,8 @@ def test_hertz(A, B):
 @pytest.mark.parametrize("case", PLANAR, ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_contact_on_the_same_gap(case):
     """CONTACT's complete theory on h = x^2 / 2R + g(s), g by its stored points."""
-    s, g, R, theirs = np.array(case["s_mm"]) * 1e-3, np.array(case["g_mm"]) * 1e-3, case["R_x_mm"] * 1e-3, case["solution"]
+    s, g, R, theirs = (np.array(case["s_mm"]) * 1e-3, np.array(case["g_mm"]) * 1e-3, case["R_x_mm"] * 1e-3,
+                       case["solution"])
     reach = s[g < 0.2e-3]
     across = np.arange(reach[0], reach[-1], 0.05e-3)
     along = cells(np.sqrt(2 * R * theirs["penetration_mm"] * 1e-3), 160)

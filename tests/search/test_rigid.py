@@ -1,4 +1,5 @@
-"""Rigid contact: published positions, an independent brute-force search, and the conditions of contact themselves."""
+"""Rigid contact: published positions, an independent brute-force search, and the conditions
+of contact themselves."""
 
 import csv
 
@@ -6,20 +7,12 @@ import numpy as np
 import pytest
 
 import wrcontact
-from benchmarks.profile_noise import noisy_points
 from tests.helpers.fuzzing import cut
-from tests.helpers.numpy_tables import build_tables
-from tests.helpers.surface_witness import Surfaces
-from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, raster, roll
-from wrcontact.kernel.surface import gap, locus
-from wrcontact.profiles import standard_profile
-from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.profiles.placement import place_rail, readable_wheel
-from wrcontact.methods import Analyn
-
-from tests.reference import brute_force
 from tests.helpers.paths import REFERENCE_DATA
+from tests.helpers.surface_witness import Surfaces
+from tests.reference import brute_force
+from wrcontact.profiles import standard_profile
+from wrcontact.profiles.placement import place_rail
 
 ROLL = 1e-9      # [rad]
 POSITION = 1e-6  # [m]
@@ -35,7 +28,8 @@ def rows(name):
         return list(csv.DictReader(file))
 
 
-@pytest.mark.parametrize("row", rows("rigid_positions.csv"), ids=lambda r: f"{r['lateral_shift_mm']}mm_{r['yaw_deg']}deg")
+@pytest.mark.parametrize("row", rows("rigid_positions.csv"),
+                         ids=lambda r: f"{r['lateral_shift_mm']}mm_{r['yaw_deg']}deg")
 def test_reference_positions(system, row):
     value = {name: float(text) for name, text in row.items()}
     state = system.evaluate(lateral_shift=value["lateral_shift_mm"] * 1e-3, yaw=np.radians(value["yaw_deg"]))
@@ -59,13 +53,13 @@ def poses(count, seed):
         yield ("UIC60", "60E1", "54E1")[k % 3], (1 / 40, 1 / 20)[k // 3 % 2], rng.uniform(-0.01, 0.01), yaw
 
 
-#: Within 50 um of the right contact's jumps on UIC60 1:40 (tests/reference/find_jumps.py), but for the 1 um in which the
-#: raw step of S1002's printed coefficients at y = -35 mm would hold the contact.
+#: Within 50 um of the right contact's jumps on UIC60 1:40 (tests/reference/find_jumps.py), but for the 1 um
+#: in which the raw step of S1002's printed coefficients at y = -35 mm would hold the contact.
 NEAR_JUMPS = [("UIC60", 1 / 40, shift, yaw) for shift, yaw in
-              ((4.8475e-3, 0.0), (4.8485e-3, 0.0), (4.80e-3, 0.0), (4.89e-3, 0.0), (6.2507e-3, 0.0), (6.2519e-3, 0.0),
-               (6.21e-3, 0.0), (6.30e-3, 0.0), (4.9265e-3, np.radians(1)), (4.9272e-3, np.radians(1)),
-               (6.1572e-3, np.radians(1)), (6.1578e-3, np.radians(1)), (-5.1632e-3, np.radians(-2)),
-               (-5.8775e-3, np.radians(-2)), (-5.8780e-3, np.radians(-2)))]
+              ((4.8475e-3, 0.0), (4.8485e-3, 0.0), (4.80e-3, 0.0), (4.89e-3, 0.0), (6.2507e-3, 0.0),
+               (6.2519e-3, 0.0), (6.21e-3, 0.0), (6.30e-3, 0.0), (4.9265e-3, np.radians(1)),
+               (4.9272e-3, np.radians(1)), (6.1572e-3, np.radians(1)), (6.1578e-3, np.radians(1)),
+               (-5.1632e-3, np.radians(-2)), (-5.8775e-3, np.radians(-2)), (-5.8780e-3, np.radians(-2)))]
 
 
 def compare_with_brute_force(rail, inclination, shift, yaw):
@@ -79,7 +73,8 @@ def compare_with_brute_force(rail, inclination, shift, yaw):
     for side in ("left", "right"):
         mine, other = getattr(state, side), getattr(truth, side)
         for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track"):
-            assert abs(getattr(mine.contact, name) - getattr(other, name)) < POSITION, f"{pose}: {side} {name}"
+            assert abs(getattr(mine.contact, name) - getattr(other, name)) < POSITION, (
+                f"{pose}: {side} {name}")
         assert abs(mine.contact_angle - other.contact_angle) < 1e-4, pose
         assert abs(mine.rolling_radius - other.rolling_radius) < POSITION, pose
 
@@ -100,8 +95,8 @@ def test_brute_force_agrees_on_many(pose):
 
 
 def smallest_distance(state, sign, wheel, rail):
-    """Smallest vertical gap [m] of one side at the state's pose over a dense cloud of wheel points, straight from the
-    profiles: no locus, no kernel."""
+    """Smallest vertical gap [m] of one side at the state's pose over a dense cloud of wheel points, straight
+    from the profiles: no locus, no kernel."""
     shift, yaw = state.inputs[0], state.inputs[1]
     y = np.linspace(-0.0695, 0.0599, 2600)
     radius = 0.46 + wheel.height(y)
@@ -127,139 +122,10 @@ def test_nothing_penetrates(system, shift, yaw):
         assert -1.3e-7 < smallest_distance(state, sign, wheel, rail) < 1e-6
 
 
-SEARCH_YAWS = (0.0, 0.02, 0.05, 0.105)   # [rad]
-PER_CELL = 8                             # samples of the gap in a cell of the search
-
-
-def sampled_placements(count, seed, largest_roll):
-    """Random placements of a right wheel, and its gap sampled PER_CELL times in each cell of the search: tables, inputs, the
-    wheel's place, abscissae, gaps, slope differences and whether the rail is below, (n,) each."""
-    rng = np.random.default_rng(seed)
-    array = system_tables()
-    tables, work = layout.Tables.at(array), layout.Work.at(np.zeros(layout.WORK_SIZE))
-    nodes = np.array([tables.scan.nodes[node].y for node in range(tables.scan.count)])
-    share = np.arange(PER_CELL) / PER_CELL
-    y = np.append((nodes[:-1, None] + share * np.diff(nodes)[:, None]).ravel(), nodes[-1])
-    place = work.sides[1].place
-    for trial in range(count):
-        work.inputs.lateral_shift = rng.uniform(-0.01, 0.01)
-        work.inputs.yaw = SEARCH_YAWS[trial % len(SEARCH_YAWS)]
-        roll.place_both(tables, work.inputs, work.sides, rng.uniform(-largest_roll, largest_roll))
-        gaps, mismatches, _ = np.array([gap.vertical_gap(tables, place, where) for where in y]).T
-        below = np.array([on_rail(tables, place, where) for where in y])
-        yield tables, work.inputs, place, y, gaps, mismatches, below
-
-
-def test_no_cell_of_the_search_holds_more_than_its_bound_says():
-    """The certificate of the global minimum, against dense sampling of the gap at random placements up to 6 deg."""
-    checked = 0
-    for tables, inputs, place, y, gaps, mismatches, below in sampled_placements(20, 21, 0.01):
-        for cell in range(len(y) // PER_CELL):
-            inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
-            if not np.all(below[inside]):
-                continue
-            checked += 1
-            abscissa = raster.node_gap(tables, place, cell)[2]
-            least, most = bounds.bend_bounds(tables.scan, place, cell, abscissa)
-            dip = min(gaps[inside][0], gaps[inside][-1]) - gaps[inside].min()
-            where = (cell, y[inside][0], inputs.yaw)
-            assert dip <= most * np.ptp(y[inside])**2 / 8 + 1e-12, where
-            if least > 0.0 and mismatches[inside].max() < gap.FOLDED:
-                assert np.all(np.diff(mismatches[inside]) > -1e-12), where     # one place of contact at most
-    assert checked > 1200
-
-
-def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
-    """What roll and yaw make of a profile point, against the shares of ``least_bend``."""
-    rng = np.random.default_rng(23)
-    place, checked = layout.Place.at(np.zeros(layout.PLACE_SIZE)), 0
-    for _ in range(20000):
-        turn, yaw = rng.choice([0.02, 0.1]) * rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.12, 0.12)])
-        slope, bend = rng.uniform(-bounds.STEEP, bounds.STEEP), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 3)
-        z = rng.uniform(-0.02, 0.03)
-        locus.place_wheelset(place, 0.0, yaw, turn, 0.46, 0.75)
-        _, _, _, stretch, rate = locus.outline_jet(place, rng.uniform(-0.04, 0.03), z, slope, bend)
-        square = np.sin(yaw)**2
-        widened = (bounds.ROLL_STRETCH * abs(np.sin(turn))
-                   + square * (bounds.BEND_STRETCH * 0.46 * abs(bend) + bounds.STEEP_STRETCH))
-        if widened < bounds.WIDEST:
-            checked += 1
-            assert abs(stretch - 1.0) <= widened + 1e-12, (turn, yaw, slope, bend)
-            share = bounds.ROLL_BEND * abs(np.sin(turn)) + bounds.YAW_BEND * square
-            assert abs(rate - bend) <= (share + 1e-12) * abs(bend), (turn, yaw, slope, bend)
-    assert checked > 8000
-
-
-def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
-    """``clear_exponent`` may not clear a stretch in which the sampled gap falls further than allowed, nor ``rising_exponent`` one
-    that does not rise; and it has to clear most of those far above."""
-    checked = cleared = 0
-    for tables, inputs, place, y, gaps, _, below in sampled_placements(16, 22, 0.013):
-        for node in np.flatnonzero(below[::PER_CELL]):
-            node = int(node)
-            gap_there, mismatch, abscissa = raster.node_gap(tables, place, node)
-            for direction in (1, -1):
-                for exponent in range(layout.EXPONENTS):
-                    end = PER_CELL * (node + direction * 2**exponent)
-                    if not 0 <= end < len(y):
-                        continue
-                    inside = np.arange(PER_CELL * node, end + direction, direction)
-                    inside = inside[np.cumprod(below[inside]) == 1]      # up to the end of the rail
-                    fall = gap_there - gaps[inside].min()
-                    arguments = (tables.scan, place, node, direction, abscissa)
-                    where = (inputs.lateral_shift, inputs.yaw, node, direction, exponent)
-                    slope = direction * mismatch
-                    checked += 1
-                    if fall > 1e-12:
-                        allowed = fall * (1 - 1e-9) - 1e-13
-                        assert bounds.clear_exponent(*arguments, allowed, slope, exponent) < exponent, where
-                    if len(inside) > 1 and np.diff(gaps[inside]).min() < -1e-13:
-                        assert bounds.rising_exponent(*arguments, -1.0, slope, exponent) < exponent, where
-                    if bounds.clear_exponent(*arguments, 2e-3, slope, exponent) == exponent:
-                        cleared += 1
-    assert checked > 10000 and cleared > checked / 2
-
-
-def test_smallest_gap_of_rough_profiles(tmp_path):
-    """S1002 on UIC60 from points with 1 um of noise every 0.2 mm, not smoothed: the gap has several minima in a cell of the search,
-    of which it took the first that it met. 14 of these 320 wheels had a smaller gap elsewhere, by up to 1.7 um; at -5.35, -6.25
-    and 7.55 mm a node of the search was left as the smallest and taken for the end of a profile."""
-    profiles = []
-    for seed, kind in ((1, "wheel"), (2, "rail")):
-        path = tmp_path / f"{kind}.txt"
-        np.savetxt(path, np.column_stack(noisy_points(kind, 0.2, 1e-3, seed)), fmt="%.9f")
-        profiles.append(wrcontact.Profile.from_file(path, kind, smoothing=0.0))
-    system = wrcontact.ContactSystem(*profiles)
-    wheel, rail, rail_y = system.profile_tables()
-    y = np.arange(wheel[0], wheel[1], 5e-6)
-    arm, radius = 0.75 + y, 0.46 + evaluate_table(wheel, y)[0]
-    for shift in np.concatenate([np.linspace(-8e-3, 8e-3, 161), [-5.35e-3, -6.25e-3, 7.55e-3]]):
-        state = system.evaluate(lateral_shift=shift, outputs="geometry")
-        assert state.status == 0, shift
-        for sign in (-1, 1):
-            across = sign * shift + arm * np.cos(state.roll) - sign * radius * np.sin(state.roll) - rail_y
-            below = sign * arm * np.sin(state.roll) + radius * np.cos(state.roll) - 0.46
-            above = (across >= rail[0]) & (across <= rail[1])
-            gap_there = evaluate_table(rail, across[above])[0] - below[above]
-            assert state.vertical_shift - gap_there.min() < 2e-9, (shift, sign)     # [m] what a cell of 32 um may hide
-
-
-def system_tables():
-    wheel, rail = standard_profile("S1002"), place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435,
-                                                        gauge_depth=0.014)
-    return build_tables(readable_wheel(wheel), rail, nominal_radius=0.46, running_circle_distance=1.5, contact_modulus=1e11,
-                        methods={"normal_model": layout.MODEL_ANALYN,
-                                 "longitudinal_curvature": layout.LONGITUDINAL_EFFECTIVE}, resolution=Analyn().resolution)
-
-
-def on_rail(tables, place, y):
-    """Whether the outline of a placed wheel is above the rail at wheel abscissa ``y`` [m]."""
-    return gap.above_rail(tables, raster.rail_below(tables, place, y)) == 1
-
-
 def test_roll_guess_changes_nothing(system):
     rng = np.random.default_rng(3)
-    shift, yaw, guess = rng.uniform(-0.01, 0.01, 300), rng.uniform(-0.05, 0.05, 300), rng.uniform(-0.1, 0.1, 300)
+    shift, yaw, guess = rng.uniform(-0.01, 0.01, 300), rng.uniform(-0.05, 0.05,
+                                                                   300), rng.uniform(-0.1, 0.1, 300)
     plain, guessed = system.evaluate_many(shift, yaw), system.evaluate_many(shift, yaw, roll_guess=guess)
     worst = np.argmax(np.abs(plain.roll - guessed.roll))
     assert np.abs(plain.roll - guessed.roll)[worst] < 1e-12, (shift[worst], yaw[worst], guess[worst])
@@ -278,7 +144,8 @@ def test_history_changes_nothing(system):
         for name in ("contact_angle", "rolling_radius", "penetration", "normal_force", "area", "max_pressure",
                      "patch_length", "patch_width", "patch_count"):
             np.testing.assert_allclose(getattr(two, name), getattr(one, name)[order], rtol=1e-9, err_msg=name)
-        for name in ("station", "half_length", "pressure"):    # ends fall like a root: against the largest value
+        # ends fall like a root: against the largest value
+        for name in ("station", "half_length", "pressure"):
             mine, theirs = getattr(two.outline, name), getattr(one.outline, name)[order]
             assert np.max(np.abs(mine - theirs).max(axis=1) / np.abs(theirs).max(axis=1)) < 1e-8, name
 
@@ -289,7 +156,8 @@ def test_left_is_the_mirror_image_of_right(system):
     one, other = system.evaluate_many(shift, yaw), system.evaluate_many(-shift, -yaw)
     np.testing.assert_allclose(one.roll, -other.roll, atol=1e-12)
     for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "z_track"):
-        np.testing.assert_allclose(getattr(one.left.contact, name), getattr(other.right.contact, name), atol=1e-9)
+        np.testing.assert_allclose(getattr(one.left.contact, name), getattr(other.right.contact, name),
+                                   atol=1e-9)
     np.testing.assert_allclose(one.left.contact.y_track, -other.right.contact.y_track, atol=1e-9)
     np.testing.assert_allclose(one.left.area, other.right.area, rtol=1e-7)
 
@@ -300,7 +168,8 @@ def test_contact_point_is_one_point_in_all_frames(system):
     state = system.evaluate(lateral_shift=shift, yaw=yaw)
     rail = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
     turn = np.array([[np.cos(yaw), -np.sin(yaw), 0], [np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
-    lean = np.array([[1, 0, 0], [0, np.cos(state.roll), -np.sin(state.roll)], [0, np.sin(state.roll), np.cos(state.roll)]])
+    lean = np.array([[1, 0, 0], [0, np.cos(state.roll), -np.sin(state.roll)],
+                     [0, np.sin(state.roll), np.cos(state.roll)]])
     for sign, side in ((-1, state.left), (1, state.right)):
         point = side.contact
         wheel = np.array([point.x_wheel, sign * (0.75 + point.y_wheel), 0.46 + point.z_wheel])
@@ -321,8 +190,9 @@ def test_contact_jumps_where_a_railway_engineer_expects(system):
         np.testing.assert_allclose(found, jumps, atol=4e-6)
 
 
-@pytest.mark.parametrize("arguments", [dict(lateral_shift=0.05), dict(lateral_shift=-1.0), dict(lateral_shift=1e30),
-                                       dict(yaw=0.2), dict(yaw=-3.0)])
+@pytest.mark.parametrize("arguments",
+                         [dict(lateral_shift=0.05), dict(lateral_shift=-1.0), dict(lateral_shift=1e30),
+                          dict(yaw=0.2), dict(yaw=-3.0)])
 def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, arguments):
     before = system.evaluate(lateral_shift=1e-3)
     state = system.evaluate(**arguments)
@@ -332,8 +202,8 @@ def test_beyond_the_profiles_is_a_status_and_keeps_the_last_values(system, argum
 
 
 def test_a_contact_on_the_end_of_a_profile_is_off_it():
-    """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail touches it as much
-    further out, up to that end."""
+    """S1002 is straight from 32.2 mm to its end at 60 mm: on a wider track the same place of the rail touches
+    it as much further out, up to that end."""
     gauge, end = 1.54, 60e-3                                    # [m]
     room = end - wrcontact.ContactSystem(gauge=gauge).evaluate().right.contact.y_wheel
     inside = wrcontact.ContactSystem(gauge=gauge + 2 * (room - 1e-6)).evaluate()
@@ -355,13 +225,20 @@ def test_every_pair_over_the_whole_range():
 
 
 @pytest.mark.parametrize("rail, inclination, shift, yaw, force", [
-    ("UIC60", 1 / 40, -6.251934541417579e-3, 0.0, 8e3),                     # nearly conformal R13 on R13, y_wheel -36 mm
-    ("60E1", 1 / 40, 6.2597306526431685e-3, 0.0, 6.9e3),                    # likewise, beside S1002's step at -35 mm
-    ("UIC60", 1 / 40, 5.452984024507772e-3, 0.051588600550075296, 2.5),     # between the last scan node and the rail's end
-    ("UIC60", 1 / 40, -6.159960302142493e-3, 0.015818061840829713, 9.5e4),  # kinks in the load over penetration
-    ("UIC60", 1 / 40, 4.529254062720551e-3, 0.0, 7.1e4),                    # regions that were closed too early
-    ("UIC60", 1 / 40, 6.165668323384629e-3, -0.015987082958319174, 6.4e4),  # two regions that press each other away
-    ("UIC60", 1 / 40, 4.905236053824249e-3, -0.08038425688630561, 1.7e5),   # outline folded back beside the contact
+    # nearly conformal R13 on R13, y_wheel -36 mm
+    ("UIC60", 1 / 40, -6.251934541417579e-3, 0.0, 8e3),
+    # likewise, beside S1002's step at -35 mm
+    ("60E1", 1 / 40, 6.2597306526431685e-3, 0.0, 6.9e3),
+    # between the last scan node and the rail's end
+    ("UIC60", 1 / 40, 5.452984024507772e-3, 0.051588600550075296, 2.5),
+    # kinks in the load over penetration
+    ("UIC60", 1 / 40, -6.159960302142493e-3, 0.015818061840829713, 9.5e4),
+    # regions that were closed too early
+    ("UIC60", 1 / 40, 4.529254062720551e-3, 0.0, 7.1e4),
+    # two regions that press each other away
+    ("UIC60", 1 / 40, 6.165668323384629e-3, -0.015987082958319174, 6.4e4),
+    # outline folded back beside the contact
+    ("UIC60", 1 / 40, 4.905236053824249e-3, -0.08038425688630561, 1.7e5),
     ("60E1", 1 / 20, 4.844598087213372e-3, 0.08497943295679282, 7e5),       # contact beside a fold
     ("54E1", 1 / 40, 5.116213193802009e-3, -0.03593182758325816, 6.4e4),    # a region that is none
 ])
@@ -384,11 +261,13 @@ def test_far_moves_from_flange_to_tread_converge():
 def test_the_same_inputs_give_the_same_roll_at_large_yaw(system):
     rng = np.random.default_rng(7)
     shift, yaw = rng.uniform(-2e-3, 2e-3, 3000), rng.uniform(0.093, 0.12, 3000)
-    plain, guessed = (system.evaluate_many(shift, yaw, roll_guess=guess, outputs="geometry") for guess in (0.0, 1e-3))
+    plain, guessed = (system.evaluate_many(shift, yaw, roll_guess=guess, outputs="geometry")
+                      for guess in (0.0, 1e-3))
     assert np.abs(plain.roll - guessed.roll).max() < 1e-12
 
 
-#: Arguments of the system, lateral shift [m] and yaw [rad], and why the answer once hung on where the search started.
+#: Arguments of the system, lateral shift [m] and yaw [rad], and why the answer once hung on
+#: where the search started.
 SEVERAL_ANSWERS = {
     "flank above the rail again": (dict(rail="54E1", rail_inclination=1 / 30, gauge=1.4347667900382095),
                                    -0.00282366979555442, -0.09984709995757851),
@@ -397,23 +276,28 @@ SEVERAL_ANSWERS = {
     "two contacts in a cell": (dict(rail="54E1", rail_inclination=0.0, gauge=1.4334222645965715,
                                     gauge_depth=0.010622885987956932, nominal_radius=0.5089481155805106),
                                -0.00427645824847085, 0.044798104788786125),
-    "a zero that just vanishes": (dict(rail="54E1", gauge=1.4414783620838294, gauge_depth=0.010256278977611655,
-                                       nominal_radius=0.6160197692263196), -0.008319861039315497, 0.0),
-    "a jump beside it": (dict(rail="60E1", gauge=1.442560391487472, nominal_radius=0.5873005509731646), -0.0099124892437712, 0.0),
+    "a zero that just vanishes": (dict(rail="54E1", gauge=1.4414783620838294,
+                                       gauge_depth=0.010256278977611655, nominal_radius=0.6160197692263196),
+                                  -0.008319861039315497, 0.0),
+    "a jump beside it": (dict(rail="60E1", gauge=1.442560391487472, nominal_radius=0.5873005509731646),
+                         -0.0099124892437712, 0.0),
 }
 
 
 @pytest.mark.parametrize("name", SEVERAL_ANSWERS)
 def test_there_is_one_answer(name):
-    """From any start, and of several rolls the first one from level: a scan of the way there finds no other."""
+    """From any start, and of several rolls the first one from level: a scan of the
+    way there finds no other."""
     arguments, shift, yaw = SEVERAL_ANSWERS[name]
     guesses = np.concatenate([[0.0], np.linspace(-0.1, 0.1, 41), np.linspace(-0.01, 0.01, 40)])
-    table = wrcontact.ContactSystem(**arguments).evaluate_many(shift, yaw, roll_guess=guesses, outputs="geometry")
+    table = wrcontact.ContactSystem(**arguments).evaluate_many(shift, yaw, roll_guess=guesses,
+                                                               outputs="geometry")
     assert not table.status.any()
     assert np.ptp(table.roll) < 1e-12 and np.ptp(table.vertical_shift) < 1e-12
     surfaces = Surfaces(**arguments)
     way = table.roll[0] * np.linspace(0.0, 1.0, 60)[:-1]
-    right, left = (surfaces.lowest(np.full(59, sign * shift), np.full(59, sign * yaw), sign * way) for sign in (1.0, -1.0))
+    right, left = (surfaces.lowest(np.full(59, sign * shift), np.full(59, sign * yaw), sign * way)
+                   for sign in (1.0, -1.0))
     assert np.all((right - left) * table.roll[0] > 0.0)         # D keeps its sign from level to the roll
 
 
@@ -422,13 +306,15 @@ def test_a_start_that_finds_no_roll_does_not_decide(shift):
     """Beyond its end a wheel's smallest gap jumps: from 4 mrad on the search ended there, with status 2."""
     system = wrcontact.ContactSystem(cut("S1002", stop=1.149722310560055), gauge=1.4262290727589113,
                                      gauge_depth=0.011519422829102665, nominal_radius=0.6543992887310359)
-    table = system.evaluate_many(shift, 0.04903556557466748, roll_guess=np.linspace(-0.1, 0.1, 81), outputs="geometry")
+    table = system.evaluate_many(shift, 0.04903556557466748, roll_guess=np.linspace(-0.1, 0.1, 81),
+                                 outputs="geometry")
     assert not table.status.any()
     assert np.ptp(table.roll) < 1e-12
 
 
 def test_a_printed_joint_is_no_end():
-    """S1002's joint at y = -49.66 mm steps by 6e-11 m in its last digits; the contact stays on it for 0.3 um."""
+    """S1002's joint at y = -49.66 mm steps by 6e-11 m in its last digits; the contact
+    stays on it for 0.3 um."""
     system = wrcontact.ContactSystem(rail="54E1", gauge=1.4298494513942086, gauge_depth=0.01103666657956913,
                                      nominal_radius=0.6963042611736863)
     state = system.evaluate(-0.009625104234436804, -0.059105590772747164, roll_guess=-0.06792508450680196)
@@ -454,7 +340,8 @@ def test_a_wheel_is_searched_to_its_last_millimetre():
     assert state.status == 0 and state.roll == pytest.approx(whole.roll, abs=1e-12)
 
 
-@pytest.mark.parametrize("start, stop", [(-70.0, 28.481727808186925), (-35.19681944545982, 60.0), (-44.1, 0.7)])
+@pytest.mark.parametrize("start, stop",
+                         [(-70.0, 28.481727808186925), (-35.19681944545982, 60.0), (-44.1, 0.7)])
 def test_a_profile_has_a_height_at_both_its_ends(start, stop):
     profile = cut("S1002", start, stop)
     for name in ("UIC60", "60E1", "54E1"):

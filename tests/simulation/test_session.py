@@ -5,8 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from wrcontact.simulation import session as module
-from wrcontact.simulation.session import Refused, Session
 from wrcontact.interface.variables import (
     FIRST_OUTPUT,
     INPUT,
@@ -20,15 +18,19 @@ from wrcontact.interface.variables import (
     select,
 )
 from wrcontact.kernel import layout
+from wrcontact.simulation import session as module
+from wrcontact.simulation.session import Refused, Session
 
 SHIFT, FORCE, TRANSFER = (REFERENCE[name] for name in ("lateral_shift", "normal_force", "load_transfer"))
 
 
 class FakeStepper:
-    """Outputs count up from the sum of the inputs, plus what the memory holds; a negative force is invalid."""
+    """Outputs count up from the sum of the inputs, plus what the memory holds; a
+    negative force is invalid."""
 
     def __init__(self):
-        self.inputs, self.outputs, self.state = np.zeros(layout.INPUT_COUNT), np.zeros(layout.OUTPUT_COUNT), np.zeros(3)
+        self.inputs, self.outputs, self.state = (np.zeros(layout.INPUT_COUNT), np.zeros(layout.OUTPUT_COUNT),
+                                                 np.zeros(3))
 
     def step(self):
         if not np.isfinite(self.inputs).all() or self.inputs[layout.IN_NORMAL_FORCE] < 0:
@@ -91,7 +93,7 @@ def test_outputs_lie_in_the_order_of_the_kernel():
     ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
     ("right.patch[2].width", layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_SIZE + layout.PATCH_WIDTH),
     ("left.half_length[31]", layout.OUT_LEFT + layout.SIDE_HALF_LENGTH + 30),
-])  # fmt: skip
+])
 def test_names_point_to_the_right_place(name, index):
     assert VARIABLES[REFERENCE[name]].index == index
 
@@ -127,11 +129,14 @@ def test_outputs_are_computed_once_per_change(running):
 
 
 def test_values_are_read_in_any_order_and_any_number(running):
-    references = [REFERENCE["right.pressure[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"], REFERENCE["roll"]]
+    references = [REFERENCE["right.pressure[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"],
+                  REFERENCE["roll"]]
     values = running.get_reals(references)
-    assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0] and values[3] == values[4]
+    assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0]
+    assert values[3] == values[4]
     assert running.get_reals(references[:1]) == values[:1]
-    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0, int(values[3]) + layout.OUT_LEFT]
+    assert running.get_integers([STATUS, REFERENCE["left.patch_count"]]) == [0,
+                                                                             int(values[3]) + layout.OUT_LEFT]
     assert running.get_strings([REFERENCE["rail_profile"]]) == ["UIC60"]
 
 
@@ -186,7 +191,7 @@ def test_parameters_are_fixed_once_the_simulation_runs(running):
     (lambda s: s.get_integers([len(VARIABLES)]), f"{len(VARIABLES)} does not exist"),
     (lambda s: s.get_reals([-1]), "-1 does not exist"),
     (lambda s: s.set_reals([-1], [0.0]), "-1 does not exist"),
-])  # fmt: skip
+])
 def test_misuse_is_refused(running, call, words):
     with pytest.raises(Refused, match=words):
         call(running)

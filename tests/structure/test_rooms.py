@@ -1,8 +1,9 @@
 """The structure of the code: which room imports which, how long files and functions are.
 
-A room is a folder of the package, or a module at its top.  Rooms stand in one order; a module imports from its own room and
-from rooms before it, and no modules import each other in a circle.  A function that needs more lines or arguments than the
-limits says so in its docstring, in a line that starts with "Long because" or "Many arguments because".
+A room is a folder of the package, or a module at its top. Rooms stand in one order; a module imports from its
+own room and from rooms before it, and no modules import each other in a circle. A function that needs more
+lines or arguments than the limits says so in its docstring, in a line that starts with "Long because" or
+"Many arguments because".
 """
 
 import ast
@@ -14,8 +15,9 @@ from wrcontact.kernel.binding.files import ROOMS
 
 PACKAGE = ROOT / "wrcontact"
 #: Rooms from upstream to downstream.  The FMU's sources in fmu_src are modules of wrcontact.fmu.
-ORDER = ("storage", "conventions", "methods", "interface", *(f"kernel.{room}" for room in ROOMS), "kernel.binding", "profiles", "state",
-         "status", "stepper", "reference", "system", "simulation", "conditioning", "study", "plots", "fmu", "cli")
+ORDER = ("storage", "conventions", "methods", "interface", *(f"kernel.{room}" for room in ROOMS),
+         "kernel.binding", "profiles", "state", "status", "stepper", "reference", "system", "simulation",
+         "conditioning", "study", "plots", "fmu", "cli")
 #: What a user holds; nothing else stands loose at the top of the package.
 TOP = {"system", "stepper", "state", "status", "conventions"}
 CODE = ("wrcontact", "fmu_src", "build_hooks", "tools", "benchmarks", "docs", "examples")
@@ -54,7 +56,8 @@ TREES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in MOD
 
 
 def targets(name, node):
-    """(Module, name or None) of everything that an import statement of the module ``name`` reads, in the package."""
+    """(Module, name or None) of everything that an import statement of the module ``name``
+    reads, in the package."""
     parts = name.split(".") if name else []
     package = parts if MODULES[name].name == "__init__.py" else parts[:-1]
     if isinstance(node, ast.Import):
@@ -74,7 +77,8 @@ def targets(name, node):
 
 
 def home(module, name):
-    """The module that ``from module import name`` reads: a submodule, or where a package's face has the name from."""
+    """The module that ``from module import name`` reads: a submodule, or where a package's
+    face has the name from."""
     if name is None or name == "*":
         return module
     if ".".join(filter(None, (module, name))) in MODULES:
@@ -87,7 +91,8 @@ def home(module, name):
 
 
 def imports():
-    """Modules that each module imports, anywhere in it; the package's own face, which hands names on, imports nothing."""
+    """Modules that each module imports, anywhere in it; the package's own face, which hands
+    names on, imports nothing."""
     return {name: {home(*target) for node in ast.walk(tree) for target in targets(name, node)} - {name, ""}
             for name, tree in TREES.items() if name}
 
@@ -114,7 +119,8 @@ def test_imports_point_upstream():
 
 
 def test_no_modules_import_each_other_in_a_circle():
-    """What imports nothing, or only what has been taken away already, is taken away; a circle would remain."""
+    """What imports nothing, or only what has been taken away already, is taken away;
+    a circle would remain."""
     left = dict(IMPORTS)
     while ends := [name for name, targets in left.items() if not targets & set(left)]:
         for name in ends:
@@ -122,7 +128,7 @@ def test_no_modules_import_each_other_in_a_circle():
     assert left == {}
 
 
-# --- sizes ------------------------------------------------------------------------------------------------------------
+# --- sizes --------------------------------------------------------------------------------------------------
 
 
 def hand_written(*endings):
@@ -156,7 +162,8 @@ def functions(tree):
 
 
 def test_functions_are_small():
-    found = {(name, node.name, kind) for name, text in hand_written(".py") for node in functions(ast.parse(text))
+    found = {(name, node.name, kind) for name, text in hand_written(".py")
+             for node in functions(ast.parse(text))
              for kind in too_large(node)}
     assert found == LARGE_FUNCTIONS
 
@@ -164,7 +171,8 @@ def test_functions_are_small():
 @pytest.mark.parametrize("text, found", [
     ("def f(self, a, b, c, d, e, f, g, h): pass", []),
     ("def f(a, b, c, d, e, f, *, g, h, **i): pass", ["arguments"]),
-    ("def f(a, b, c, d, e, f, g, h, i):\n    '''F.\n\n    Many arguments because they are one each.\n    '''", []),
+    ("def f(a, b, c, d, e, f, g, h, i):\n    '''F.\n\n    Many arguments because they are one each.\n    '''",
+     []),
     ("def f():\n" + "    pass\n" * 60, ["lines"]),
     ("def f():\n" + "    pass\n" * 59, []),
     ("def f():\n    '''F.\n\n    Long because it is a table.\n    '''\n" + "    pass\n" * 60, [])])

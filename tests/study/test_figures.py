@@ -3,36 +3,30 @@
 import csv
 import math
 import re
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from scipy.special import ellipe, ellipk
 
-from tests.helpers.numpy_curvatures import fitted_curvature, turned_curvature
-from tests.helpers.numpy_profiles import compile_profile
+from tests.helpers.paths import REFERENCE_DATA, ROOT
+from tests.helpers.source_study import STUDY
+from tests.reference import brute_force
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.figures import index, summary
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
 from wrcontact.plots.source_figures import DRAWN, source_figure
-from wrcontact.study.analyn import corrected, solve_analyn
 from wrcontact.study.compare import lever_share
-from wrcontact.study.figure import FAILS, HOLDS, PARTLY, Study, rows_of
+from wrcontact.study.figure import FAILS, HOLDS, PARTLY, rows_of
 from wrcontact.study.figures import chosen, compute, known
-from wrcontact.study.sections import Section, circle_curvature, rough_curvature
-
-from tests.reference import brute_force
-from tests.helpers.paths import REFERENCE_DATA, ROOT
+from wrcontact.study.sections import Section
 
 NUMBERS = ("4.4", "4.5", "4.6", "5.6", "5.7", "5.8", "5.9", *(f"7.{k}" for k in range(1, 18)))
-MODULUS = 210e9 / (2 * (1 - 0.28**2))   # [Pa]
-STUDY = Study()
 
 
-@lru_cache(maxsize=None)
+@cache
 def figure(number):
     return compute(number, STUDY)
 
@@ -54,105 +48,24 @@ def at(number, curve, shift):
     """A curve of a figure at a lateral shift [mm]."""
     rows = rows_of(figure(number).columns, curve=curve)
     value = list(figure(number).columns)[2]
-    return float(rows[value].astype(float)[np.argmin(np.abs(rows["lateral shift [mm]"].astype(float) - shift))])
+    return float(rows[value].astype(float)[np.argmin(np.abs(rows["lateral shift [mm]"].astype(float)
+                                                            - shift))])
 
 
-# --- ANALYN of the source, and what it is fed with -------------------------------------------------
-
-
-@pytest.mark.parametrize("A, B", [(1.0, 1.0), (1.0, 8.0), (6.0, 1.0)])
-def test_analyn_of_the_study_is_hertz_for_constant_curvatures(A, B):
-    """Semi-axes, approach and pressure from the elliptic integrals (Johnson 1985, section 4.2)."""
-    force, s = 20e3, np.linspace(-20e-3, 20e-3, 8001)
-    patch = solve_analyn(s, B * s**2, np.full_like(s, A), np.full_like(s, B), force=force, modulus=MODULUS)
-    a, b = patch.length / 2, patch.width / 2
-    short, long, q = min(a, b), max(a, b), min(a, b) / max(a, b)
-    K, E = ellipk(1 - q * q), ellipe(1 - q * q)
-    assert min(A, B) / max(A, B) == pytest.approx((K - E) / (E / q**2 - K), rel=5e-3)
-    assert patch.penetration == pytest.approx(3 * force * K / (2 * math.pi * MODULUS * long), rel=2e-3)
-    assert patch.pressure.max() == pytest.approx(3 * force / (2 * math.pi * long * short), rel=3e-3)
-    assert patch.normal_force == pytest.approx(force, rel=1e-9)
-
-
-def test_nodes_with_no_curvature_drop_out_unless_corrected():
-    s = np.linspace(-5e-3, 5e-3, 401)
-    B = np.where(np.abs(s - 1e-3) < 0.5e-3, -0.5, 2.0)
-    columns = s, 2.0 * s**2, np.ones_like(s), B
-    bare, mended = (solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree) for degree in (None, 2))
-    assert not bare.loaded[np.abs(s - 1e-3) < 0.4e-3].any() and bare.regions == 2
-    assert mended.regions == 1 and mended.penetration < bare.penetration
-    assert np.isnan(corrected(B, np.abs(s) < 3e-3, None)[np.abs(s - 1e-3) < 0.4e-3]).all()
-
-
-@pytest.mark.parametrize("shift", [1.0, 6.0, 6.5])
-def test_separations_near_the_contact_are_what_the_curvature_says(shift):
-    """B s^2 along the normal and between equal arcs, and 1 / cos(contact angle) more vertically at the same place."""
-    section = STUDY.section(shift)
-    near = 5e-6   # [m]
-    B = float(section.exact_lateral(section.normal(near, 1))[1])
-    for nodes in (section.normal(near, 8), section.equidistant(near, 8), section.equidistant(near, 8, chords=True)):
-        assert nodes.gap == pytest.approx(B * nodes.station**2, rel=0.02, abs=1e-13)
-    vertical, cosine = section.vertical(near, 8), math.cos(section.angle)
-    assert vertical.gap == pytest.approx(B * (vertical.station / cosine)**2 / cosine, rel=0.04, abs=1e-13)
-
-
-def test_chords_are_arcs_in_the_limit():
-    section, errors = STUDY.section(6.0), []
-    for ds in (0.8e-3, 0.4e-3, 0.2e-3):
-        count = round(8e-3 / ds)
-        chords, arcs = section.equidistant(ds, count, chords=True), section.equidistant(ds, count)
-        errors.append(abs(chords.rail[0] - arcs.rail[0]))
-    assert errors[0] / errors[1] == pytest.approx(4, rel=0.3) and errors[1] / errors[2] == pytest.approx(4, rel=0.3)
-
-
-def test_arc_lengths_on_a_circle():
-    """The rail's gauge corner is an arc of 13 mm: an arc length s turns the tangent by s / R."""
-    rail = STUDY.section(6.5).rail
-    t = rail.at_arc(np.array([-0.5e-3, 0.5e-3]))
-    assert np.diff(rail.direction(t)) == pytest.approx(1e-3 / 13e-3, rel=1e-6)
-
-
-@pytest.mark.parametrize("shift", [1.0, 6.0])
-def test_curvatures_are_those_of_the_kernels_tables(shift):
-    """Circle fit and three nodes written twice, by two people."""
-    section = STUDY.section(shift)
-    nodes = section.equidistant(0.2e-3, 60)
-    for curve, t in ((section.rail, nodes.rail), (section.wheel, nodes.wheel)):
-        table, own = compile_profile(curve.profile), rough_curvature(curve.point(t))
-        # 31 points along the chord, 61 along the tangent
-        assert circle_curvature(curve, t, 3e-3) == pytest.approx(fitted_curvature(table, t, 3e-3), rel=0.02, abs=0.05)
-        even = np.abs(np.diff(own, 2, prepend=own[0], append=own[-1])) < 1.0   # [1/m], not beside a step of the heights
-        assert np.median(np.abs(own - turned_curvature(table, t, 0.2e-3))[even]) < 0.01
-
-
-@pytest.mark.parametrize("shift", [6.0, 6.5])
-@pytest.mark.parametrize("separation", ["normal", "equidistant", "equidistant_chord"])
-def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
-    """Where one B for all hardly matters: the numpy ANALYN on its own nodes against the kernel with the same options."""
-    from wrcontact.study.patch_tables import study_patch
-
-    section = STUDY.section(shift)
-    nodes = {"normal": section.normal, "equidistant": section.equidistant,
-             "equidistant_chord": lambda ds, count: section.equidistant(ds, count, chords=True)}[separation](0.02e-3, 400)
-    patch = study_patch(nodes, section, section.smooth_lateral(nodes, 3e-3))
-    side = ContactSystem(separation=separation, lateral_curvature="smooth").evaluate(lateral_shift=shift / 1e3).right
-    assert patch.penetration == pytest.approx(side.penetration, rel=0.005)
-    assert patch.pressure.max() == pytest.approx(side.max_pressure, rel=0.005)
-    assert patch.length == pytest.approx(side.patch_length, rel=0.003)
-    assert patch.width == pytest.approx(side.patch_width, rel=0.02)
-
-
-# --- chapters 4 and 5 ------------------------------------------------------------------------------
+# --- chapters 4 and 5 -----------------------------------------------------------------------------
 
 
 def test_roll_and_place_are_those_of_the_brute_force():
-    """tests/reference/rigid_positions.csv is an independent search over both parameters of the wheel's surface."""
+    """tests/reference/rigid_positions.csv is an independent search over both
+    parameters of the wheel's surface."""
     rows = [row for row in read_reference("rigid_positions.csv") if row["yaw_deg"] == 0]
     assert len(rows) > 5
     for row in rows:
         shift = row["lateral_shift_mm"]
-        assert at("4.4", "rigid, exact", shift) == pytest.approx(math.degrees(row["roll_rad"]), abs=1e-7)   # [deg]
-        assert at("4.5", "rigid, exact", shift) == pytest.approx(row["R_y_wheel_mm"], abs=1e-4)             # [mm]
+        # [deg]
+        assert at("4.4", "rigid, exact", shift) == pytest.approx(math.degrees(row["roll_rad"]), abs=1e-7)
+        # [mm]
+        assert at("4.5", "rigid, exact", shift) == pytest.approx(row["R_y_wheel_mm"], abs=1e-4)
 
 
 def test_4_4_the_roll_bends_and_does_not_jump():
@@ -168,7 +81,8 @@ def test_4_4_the_roll_bends_and_does_not_jump():
 
 def test_4_5_three_jumps():
     numbers = figure("4.5").numbers
-    assert [numbers[f"jump {k} at [mm]"] for k in (1, 2, 3)] == pytest.approx([0.2089, 4.8479, 6.2518], abs=2e-4)
+    assert [numbers[f"jump {k} at [mm]"] for k in (1, 2, 3)] == pytest.approx([0.2089, 4.8479, 6.2518],
+                                                                              abs=2e-4)
     assert [numbers[f"jump {k} by [mm]"] for k in (1, 2, 3)] == pytest.approx([-10.2, -10.5, -4.2], abs=0.2)
     assert figure("4.5").verdict == HOLDS
 
@@ -182,7 +96,8 @@ def test_4_6_the_source_own_search_is_on_the_rigid_contact():
 
 def test_elastic_contact_is_smoother_and_tends_to_the_rigid_one():
     numbers = figure("4.5").numbers
-    assert numbers["largest step before the flange, elastic [mm]"] < 0.05 * numbers["largest step, rigid [mm]"]
+    assert numbers["largest step before the flange, elastic [mm]"] < 0.05 * numbers["largest step, rigid "
+                                                                                    "[mm]"]
     assert figure("5.6").numbers["yaw 0 deg: elastic slope, 0.4 mm behind / before"] < 1.5
     assert figure("5.6").numbers["yaw 0 deg: share of shifts with less elastic roll"] > 0.8
     numbers = figure("4.4").numbers
@@ -194,8 +109,10 @@ def test_elastic_contact_is_smoother_and_tends_to_the_rigid_one():
 
 @pytest.mark.parametrize("shift", [2.0, 3.0, 6.0])
 def test_elastic_roll_is_what_the_complete_theory_makes_of_the_levers(shift):
-    """Each wheel sinks by its penetration over the cosine of its contact angle; the lever is that of the study."""
-    sides = [getattr(STUDY.system(normal_model="halfspace").evaluate(lateral_shift=shift / 1e3), side) for side in SIDES]
+    """Each wheel sinks by its penetration over the cosine of its contact angle; the
+    lever is that of the study."""
+    sides = [getattr(STUDY.system(normal_model="halfspace").evaluate(lateral_shift=shift / 1e3), side)
+             for side in SIDES]
     left, right = (side.penetration / math.cos(side.contact_angle) for side in sides)
     arms = sum(abs(side.contact.y_track - shift / 1e3) for side in sides)
     turn = (right - left) / (lever_share(STUDY.system(), shift / 1e3) * arms)
@@ -245,8 +162,9 @@ def test_5_9_longitudinal_shift():
     assert numbers["yaw 1 deg: largest [mm]"] == pytest.approx(22.8, abs=0.2)
     for row in read_reference("rigid_positions.csv"):
         if row["yaw_deg"] in (1, 2, 3) and row["lateral_shift_mm"] >= 0:
-            assert at("5.9", f"exact, yaw {row['yaw_deg']:.0f} deg", row["lateral_shift_mm"]) == pytest.approx(
-                row["R_x_wheel_mm"], abs=2e-3)   # [mm]
+            assert at("5.9", f"exact, yaw {row['yaw_deg']:.0f} deg",
+                      row["lateral_shift_mm"]) == pytest.approx(
+row["R_x_wheel_mm"], abs=2e-3)   # [mm]
     assert numbers["yaw 1 deg at 6.5 mm [mm]"] == pytest.approx(18.34, abs=0.01)
     assert numbers["yaw 3 deg at 1 mm [mm]"] < numbers["yaw 2 deg at 1 mm [mm]"]
 
@@ -256,20 +174,25 @@ def test_5_9_longitudinal_shift():
 def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
     """The search over both parameters of the wheel's surface, which shares no code with the package."""
     found = brute_force.rigid_contact(brute_force.track(), shift / 1e3, math.radians(yaw))
-    assert at("5.8", f"exact, yaw {yaw} deg", shift) == pytest.approx(math.degrees(found.roll), abs=1e-6)      # [deg]
-    assert at("5.9", f"exact, yaw {yaw} deg", shift) == pytest.approx(found.right.x_wheel * 1e3, abs=2e-3)    # [mm]
+    # [deg]
+    assert at("5.8", f"exact, yaw {yaw} deg", shift) == pytest.approx(math.degrees(found.roll), abs=1e-6)
+    # [mm]
+    assert at("5.9", f"exact, yaw {yaw} deg", shift) == pytest.approx(found.right.x_wheel * 1e3, abs=2e-3)
 
 
-# --- chapter 7 -------------------------------------------------------------------------------------
+# --- chapter 7 ------------------------------------------------------------------------------------
 
 
 def test_7_2_and_7_4_separations():
     tread, root = figure("7.2").numbers, figure("7.4").numbers
     assert tread["separations differ inside the patch by [mm]"] < 5e-4
     assert abs(tread["vertical: penetration [%]"]) < 0.5
-    assert 1e-4 < root["separations differ within 0.5 mm by [mm]"] < root["separations differ within 1 mm by [mm]"] < 2e-3
-    assert root["1 / cos(contact angle) [%]"] == pytest.approx(100 / math.cos(math.radians(24.2695)) - 100, abs=0.01)
-    assert root["vertical: length [%]"] == pytest.approx(5.5, abs=0.3)           # equidistant is narrower in x
+    assert 1e-4 < root["separations differ within 0.5 mm by [mm]"] < root["separations differ within 1 mm "
+                                                                          "by [mm]"] < 2e-3
+    assert root["1 / cos(contact angle) [%]"] == pytest.approx(100 / math.cos(math.radians(24.2695)) - 100,
+                                                               abs=0.01)
+    # equidistant is narrower in x
+    assert root["vertical: length [%]"] == pytest.approx(5.5, abs=0.3)
     assert root["vertical: width in y [%]"] == pytest.approx(-7, abs=1.5)        # and wider in y
     assert root["vertical: penetration [%]"] == pytest.approx(11.4, abs=0.5)
     assert abs(root["vertical, turned: penetration [%]"]) < 2
@@ -285,7 +208,8 @@ def test_effective_radius(number, factor):
     assert numbers["effective radius [m]"] == pytest.approx(numbers["wrcontact's radius [m]"], rel=1e-6)
 
 
-@pytest.mark.parametrize("number, length, width", [("7.6", 0.1, 0.0), ("7.8", 4.1, -2.7), ("7.10", 45.2, -16.8)])
+@pytest.mark.parametrize("number, length, width",
+                         [("7.6", 0.1, 0.0), ("7.8", 4.1, -2.7), ("7.10", 45.2, -16.8)])
 def test_effective_radius_stretches_the_patch(number, length, width):
     numbers = figure(number).numbers
     assert numbers["effective: length [%]"] == pytest.approx(length, abs=0.3)
@@ -312,19 +236,23 @@ def test_7_11_roughness_is_rounding():
 @pytest.mark.parametrize("number, rough, smooth", [("7.12", 74, 81), ("7.13", 33, 37), ("7.14", 61, 66)])
 def test_rough_curvature_always_leaves_fewer_nodes(number, rough, smooth):
     numbers = figure(number).numbers
-    assert (numbers["rough: loaded nodes"], numbers["smooth: loaded nodes"]) == pytest.approx((rough, smooth), abs=1)
+    assert (numbers["rough: loaded nodes"],
+            numbers["smooth: loaded nodes"]) == pytest.approx((rough, smooth), abs=1)
     assert numbers["rough: B <= 0 over [mm]"] > numbers["smooth: B <= 0 over [mm]"] > 4
     true = numbers["complete theory: penetration [um]"]
-    assert numbers["rough: penetration [um]"] > 1.15 * true and numbers["smooth: penetration [um]"] > 1.1 * true
+    assert numbers["rough: penetration [um]"] > 1.15 * true
+    assert numbers["smooth: penetration [um]"] > 1.1 * true
     assert numbers["wrcontact: penetration [um]"] == pytest.approx(true, rel=0.01)
-    for kind in ("rough", "smooth"):   # B <= 0 floored instead of dropped, and other curvatures for extent and length
+    # B <= 0 floored instead of dropped, and other curvatures for extent and length
+    for kind in ("rough", "smooth"):
         assert numbers[f"wrcontact, {kind}: penetration [um]"] == pytest.approx(true, rel=0.1)
 
 
 def test_7_14_exact_profiles_do_not_break_the_patch_and_rounded_ones_do():
     numbers = figure("7.14").numbers
     assert numbers["rough: first contact point in the patch"] == 1
-    assert numbers["first point out, coordinates to 0 mm"] == 0 == numbers["first point out, coordinates to 0.0001 mm"]
+    assert numbers["first point out, coordinates to 0 mm"] == 0 == numbers["first point out, coordinates to "
+                                                                           "0.0001 mm"]
     assert 0.2 < numbers["first point out, coordinates to 0.001 mm"] < 0.6
     assert numbers["first point out, coordinates to 0.001 mm, corrected"] == 0
     assert numbers["first point out, coordinates to 0.01 mm, corrected"] == pytest.approx(1 / 7, abs=0.1)
@@ -338,7 +266,8 @@ def test_yaw_has_patterns_where_the_contact_does_not_jump():
     assert tread["no yaw, wheelset narrower by cos(2 deg): area [mm2]"] == pytest.approx(area[2], rel=0.01)
     assert root["yaw 2 deg: x_wheel [mm]"] == pytest.approx(42.762, abs=1e-2)   # on the flange
     assert root["yaw 2 deg: largest pressure [MPa]"] > 1.9 * root["yaw 0 deg: largest pressure [MPa]"]
-    length, width = ([flange[f"yaw {yaw} deg: {what} [mm]"] for yaw in (0, 1, 2)] for what in ("length", "width"))
+    length, width = ([flange[f"yaw {yaw} deg: {what} [mm]"] for yaw in (0, 1, 2)]
+                     for what in ("length", "width"))
     assert length == sorted(length, reverse=True) and width == sorted(width)
     assert length == pytest.approx([28.4, 25.5, 21.7], abs=0.2)
     for numbers in (tread, root, flange):
@@ -347,7 +276,7 @@ def test_yaw_has_patterns_where_the_contact_does_not_jump():
                 numbers[f"yaw {yaw} deg: complete theory, area [mm2]"], rel=0.05)
 
 
-# --- files and command -----------------------------------------------------------------------------
+# --- files and command ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -421,7 +350,8 @@ def test_command_refuses_unknown_figures_in_one_sentence(run, tmp_path):
 
 
 @pytest.mark.parametrize("words, numbers", [
-    ((), NUMBERS), (("7.4,7.2",), ("7.2", "7.4")), (("fig_7_2", "4.4"), ("4.4", "7.2")), (("7.2", "7.2"), ("7.2",))])
+    ((), NUMBERS), (("7.4,7.2",), ("7.2", "7.4")), (("fig_7_2", "4.4"), ("4.4", "7.2")),
+    (("7.2", "7.2"), ("7.2",))])
 def test_chosen(words, numbers):
     assert chosen(words) == numbers and known() == NUMBERS and tuple(DRAWN) == NUMBERS
 
@@ -431,17 +361,19 @@ def test_section_is_prepared_for_the_pose():
     section = Section(ContactSystem(), 2e-3)
     assert section.angle == state.right.contact_angle and section.wheel.origin == state.right.contact.y_wheel
     slopes = [curve.direction(curve.origin) for curve in (section.wheel, section.rail)]
-    assert slopes[0] == pytest.approx(slopes[1], abs=1e-9) and slopes[0] == pytest.approx(-section.angle, abs=1e-9)
+    assert slopes[0] == pytest.approx(slopes[1], abs=1e-9)
+    assert slopes[0] == pytest.approx(-section.angle, abs=1e-9)
 
 
-# --- documentation ---------------------------------------------------------------------------------
+# --- documentation --------------------------------------------------------------------------------
 
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 
 
 def same_words(told, found):
-    """Whether two sentences are the same but for the last digit of their numbers; powers of ten but for a factor of three."""
+    """Whether two sentences are the same but for the last digit of their numbers; powers of ten but
+    for a factor of three."""
     if NUMBER.sub("#", told) != NUMBER.sub("#", found):
         return False
     for one, other in zip(NUMBER.findall(told), NUMBER.findall(found)):

@@ -1,4 +1,5 @@
-"""The source's searches: they find what the exact search finds where they can, and say so where they cannot."""
+"""The source's searches: they find what the exact search finds where they can, and
+say so where they cannot."""
 
 import math
 
@@ -7,8 +8,16 @@ import pytest
 
 import wrcontact
 from wrcontact.fmu.online import online_files
-from wrcontact.study import (AdaptiveSearch, ConstraintSearch, DenserSearch, Search2D, Search3D, compare, constraints,
-                             exact_result)
+from wrcontact.study import (
+    AdaptiveSearch,
+    ConstraintSearch,
+    DenserSearch,
+    Search2D,
+    Search3D,
+    compare,
+    constraints,
+    exact_result,
+)
 from wrcontact.study.surfaces import Pose, Surfaces, profile_nodes
 from wrcontact.study.wang import longitudinal_limit, wang_shift
 
@@ -29,7 +38,8 @@ def roll_error(system, search, shift, yaw=0.0):
     return abs(search.solve(shift, yaw).roll - exact_result(system, shift, yaw).roll)
 
 
-@pytest.mark.parametrize("shifts, share", [((1e-3, 3e-3, 5e-3, 6e-3), 15.0), ((6.3e-3, 6.5e-3, 8e-3), 3000.0)],
+@pytest.mark.parametrize("shifts, share",
+                         [((1e-3, 3e-3, 5e-3, 6e-3), 15.0), ((6.3e-3, 6.5e-3, 8e-3), 3000.0)],
                          ids=["tread_and_root", "flange"])
 def test_plane_search_converges_to_the_exact_one(system, shifts, share):
     """Between nodes a distance h apart curves are missed by h^2, on the flange with a short lever."""
@@ -39,15 +49,17 @@ def test_plane_search_converges_to_the_exact_one(system, shifts, share):
         for shift in shifts:
             found, exact = search.solve(shift), exact_result(system, shift)
             assert found.converged and abs(found.right.y_wheel - exact.right.y_wheel) < 1.5 * spacing
-            assert abs(found.vertical_shift - exact.vertical_shift) < share * spacing**2    # [m] with a lever of 1 m
+            # [m] with a lever of 1 m
+            assert abs(found.vertical_shift - exact.vertical_shift) < share * spacing**2
         worst.append(max(roll_error(system, search, shift) for shift in shifts))
         assert worst[-1] < share * spacing**2
     rate = np.polyfit(np.log(SPACINGS), np.log(worst), 1)[0]
     assert 1.4 < rate < 2.8
 
 
-@pytest.mark.parametrize("shift, yaw, share", [(1e-3, 1, 30.0), (-3e-3, 3, 30.0), (6e-3, 1, 30.0), (6.5e-3, 1, 3000.0),
-                                               (6e-3, 2, 3000.0)], ids=str)
+@pytest.mark.parametrize("shift, yaw, share",
+                         [(1e-3, 1, 30.0), (-3e-3, 3, 30.0), (6e-3, 1, 30.0), (6.5e-3, 1, 3000.0),
+                          (6e-3, 2, 3000.0)], ids=str)
 def test_search_with_yaw_converges_to_the_exact_one(system, shift, yaw, share):
     yaw = deg(yaw)
     for spacing in SPACINGS[1:3]:
@@ -79,7 +91,7 @@ def test_left_is_the_mirror_image_of_right(system):
         assert one.right.y_wheel == other.left.y_wheel and one.left.x_wheel == other.right.x_wheel
 
 
-# ------------------------------------------------------------------------------------------------------------------ errata
+# ----------------------------------------------------------------------------------------------------- errata
 
 
 def test_step_with_the_sign_as_printed_turns_away(system):
@@ -91,27 +103,34 @@ def test_corrected_shift_of_wang_is_the_contact_locus(roll, yaw, slope):
     t = math.tan(yaw) * math.sin(roll)
     phi = -math.atan(t) - math.asin(math.tan(yaw) * math.cos(roll) * slope / math.sqrt(1 + t * t))
     pose = Pose(0.0, yaw, roll)
-    contact, lowest = (constraints.turned(pose, 0.47 * math.sin(angle), 0.0, 0.47 * math.cos(angle)) for angle in (phi, 0.0))
-    np.testing.assert_allclose(wang_shift(0.47, -slope, roll=roll, yaw=yaw), np.subtract(contact, lowest), atol=1e-15)
+    contact, lowest = (constraints.turned(pose, 0.47 * math.sin(angle), 0.0, 0.47 * math.cos(angle))
+                       for angle in (phi, 0.0))
+    np.testing.assert_allclose(wang_shift(0.47, -slope, roll=roll, yaw=yaw), np.subtract(contact, lowest),
+                               atol=1e-15)
 
 
 def test_yawed_rail_as_printed_does_not_converge(system):
-    """Source eq. (5.12) maps the abscissa the wrong way round: an error of 2 (1 - cos yaw) of it that no spacing cures."""
+    """Source eq. (5.12) maps the abscissa the wrong way round: an error of 2 (1 - cos yaw) of
+    it that no spacing cures."""
     shift, yaw = 3e-3, deg(3)
-    printed, corrected = (Search3D(system, 2e-4, 2.5e-5, tolerance=EXACTLY, as_printed=printed) for printed in (True, False))
+    printed, corrected = (Search3D(system, 2e-4, 2.5e-5, tolerance=EXACTLY, as_printed=printed)
+                          for printed in (True, False))
     assert roll_error(system, corrected, shift, yaw) < 1e-8
     assert roll_error(system, printed, shift, yaw) > 2e-6
 
 
 def test_contact_on_the_flange_beyond_the_range_of_the_source(system):
-    """At 6 mm and 2 deg the right wheel touches 43 mm ahead; the 2-D search, in the flange root, lets look 7 mm ahead."""
+    """At 6 mm and 2 deg the right wheel touches 43 mm ahead; the 2-D search, in the flange
+    root, lets look 7 mm ahead."""
     shift, yaw = 6e-3, deg(2)
     exact, plane = exact_result(system, shift, yaw), Search2D(system).solve(shift)
     height, slope = Surfaces(system).wheel(np.array(plane.right.y_wheel))
     limit = longitudinal_limit(0.46 + height, -slope, roll=plane.roll, yaw=yaw)
-    assert exact.right.x_wheel == pytest.approx(42.762e-3, abs=1e-6) and limit == pytest.approx(7.26e-3, abs=1e-4)
+    assert exact.right.x_wheel == pytest.approx(42.762e-3, abs=1e-6)
+    assert limit == pytest.approx(7.26e-3, abs=1e-4)
     found = Search3D(system).solve(shift, yaw)
-    assert found.converged and abs(found.right.y_wheel - exact.right.y_wheel) > 9e-3      # and does not notice
+    # and does not notice
+    assert found.converged and abs(found.right.y_wheel - exact.right.y_wheel) > 9e-3
     assert roll_error(system, Search3D(system, dx=1e-3, profiles=67), shift, yaw) < 2e-5
     assert roll_error(system, DenserSearch(system), shift, yaw) < 1e-6
 
@@ -126,8 +145,10 @@ def test_flange_contact_comes_earlier_with_yaw_but_not_in_the_source_as_describe
 
 
 def test_the_gain_of_the_source_suits_the_tread(system):
-    """A step is K times the difference over 2 * 750 mm, right on the tread; on the flange the true lever is a fifth."""
-    steps = {gain: [Search2D(system, gain=gain).solve(shift).steps for shift in (3e-3, 6.5e-3)] for gain in (1.0, 1.2, 1.9)}
+    """A step is K times the difference over 2 * 750 mm, right on the tread; on the flange the
+    true lever is a fifth."""
+    steps = {gain: [Search2D(system, gain=gain).solve(shift).steps for shift in (3e-3, 6.5e-3)]
+             for gain in (1.0, 1.2, 1.9)}
     assert steps[1.0][0] <= 5 and steps[1.9][0] > 30
     assert steps[1.2][1] > 30 and steps[1.9][1] < 0.7 * steps[1.2][1]
 
@@ -137,21 +158,23 @@ def test_lever_of_the_roll(system, shift, share):
     """Against the difference of the smallest distances 1e-5 rad to either side of the balance."""
     search, roll, gaps = Search2D(system, 1e-5), exact_result(system, shift).roll, []
     for turned in (roll - 1e-5, roll + 1e-5):
-        left, right = (search._matrices[side][0].lowest(Pose(shift, 0.0, turned).of(side)) for side in ("left", "right"))
+        left, right = (search._matrices[side][0].lowest(Pose(shift, 0.0, turned).of(side))
+                       for side in ("left", "right"))
         gaps.append(left.gap - right.gap)
     measured = (gaps[1] - gaps[0]) / 2e-5 / (left.y_axle + right.y_axle)
     assert compare.lever_share(system, shift) == pytest.approx(share, abs=1e-3)
     assert measured == pytest.approx(share, abs=5e-3)
 
 
-# --------------------------------------------------------------------------------------------------------------- proposals
+# -------------------------------------------------------------------------------------------------- proposals
 
 
 def test_adaptive_dx_reaches_the_fine_result_with_fewer_gaps(system):
     shift, yaw, dx = 6.5e-3, deg(1), 5e-5
     adaptive, fine = AdaptiveSearch(system, dx).solve(shift, yaw), Search3D(system, dx).solve(shift, yaw)
     assert adaptive.converged and fine.converged
-    assert abs(adaptive.roll - fine.roll) < 1e-6 and abs(adaptive.right.y_wheel - fine.right.y_wheel) < 1.01e-4
+    assert abs(adaptive.roll - fine.roll) < 1e-6
+    assert abs(adaptive.right.y_wheel - fine.right.y_wheel) < 1.01e-4
     assert adaptive.gap_evaluations < fine.gap_evaluations / 3
 
 
@@ -164,11 +187,12 @@ def test_denser_nodes_are_ten_times_better_for_less(system):
         assert denser.gap_evaluations < 0.5 * adaptive.gap_evaluations
 
 
-# --------------------------------------------------------------------------------------------------------------- equations
+# -------------------------------------------------------------------------------------------------- equations
 
 
 @pytest.mark.parametrize("method", ["hybr", "lm"])
-@pytest.mark.parametrize("shift, yaw", [(1e-3, 0), (-5e-3, 0), (6e-3, 1), (6e-3, 2), (6.5e-3, 0), (8e-3, 3)], ids=str)
+@pytest.mark.parametrize("shift, yaw", [(1e-3, 0), (-5e-3, 0), (6e-3, 1), (6e-3, 2), (6.5e-3, 0), (8e-3, 3)],
+                         ids=str)
 def test_equations_find_the_exact_contact_from_nearby(system, shift, yaw, method):
     yaw = deg(yaw)
     exact = exact_result(system, shift, yaw)
@@ -182,15 +206,17 @@ def test_equations_find_the_exact_contact_from_nearby(system, shift, yaw, method
 
 
 def test_equations_may_find_another_stationary_point(system):
-    """From the flange root, where the contact would be without yaw: all equations are met, 0.33 mm inside the rail."""
+    """From the flange root, where the contact would be without yaw: all equations are met,
+    0.33 mm inside the rail."""
     shift, yaw = 6e-3, deg(2)
     plane = Search2D(system).solve(shift)
-    found = ConstraintSearch(system).solve(shift, yaw, start=(plane.roll, plane.left.y_wheel, plane.right.y_wheel))
+    found = ConstraintSearch(system).solve(shift, yaw,
+                                           start=(plane.roll, plane.left.y_wheel, plane.right.y_wheel))
     assert found.converged and "another stationary point: a wheel is 0.33" in found.remark
     assert abs(found.right.y_wheel - exact_result(system, shift, yaw).right.y_wheel) > 9e-3
 
 
-# ---------------------------------------------------------------------------------------------------------------- failures
+# --------------------------------------------------------------------------------------------------- failures
 
 
 def test_failures_are_results(system):
@@ -210,7 +236,8 @@ def test_contact_in_the_last_profile_is_told(system):
 
 
 def test_nodes_are_multiples_of_their_spacing():
-    np.testing.assert_allclose(profile_nodes((-0.35, 0.25), 0.1), [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2], atol=1e-15)
+    np.testing.assert_allclose(profile_nodes((-0.35, 0.25), 0.1), [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2],
+                               atol=1e-15)
 
 
 def test_comparison_tells_errors_and_failures(system):

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 import wrcontact
+from tests.helpers.cases import PAIRS
 from wrcontact.methods import CHOICES
 
-PAIRS = [(rail, inclination) for rail in ("UIC60", "60E1", "54E1") for inclination in (1 / 40, 1 / 20)]
 COMBINATIONS = [dict(zip(CHOICES, chosen)) for chosen in itertools.product(*CHOICES.values())]
 #: Compliant contact is prescribed no force.
-COMBINATIONS = [chosen for chosen in COMBINATIONS if chosen["contact_mode"] != "compliant" or chosen["load"] == "normal"]
+COMBINATIONS = [chosen for chosen in COMBINATIONS if chosen["contact_mode"] != "compliant"
+                or chosen["load"] == "normal"]
 SINK = 1e-4  # [m] by which a compliant wheelset stands below its rigid height
 
 
@@ -29,7 +30,8 @@ def run(rail, inclination, chosen, shift, yaw):
     if chosen["contact_mode"] != "compliant":
         return system.evaluate_many(shift, yaw)
     rigid = wrcontact.ContactSystem(**pair, normal_model="hertz").evaluate_many(shift, yaw)
-    return system.evaluate_many(shift, yaw, vertical_shift_input=rigid.vertical_shift + SINK, roll_input=rigid.roll)
+    return system.evaluate_many(shift, yaw, vertical_shift_input=rigid.vertical_shift + SINK,
+                                roll_input=rigid.roll)
 
 
 def check(rail, inclination, chosen, count):
@@ -63,8 +65,8 @@ def test_all_combinations(rail, inclination):
 
 
 def test_methods_change_only_what_they_should():
-    """In rigid contact the position of the wheelset is the same for every method but the contact mode; at the same load its
-    total is met by all."""
+    """In rigid contact the position of the wheelset is the same for every method but the contact mode; at the
+    same load its total is met by all."""
     shift, yaw = poses(7)
     reference = run("UIC60", 1 / 40, {name: choices[0] for name, choices in CHOICES.items()}, shift, yaw)
     for name in ("load", "normal_model", "separation", "longitudinal_curvature", "lateral_curvature"):
@@ -77,6 +79,7 @@ def test_methods_change_only_what_they_should():
                 one, other = getattr(table, side), getattr(reference, side)
                 assert (one.contact.y_wheel == other.contact.y_wheel).all(), chosen
                 assert (one.contact_angle == other.contact_angle).all(), chosen
-                assert (one.curvature_x == other.curvature_x).all() == (name != "longitudinal_curvature"), chosen
+                assert ((one.curvature_x == other.curvature_x).all()
+                        == (name != "longitudinal_curvature")), chosen
                 if name != "lateral_curvature":
                     assert (one.curvature_y == other.curvature_y).all(), chosen

@@ -1,7 +1,8 @@
-"""Rigid contact at very many poses: what has to hold of wheel and rail surfaces, against a witness that shares no code.
+"""Rigid contact at very many poses: what has to hold of wheel and rail surfaces, against a
+witness that shares no code.
 
-Fifty thousand poses run in CI, a million with ``-m "slow and complete"``.  A failure prints the pose as a line of Python; ``cut``
-in it is tests.helpers.fuzzing.cut.
+Fifty thousand poses run in CI, a million with ``-m "slow and complete"``. A failure prints the pose as a line
+of Python; ``cut`` in it is tests.helpers.fuzzing.cut.
 """
 
 import numpy as np
@@ -10,20 +11,36 @@ from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
 
 import wrcontact
-from tests.helpers.fuzzing import FORCES, GAUGES, GEOMETRY, GUESSES, RADII, RAILS, SHIFTS, YAWS, Cut, Poses, Scene, batches
+from tests.helpers.fuzzing import (
+    FORCES,
+    GAUGES,
+    GEOMETRY,
+    GUESSES,
+    RADII,
+    RAILS,
+    SHIFTS,
+    YAWS,
+    Cut,
+    Poses,
+    Scene,
+    batches,
+)
 from tests.helpers.surface_witness import Surfaces, allowance, inclined_stop
 from wrcontact import Status
 
-HEIGHT = 5e-12      # [m] of the kernel's profiles: pieces keep to 1e-12 m on either profile, and roll is as exact
-NORMAL = 2e-8       # [1] sine between the normals: a place is refined to 1e-13 m, on curvatures of 1/12 mm and steeper ones
+# [m] of the kernel's profiles: pieces keep to 1e-12 m on either profile, and roll is as exact
+HEIGHT = 5e-12
+# [1] sine between the normals: a place is refined to 1e-13 m, on curvatures of 1/12 mm and steeper ones
+NORMAL = 2e-8
 STEP_NORMAL = 4e-4  # [1] where S1002's steps are led over within half a millimetre
 ROLL = 1e-12        # [rad]
 PLACE = 1e-12       # [m]
 BALANCE = 1e-9      # [1] of the load
-PARALLEL = 1.1e-6   # [1] at the end of a profile that is cut off a contact still counts whose slopes differ by 1e-6
-#: Share of a scene's poses whose status may depend on the start where a profile is cut off: its edge is searched where the
-#: profile's end would touch, so that the smallest gap jumps there and one start finds a contact that the other takes for the edge.
-#: Measured: 2 poses of 1 000 000, both of one scene.
+# [1] at the end of a profile that is cut off a contact still counts whose slopes differ by 1e-6
+PARALLEL = 1.1e-6
+#: Share of a scene's poses whose status may depend on the start where a profile is cut off: its edge is
+#: searched where the profile's end would touch, so that the smallest gap jumps there and one start finds a
+#: contact that the other takes for the edge. Measured: 2 poses of 1 000 000, both of one scene.
 EDGES = 2e-3
 #: Stations far from the contact are not refined, nor are S1002's printed steps allowed for there [m].
 FAR_HEIGHT = 1.3e-7
@@ -31,7 +48,8 @@ FAR_HEIGHT = 1.3e-7
 
 def surfaces_of(scene):
     """The witness of a scene."""
-    given = {name: scene.arguments[name] for name in ("rail_inclination", "gauge", "gauge_depth", "nominal_radius")}
+    given = {name: scene.arguments[name]
+             for name in ("rail_inclination", "gauge", "gauge_depth", "nominal_radius")}
     wheel, rail = scene.arguments["wheel"], scene.arguments["rail"]
     if isinstance(wheel, Cut):
         ends = {"wheel_start": wheel.start * 1e-3, "wheel_stop": wheel.stop * 1e-3}
@@ -49,7 +67,8 @@ class Findings:
         self.scene, self.changes, self.lines = scene, changes, []
 
     def add(self, what, excess, poses, rows=slice(None)):
-        """Note the worst row of those whose ``excess`` (m,) is positive or not a number; ``rows`` (m,) are their poses."""
+        """Note the worst row of those whose ``excess`` (m,) is positive or not a number; ``rows``
+        (m,) are their poses."""
         excess = np.asarray(excess, dtype=float)
         bad = ~(excess <= 0.0)
         if np.any(bad):
@@ -75,7 +94,8 @@ def check_geometry(scene, poses):
 
 
 def check_statuses(found, scene, poses, table):
-    """Numbers with status 0 and 1 and with no other; 1 just where a wheel has no load; 2 for cut profiles only, 3 and 4 never."""
+    """Numbers with status 0 and 1 and with no other; 1 just where a wheel has no load; 2 for cut
+    profiles only, 3 and 4 never."""
     status = table.status
     numbers = np.concatenate([table.values[:, :2], table.values[:, 9:20], table.values[:, 143:154]], axis=1)
     finite = np.isfinite(numbers).all(axis=1)
@@ -103,8 +123,10 @@ def check_surfaces(found, surfaces, is_cut, poses, table, good):
         found.add(f"{name} normals", skew - slopes, poses, good)
         found.add(f"{name} contact angle", np.abs(angle - side.contact_angle[good]) - slopes, poses, good)
         radius = surfaces.radius + profile
-        found.add(f"{name} rolling radius", np.abs(side.rolling_radius[good] - radius) - HEIGHT - allowed, poses, good)
-        found.add(f"{name} point on the wheel", np.abs(np.hypot(x, surfaces.radius + point.z_wheel[good]) - radius) - HEIGHT
+        found.add(f"{name} rolling radius", np.abs(side.rolling_radius[good] - radius) - HEIGHT - allowed,
+                  poses, good)
+        found.add(f"{name} point on the wheel",
+                  np.abs(np.hypot(x, surfaces.radius + point.z_wheel[good]) - radius) - HEIGHT
                   - allowed, poses, good)
         rows, gaps, places, least = surfaces.smallest_gaps(*pose)
         rows, gaps, places = (column[~surfaces.is_edge(places)] for column in (rows, gaps, places))
@@ -119,43 +141,50 @@ def check_mirror(found, surfaces, system, poses, table):
 
 
 def check_starts(found, surfaces, system, poses, table):
-    """Neither the roll guess nor the poses before change the answer: level and far guesses, and the poses in another order."""
+    """Neither the roll guess nor the poses before change the answer: level and far guesses, and the
+    poses in another order."""
     rng = np.random.default_rng(int(1e9 * abs(poses.lateral_shift[0])))
     order = rng.permutation(len(poses))
     same = {"left": "left", "right": "right"}
     for name, guess in (("level start", 0.0), ("near start", rng.uniform(-0.01, 0.01, len(poses))),
                         ("far start", rng.uniform(*GUESSES, len(poses)))):
         other = poses.changed(roll_guess=guess)
-        compare(found, surfaces, name, other, table, system.evaluate_many(**other.arguments, outputs="geometry"), same, 1.0)
+        compare(found, surfaces, name, other, table,
+                system.evaluate_many(**other.arguments, outputs="geometry"), same, 1.0)
     values = np.full_like(table.values, np.nan)
     shuffled = system.evaluate_many(**poses.changed(roll_guess=0.0)[order].arguments, outputs="geometry")
     values[order] = shuffled.values
     status = np.empty_like(table.status)
     status[order] = shuffled.status
-    compare(found, surfaces, "history", poses, table, wrcontact.state.WheelsetState(values, status, table.inputs), same, 1.0)
+    compare(found, surfaces, "history", poses, table,
+            wrcontact.state.WheelsetState(values, status, table.inputs), same, 1.0)
 
 
 def compare(found, surfaces, what, poses, table, other, sides, sign):
     """``other`` is ``table`` with sides exchanged as told and the roll times ``sign``.
 
-    Contacts may lie apart where the gap is the same: on arcs of one radius, as of S1002's flange root on a rail's corner, and
-    just where a contact jumps.  Then the other one has to touch, too.
+    Contacts may lie apart where the gap is the same: on arcs of one radius, as of S1002's flange root on a
+    rail's corner, and just where a contact jumps. Then the other one has to touch, too.
     """
     differs = table.status != other.status
     if not (found.scene.is_cut and np.mean(differs) <= EDGES):
         found.add(f"{what}: status", differs, poses)
     both = np.flatnonzero((table.status <= 1) & (other.status <= 1))
     found.add(f"{what}: roll", np.abs(table.roll - sign * other.roll)[both] - ROLL, poses, both)
-    found.add(f"{what}: vertical shift", np.abs(table.vertical_shift - other.vertical_shift)[both] - PLACE, poses, both)
+    found.add(f"{what}: vertical shift", np.abs(table.vertical_shift - other.vertical_shift)[both] - PLACE,
+              poses, both)
     for mine, theirs in sides.items():
         one, two = getattr(table, mine), getattr(other, theirs)
         names = "x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "z_track"
-        apart = np.max([np.abs(getattr(one.contact, name) - getattr(two.contact, name))[both] for name in names], axis=0)
+        apart = np.max([np.abs(getattr(one.contact, name) - getattr(two.contact, name))[both]
+                        for name in names], axis=0)
         touch = -1.0 if mine == "left" else 1.0
-        gap, _, skew, _ = surfaces.contact(touch * poses.lateral_shift[both], touch * poses.yaw[both], touch * table.roll[both],
-                                           two.contact.x_wheel[both], two.contact.y_wheel[both])
+        gap, _, skew, _ = surfaces.contact(touch * poses.lateral_shift[both], touch * poses.yaw[both],
+                                           touch * table.roll[both], two.contact.x_wheel[both],
+                                           two.contact.y_wheel[both])
         allowed = allowance(two.contact.y_wheel[both])
-        touches = (np.abs(gap - table.vertical_shift[both]) < HEIGHT + allowed) & (skew < np.where(allowed > 0.0, STEP_NORMAL, NORMAL))
+        touches = (np.abs(gap - table.vertical_shift[both]) < HEIGHT
+                   + allowed) & (skew < np.where(allowed > 0.0, STEP_NORMAL, NORMAL))
         found.add(f"{what}: {mine} place", np.where(touches, 0.0, apart - PLACE), poses, both)
 
 
@@ -165,19 +194,23 @@ def check_loads(scene, poses):
     found = Findings(scene, changes)
     table = scene.system(**changes).evaluate_many(**poses.arguments)
     good = np.flatnonzero(table.status <= Status.UNLOADED)
-    found.add("finite just where valid", np.isfinite(table.values).all(axis=1) != (table.status <= Status.UNLOADED), poses)
+    found.add("finite just where valid",
+              np.isfinite(table.values).all(axis=1) != (table.status <= Status.UNLOADED), poses)
     load, transfer = poses.normal_force[good], poses.load_transfer[good]
     expected = {"left": load * (1.0 - transfer), "right": load * (1.0 + transfer)}
     if scene.arguments["load"] == "normal":
         for name, force in expected.items():
-            found.add(f"{name} load", np.abs(getattr(table, name).normal_force[good] - force) - BALANCE * force, poses, good)
+            found.add(f"{name} load",
+                      np.abs(getattr(table, name).normal_force[good] - force) - BALANCE * force, poses, good)
     else:
-        found.add("vertical load", np.abs(table.force.z[good] + 2.0 * load) - BALANCE * 2.0 * load, poses, good)
+        found.add("vertical load", np.abs(table.force.z[good] + 2.0 * load) - BALANCE * 2.0 * load, poses,
+                  good)
     return found.lines
 
 
 def check_scenes(scenes, count, number, first=0, loads=1):
-    """Check ``count`` poses in each of ``scenes`` scenes, every ``loads``-th also with loads; they are those of seed ``number``."""
+    """Check ``count`` poses in each of ``scenes`` scenes, every ``loads``-th also with loads; they
+    are those of seed ``number``."""
     lines = []
     for index, (scene, poses) in enumerate(batches(number, scenes, count, first=first)):
         lines += check_geometry(scene, poses)
@@ -209,12 +242,14 @@ def numbers(low, high):
 @st.composite
 def single_pose(draw):
     """A scene and one pose in it, which hypothesis shrinks towards the standard ones."""
-    scene = Scene({"wheel": "S1002", "rail": draw(st.sampled_from(RAILS)), "rail_inclination": draw(st.sampled_from((1 / 40, 1 / 20, 0.0))),
+    scene = Scene({"wheel": "S1002", "rail": draw(st.sampled_from(RAILS)),
+                   "rail_inclination": draw(st.sampled_from((1 / 40, 1 / 20, 0.0))),
                    "gauge": draw(st.just(1.435) | numbers(*GAUGES)), "gauge_depth": 0.014,
-                   "nominal_radius": draw(st.just(0.46) | numbers(*RADII)), "load": draw(st.sampled_from(("normal", "vertical"))),
+                   "nominal_radius": draw(st.just(0.46) | numbers(*RADII)),
+                   "load": draw(st.sampled_from(("normal", "vertical"))),
                    "normal_model": draw(st.sampled_from(("hertz", "analyn")))})
-    pose = [draw(numbers(*SHIFTS)), draw(numbers(*YAWS)), draw(st.just(0.0) | numbers(*GUESSES)), draw(numbers(*FORCES)),
-            draw(numbers(-1.0, 1.0)), 0.0, 0.0]
+    pose = [draw(numbers(*SHIFTS)), draw(numbers(*YAWS)), draw(st.just(0.0) | numbers(*GUESSES)),
+            draw(numbers(*FORCES)), draw(numbers(-1.0, 1.0)), 0.0, 0.0]
     return scene, Poses(np.array([pose]))
 
 

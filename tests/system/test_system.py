@@ -27,7 +27,8 @@ def test_the_interface_of_the_readme(system):
     assert right.penetration == pytest.approx(7.96e-5, rel=0.05)         # complete theory
     assert right.patches[0].area == pytest.approx(right.area)
     assert right.patches[0].normal_force == pytest.approx(78.5e3)
-    assert right.outline.station.shape == right.outline.half_length.shape == right.outline.pressure.shape == (31,)
+    assert (right.outline.station.shape == right.outline.half_length.shape == right.outline.pressure.shape
+            == (31,))
     assert right.outline.half_length[0] == right.outline.half_length[-1] == 0.0
     assert isinstance(right.penetration, float) and isinstance(right.patch_count, int)
     assert "VALID" in repr(state) and "y_wheel" in repr(right.contact)
@@ -35,8 +36,10 @@ def test_the_interface_of_the_readme(system):
 
 def test_a_table_holds_what_single_evaluations_hold(system):
     shift = np.linspace(-6e-3, 6e-3, 25)
-    table = system.evaluate_many(lateral_shift=shift, yaw=0.01, normal_force=np.linspace(1e3, 1e5, 25), load_transfer=0.1)
-    assert len(table) == 25 and table.right.outline.pressure.shape == (25, 31) and table.right.patches[2].area.shape == (25,)
+    table = system.evaluate_many(lateral_shift=shift, yaw=0.01, normal_force=np.linspace(1e3, 1e5, 25),
+                                 load_transfer=0.1)
+    assert len(table) == 25 and table.right.outline.pressure.shape == (25, 31)
+    assert table.right.patches[2].area.shape == (25,)
     for k in (0, 7, 24):
         one = system.evaluate(shift[k], 0.01, np.linspace(1e3, 1e5, 25)[k], 0.1)
         assert one.roll == pytest.approx(table.roll[k], abs=1e-13)
@@ -45,7 +48,8 @@ def test_a_table_holds_what_single_evaluations_hold(system):
 
 
 def test_rows_that_cannot_be_are_nan_and_say_why(system):
-    table = system.evaluate_many(lateral_shift=[0.0, np.nan, 0.5, 1e-3, 2e-3], normal_force=[1e4, 1e4, 1e4, -5.0, 0.0])
+    table = system.evaluate_many(lateral_shift=[0.0, np.nan, 0.5, 1e-3, 2e-3],
+                                 normal_force=[1e4, 1e4, 1e4, -5.0, 0.0])
     np.testing.assert_array_equal(table.status, [0, 4, 2, 4, 1])
     np.testing.assert_array_equal(np.isnan(table.roll), [False, True, True, True, False])
     assert table.right.area[0] == pytest.approx(system.evaluate(normal_force=1e4).right.area, rel=1e-9)
@@ -85,9 +89,12 @@ def test_every_status_has_its_sentence(inputs, status, words):
 
 @pytest.mark.parametrize("arguments, status, words", [
     (dict(vertical_shift_input=-1e-3), 1, ["vertical_shift_input is -0.001 m", "roll_input 0 rad", "lifted"]),
-    (dict(vertical_shift_input=0.5e-3, roll_input=1e-3), 1, ["roll_input 0.001 rad", "lifted"]),    # the left wheel
-    (dict(vertical_shift_input=1e-3, roll_input=2e-3), 2, ["roll_input 0.002 rad", "deeper in its rail than 0.002 m"]),
-    (dict(vertical_shift_input=4e-3), 2, ["vertical_shift_input is 0.004 m", "deeper in its rail than 0.002 m"]),
+    # the left wheel
+    (dict(vertical_shift_input=0.5e-3, roll_input=1e-3), 1, ["roll_input 0.001 rad", "lifted"]),
+    (dict(vertical_shift_input=1e-3, roll_input=2e-3), 2,
+     ["roll_input 0.002 rad", "deeper in its rail than 0.002 m"]),
+    (dict(vertical_shift_input=4e-3), 2,
+     ["vertical_shift_input is 0.004 m", "deeper in its rail than 0.002 m"]),
     (dict(roll_input=-0.2), 2, ["roll_input is -0.2 rad", "|roll_input| <= 0.12 rad"]),
     (dict(lateral_shift=0.1), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
     (dict(vertical_shift_input=math.nan), 4, ["vertical_shift_input is nan m", "finite"]),
@@ -112,14 +119,19 @@ def test_nothing_valid_yet_is_nan():
     (dict(nominal_radius="big"), "nominal_radius is 'big'; permitted is 0.1 ... 1 m"),
     (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),
     (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
-    (dict(normal_model="kalker"), "normal_model is 'kalker'; permitted are 'analyn', 'analyn_strip', 'hertz', 'halfspace'"),
-    (dict(contact_mode="plastic"), "contact_mode is 'plastic'; permitted are 'rigid', 'elastic', 'compliant'"),
+    (dict(normal_model="kalker"),
+     "normal_model is 'kalker'; permitted are 'analyn', 'analyn_strip', 'hertz', 'halfspace'"),
+    (dict(contact_mode="plastic"),
+     "contact_mode is 'plastic'; permitted are 'rigid', 'elastic', 'compliant'"),
     (dict(load="lateral"), "load is 'lateral'; permitted are 'normal', 'vertical'"),
     (dict(normal_model="halfspace", contact_mode="elastic"),
-     "contact_mode is 'elastic'; permitted with the normal_model 'halfspace', which solves one wheel at its rigid contact"),
-    (dict(normal_model="halfspace", load="vertical"), "load is 'vertical'; permitted with the normal_model 'halfspace'"),
+     "contact_mode is 'elastic'; permitted with the normal_model 'halfspace', which solves one wheel at its "
+     "rigid contact"),
+    (dict(normal_model="halfspace", load="vertical"),
+     "load is 'vertical'; permitted with the normal_model 'halfspace'"),
     (dict(lateral_curvature=3), "lateral_curvature is 3; permitted are 'adaptive', 'smooth', 'rough'"),
-    (dict(separation="lateral"), "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'"),
+    (dict(separation="lateral"),
+     "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'"),
     (dict(curvature_step=1e-5), "curvature_step is 1e-05; permitted is 2e-05 ... 0.005 m"),
     (dict(curvature_reach=3.0), "curvature_reach is 3.0; permitted is 0.0001 ... 0.01 m"),
 ])
@@ -146,7 +158,8 @@ def test_stepper_keeps_the_last_valid_outputs(system):
     stepper.inputs[:5] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     assert stepper.step() == 0
     kept = stepper.outputs.copy()
-    for wrong in ((1.0, 0, 0, 1e4, 0), (np.nan, 0, 0, 1e4, 0), (0, 0, 0, -1, 0), (0, 0, 0, np.inf, 0), (1e308, 0, 0, 1, 0)):
+    for wrong in ((1.0, 0, 0, 1e4, 0), (np.nan, 0, 0, 1e4, 0), (0, 0, 0, -1, 0), (0, 0, 0, np.inf, 0),
+                  (1e308, 0, 0, 1, 0)):
         stepper.inputs[:len(wrong)] = wrong
         assert stepper.step() in (2, 4)
         np.testing.assert_array_equal(stepper.outputs, kept)
@@ -158,8 +171,8 @@ def test_stepper_keeps_the_last_valid_outputs(system):
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
 def test_numbers_from_hell_never_leave_the_statuses(mode):
     rng = np.random.default_rng(13)
-    special = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-30, 1e-9, 1e-3, 6.25e-3, 0.0149999, 0.015, 1.0, 1e30, 1e308,
-                        np.inf, np.nan])
+    special = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-30, 1e-9, 1e-3, 6.25e-3, 0.0149999, 0.015, 1.0, 1e30,
+                        1e308, np.inf, np.nan])
     stepper, count = wrcontact.ContactSystem(contact_mode=mode).stepper(), layout.INPUT_COUNT
     for _ in range(3000):
         stepper.inputs[:] = rng.choice(special, count) * rng.choice([-1.0, 1.0], count)

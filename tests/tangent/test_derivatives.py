@@ -1,4 +1,5 @@
-"""Directional derivatives of the kernel against central differences of its steps, and what they must be by symmetry."""
+"""Directional derivatives of the kernel against central differences of its steps, and what
+they must be by symmetry."""
 
 import importlib
 import re
@@ -14,11 +15,24 @@ from tools.transpile_kernel import source_modules
 from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.kernel.layout import (IN_LATERAL_SHIFT, IN_LOAD_TRANSFER, IN_NORMAL_FORCE, IN_ROLL, IN_ROLL_GUESS,
-                                     IN_VERTICAL_SHIFT, IN_YAW, INPUT_COUNT, OUT_LEFT, OUT_RIGHT, OUTPUT_COUNT, SIDE_SIZE,
-                                     SIDE_Y_TRACK)
+from wrcontact.kernel.layout import (
+    IN_LATERAL_SHIFT,
+    IN_LOAD_TRANSFER,
+    IN_NORMAL_FORCE,
+    IN_ROLL,
+    IN_ROLL_GUESS,
+    IN_VERTICAL_SHIFT,
+    IN_YAW,
+    INPUT_COUNT,
+    OUT_LEFT,
+    OUT_RIGHT,
+    OUTPUT_COUNT,
+    SIDE_SIZE,
+    SIDE_Y_TRACK,
+)
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled, reason="the derivatives are those of the compiled library, and none is here")
+pytestmark = pytest.mark.skipif(not default_kernel().compiled,
+                                reason="the derivatives are those of the compiled library, and none is here")
 
 OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
 NAMES = [variable.name for variable in OUTPUTS]
@@ -30,13 +44,14 @@ FAMILY = np.unique([re.sub(r"\[\d+\]", "", name) for name in NAMES], return_inve
 AGREE = 1e-6        # [of the derivative's scale] to differences
 CLEAR = 3e-7        # [likewise] differences that agree with each other to this are held against derivatives
 KINK = 1e-4         # [likewise] by which differences across a kink are off that their steps do not notice
-STEPS = 16          # steps of differences, each twice the one before; the first, as a share of the input's nominal value:
+# steps of differences, each twice the one before; the first, as a share of the input's nominal value:
+STEPS = 16
 FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 4e-7, 4e-6)
 
 INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_NORMAL_FORCE, IN_LOAD_TRANSFER)
 COMPLIANT_INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_VERTICAL_SHIFT, IN_ROLL)
-#: Parameters, and the share of clear differences that may be off: some lie across a kink that their steps do not notice; the
-#: source's curvatures have one at each of their nodes.
+#: Parameters, and the share of clear differences that may be off: some lie across a kink that their steps do
+#: not notice; the source's curvatures have one at each of their nodes.
 CASES = {
     "hertz": ({"normal_model": "hertz"}, 0.0),
     "analyn": ({}, 1e-3),
@@ -48,7 +63,8 @@ CASES = {
     "compliant": ({"contact_mode": "compliant"}, 1e-3),
     "vertical separation": ({"separation": "vertical"}, 1e-3),
     "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 1e-2),
-    "chord, elastic": ({"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"}, 1e-3),
+    "chord, elastic": ({"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"},
+                       1e-3),
     "smooth": ({"lateral_curvature": "smooth"}, 1e-2),
     "rough": ({"lateral_curvature": "rough"}, 1e-2),
 }
@@ -57,8 +73,8 @@ SLOW = pytest.mark.slow
 
 
 def poses(count, seed, mode="rigid"):
-    """Inputs (count, 7) over tread and flange root, half of them without yaw; of a compliant wheelset the heights and rolls
-    that an elastic one has."""
+    """Inputs (count, 7) over tread and flange root, half of them without yaw; of a compliant wheelset the
+    heights and rolls that an elastic one has."""
     rng = np.random.default_rng(seed)
     rows = np.zeros((count, INPUT_COUNT))
     rows[:, IN_LATERAL_SHIFT] = rng.uniform(-7e-3, 7e-3, count)
@@ -84,8 +100,8 @@ def derivative(stepper, row, seed):
 
 
 def differences(stepper, row, number):
-    """Central differences along one input, extrapolated from two steps each, where neighbouring ones agree best; and how far
-    these are apart."""
+    """Central differences along one input, extrapolated from two steps each, where neighbouring ones agree
+    best; and how far these are apart."""
     found = []
     for k in range(STEPS):
         step = FIRST[number] * USUAL[number] * 2.0**k
@@ -104,14 +120,15 @@ def differences(stepper, row, number):
 
 
 def scale(rates, number):
-    """What a deviation is measured by: the largest rate of an output's kind (of all stations of a side, for one), or a thousandth
-    of nominal values."""
+    """What a deviation is measured by: the largest rate of an output's kind (of all stations of a side, for
+    one), or a thousandth of nominal values."""
     largest = np.zeros(FAMILY.max() + 1)
     np.maximum.at(largest, FAMILY, np.abs(rates))
     return np.maximum(largest[FAMILY], 1e-3 * NOMINAL / USUAL[number])
 
 
-@pytest.mark.parametrize("case", [case if case in QUICK else pytest.param(case, marks=SLOW) for case in CASES])
+@pytest.mark.parametrize("case",
+                         [case if case in QUICK else pytest.param(case, marks=SLOW) for case in CASES])
 def test_derivatives_are_those_of_differences(case):
     """All continuous outputs against all inputs at random poses."""
     parameters, kinked = CASES[case]
@@ -180,11 +197,13 @@ def test_at_a_jump_the_derivative_is_that_of_its_side(yaw):
             # 1 nm over the millimetre in which curvatures change
             assert (np.abs(here - near) <= 1e-4 * scale(here, number)).all()
             sides.append(here)
-    assert abs(sides[0][0] - sides[len(INPUTS)][0]) > 1e-3 * abs(sides[0][0])      # the roll goes on otherwise
+    # the roll goes on otherwise
+    assert abs(sides[0][0] - sides[len(INPUTS)][0]) > 1e-3 * abs(sides[0][0])
 
 
 def test_elastic_stand_on_a_jump_moves_with_it():
-    """The right wheel's deepest point changes between root and flange there: heights are those of brackets, not of an equation."""
+    """The right wheel's deepest point changes between root and flange there: heights are those of
+    brackets, not of an equation."""
     stepper = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").stepper()
     row = np.array([4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e+04, -5.35283157e-01, 0.0, 0.0])
     for number in INPUTS:
@@ -212,7 +231,8 @@ def test_mirror_image(case):
             size = scale(here, number)
             # elastic: height and roll are met to 1e-13 m
             for one, other in ((left, right), (right, left)):
-                assert (np.abs(here[one] - mirror[number] * sign * there[other]) <= 1e-7 * size[one]).all(), case
+                assert (np.abs(here[one] - mirror[number] * sign * there[other])
+                        <= 1e-7 * size[one]).all(), case
 
 
 def test_what_does_not_move():
@@ -224,7 +244,8 @@ def test_what_does_not_move():
     assert status == layout.UNLOADED and np.isfinite(rates).all()
     assert left[layout.SIDE_Y_WHEEL] != 0.0 and not left[layout.SIDE_PENETRATION:].any()
     assert not derivative(stepper, row, IN_ROLL_GUESS)[1].any()
-    for bad, wanted in (({IN_LATERAL_SHIFT: 0.02}, layout.OFF_PROFILE), ({IN_NORMAL_FORCE: np.nan}, layout.INVALID_INPUT)):
+    for bad, wanted in (({IN_LATERAL_SHIFT: 0.02}, layout.OFF_PROFILE),
+                        ({IN_NORMAL_FORCE: np.nan}, layout.INVALID_INPUT)):
         wrong = row.copy()
         wrong[list(bad)] = list(bad.values())
         status, rates = derivative(stepper, wrong, IN_LATERAL_SHIFT)
@@ -237,7 +258,8 @@ def test_nothing_else_changes(case):
     stepper = wrcontact.ContactSystem(**parameters).stepper()
     for row in poses(4, seed=8):
         stepped(stepper, row)
-        before = [array.copy() for array in (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)]
+        before = [array.copy()
+                  for array in (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)]
         derivative_again = [stepper._bound.tangent(np.eye(INPUT_COUNT)[0])[1] for _ in range(2)]
         after = (stepper.state, stepper._workspace, stepper.inputs, stepper.outputs)
         assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(before, after))
@@ -245,9 +267,11 @@ def test_nothing_else_changes(case):
 
 
 def test_a_width_that_ends_where_there_is_no_gap():
-    """A pose whose derivatives were no numbers: halving ends on the last place that has a gap, where that does not rise."""
+    """A pose whose derivatives were no numbers: halving ends on the last place that has a
+    gap, where that does not rise."""
     stepper = wrcontact.ContactSystem(contact_mode="compliant", normal_model="analyn_strip").stepper()
-    row = np.array([0.00524538460052467, 0.07927101240045407, 0.0, 78.5e3, 0.0, -0.0008804023341258616, -0.0017729272540683517])
+    row = np.array([0.00524538460052467, 0.07927101240045407, 0.0, 78.5e3, 0.0, -0.0008804023341258616,
+                    -0.0017729272540683517])
     for number in range(INPUT_COUNT):
         status, rates = derivative(stepper, row, number)
         assert status == 0 and np.isfinite(rates).all()
@@ -269,7 +293,8 @@ def test_derivatives_are_numbers(case):
 
 @pytest.fixture(scope="module")
 def differentiated(tmp_path_factory):
-    """The differentiated kernel as Python, beside a copy of the kernel: the module with ``differentiate_t``."""
+    """The differentiated kernel as Python, beside a copy of the kernel: the module
+    with ``differentiate_t``."""
     folder = tmp_path_factory.mktemp("differentiated") / "differentiated_kernel"
     folder.mkdir()
     (folder / "__init__.py").touch()
@@ -279,12 +304,14 @@ def differentiated(tmp_path_factory):
     for name, text in tangent_modules(modules).items():
         Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
     sys.path.insert(0, str(folder.parent))
-    yield importlib.import_module("differentiated_kernel.tangent_implicit"), importlib.import_module("differentiated_kernel.step")
+    yield [importlib.import_module(f"differentiated_kernel.{name}") for name in ("tangent_implicit", "step")]
     sys.path.remove(str(folder.parent))
 
 
-@pytest.mark.parametrize("case", ["hertz", "analyn", pytest.param("strip", marks=SLOW), pytest.param("elastic hertz", marks=SLOW),
-                                  pytest.param("compliant", marks=SLOW), pytest.param("equidistant", marks=SLOW)])
+@pytest.mark.parametrize("case", ["hertz", "analyn", pytest.param("strip", marks=SLOW),
+                                  pytest.param("elastic hertz", marks=SLOW),
+                                  pytest.param("compliant", marks=SLOW),
+                                  pytest.param("equidistant", marks=SLOW)])
 def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, case):
     parameters, _ = CASES[case]
     tangents, step = differentiated

@@ -11,7 +11,8 @@ from wrcontact import Status
 from wrcontact.kernel import layout
 
 COUNTERS = {"gap": layout.STATE_GAP_COUNT, "scan": layout.STATE_SCAN_COUNT, "roll": layout.STATE_ROLL_COUNT,
-            "node": layout.STATE_NODE_COUNT, "solve": layout.STATE_SOLVE_COUNT, "strip": layout.STATE_STRIP_COUNT}
+            "node": layout.STATE_NODE_COUNT, "solve": layout.STATE_SOLVE_COUNT,
+            "strip": layout.STATE_STRIP_COUNT}
 MODELS = ("hertz", "analyn", "analyn_strip")
 PATCHES = slice(layout.SIDE_PENETRATION, layout.SIDE_STATION)
 OUTLINE = slice(layout.SIDE_STATION, layout.SIDE_SIZE)
@@ -25,13 +26,15 @@ def system_of(model):
 def rows_of(shift, yaw=0.0, force=78.5e3):
     """Inputs (n, 7)."""
     rows = np.zeros((len(shift), layout.INPUT_COUNT))
-    rows[:, layout.IN_LATERAL_SHIFT], rows[:, layout.IN_YAW], rows[:, layout.IN_NORMAL_FORCE] = shift, yaw, force
+    rows[:, layout.IN_LATERAL_SHIFT], rows[:, layout.IN_YAW], rows[:,
+                                                                   layout.IN_NORMAL_FORCE] = shift, yaw, force
     return rows
 
 
 def random_rows(count, seed=61):
     rng = np.random.default_rng(seed)
-    return rows_of(rng.uniform(-6.6e-3, 6.6e-3, count), np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
+    return rows_of(rng.uniform(-6.6e-3, 6.6e-3, count),
+                   np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
                    np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)))
 
 
@@ -57,7 +60,7 @@ def side_of(outputs, name):
     return outputs[first:first + layout.SIDE_SIZE]
 
 
-# --- unchanged inputs -----------------------------------------------------------------------------------------------------------
+# --- unchanged inputs ---------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -134,7 +137,7 @@ def test_prescribing_and_wanting_are_changes():
     np.testing.assert_allclose(step(stepper, row)[1], by_force, rtol=1e-9, atol=1e-12)
 
 
-# --- what is wanted -------------------------------------------------------------------------------------------------------------
+# --- what is wanted -----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -150,7 +153,8 @@ def test_wanted_values_are_those_of_the_full_evaluation(model, outputs, side):
         assert step(part, row)[0] == status
         some = part.outputs
         wheelset = whole[:layout.OUT_LEFT].copy()
-        if side != "both" or outputs == "geometry":         # the resultant is that of both sides, and of their patches
+        # the resultant is that of both sides, and of their patches
+        if side != "both" or outputs == "geometry":
             wheelset[layout.OUT_FORCE:] = np.nan
         np.testing.assert_array_equal(some[:layout.OUT_LEFT], wheelset)
         for name in ("left", "right"):
@@ -169,7 +173,8 @@ def test_wanted_values_are_those_of_the_full_evaluation(model, outputs, side):
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
 def test_geometry_costs_no_normal_contact(model):
-    """One normal gap a wheel, for its curvatures; no force solve, no strips, and no more than Hertz's search."""
+    """One normal gap a wheel, for its curvatures; no force solve, no strips, and no
+    more than Hertz's search."""
     rows = random_rows(300)
     found = cost(model, rows, outputs="geometry")
     assert found["node"] == 2.0 and found["solve"] == found["strip"] == 0.0
@@ -205,7 +210,8 @@ def test_outline_costs_no_evaluation():
 
 
 def test_yaw_alone_costs_no_more_contacts():
-    """Without yaw the outline is the profile: fewer evaluations of the vertical gap, no other count changes by a half."""
+    """Without yaw the outline is the profile: fewer evaluations of the vertical gap, no other
+    count changes by a half."""
     rows = random_rows(300)
     straight, yawed = rows.copy(), rows.copy()
     straight[:, layout.IN_YAW], yawed[:, layout.IN_YAW] = 0.0, 0.02
@@ -235,7 +241,8 @@ def test_wrong_wishes_are_refused(arguments, sentence):
 
 
 def test_wishes_can_be_mixed_in_one_thread():
-    """Every evaluate() of a thread shares one stepper: each answer is that of a stepper which never did anything else."""
+    """Every evaluate() of a thread shares one stepper: each answer is that of a stepper which
+    never did anything else."""
     system = wrcontact.ContactSystem(normal_model="analyn_strip")
     rows = random_rows(6)
     problems = []
@@ -276,7 +283,7 @@ def test_unwanted_is_nan_in_the_state():
     assert np.all(np.isnan(table.left.outline.pressure))
 
 
-# --- budgets --------------------------------------------------------------------------------------------------------------------
+# --- budgets ------------------------------------------------------------------------------------------------
 
 
 TURN = np.linspace(0, 2 * np.pi, 2000)
@@ -284,16 +291,18 @@ RNG = np.random.default_rng(63)
 CLASSES = {
     "trajectory": rows_of(6.6e-3 * np.sin(TURN)),
     "yawed_trajectory": rows_of(6.6e-3 * np.sin(TURN), 5e-3 * np.cos(TURN)),
-    "random": rows_of(RNG.uniform(-6.6e-3, 6.6e-3, 2000), force=np.exp(RNG.uniform(np.log(3e3), np.log(2e5), 2000))),
+    "random": rows_of(RNG.uniform(-6.6e-3, 6.6e-3, 2000),
+                      force=np.exp(RNG.uniform(np.log(3e3), np.log(2e5), 2000))),
     "yawed": rows_of(RNG.uniform(-6.6e-3, 6.6e-3, 2000), np.radians(RNG.uniform(-2, 2, 2000))),
     "two_point": rows_of(RNG.uniform(4.5e-3, 5.3e-3, 2000)),
 }
 #: Vertical gaps, scans, normal gaps and force iterations of both wheels: a tenth more than measured.
-ANALYN_BUDGETS = {"trajectory": (71, 2.4, 62, 8), "yawed_trajectory": (73, 2.4, 62, 8), "random": (66, 2.3, 60, 8),
-                  "yawed": (86, 2.5, 66, 8.5), "two_point": (92, 2.5, 94, 8.6)}
+ANALYN_BUDGETS = {"trajectory": (71, 2.4, 62, 8), "yawed_trajectory": (73, 2.4, 62, 8),
+                  "random": (66, 2.3, 60, 8), "yawed": (86, 2.5, 66, 8.5), "two_point": (92, 2.5, 94, 8.6)}
 #: The strip correction lays nodes farther out, and solves systems of 24 strips.
 STRIP_BUDGETS = {"trajectory": (71, 2.4, 85, 7.6, 5.8), "yawed_trajectory": (73, 2.4, 85, 7.6, 5.8),
-                 "random": (66, 2.3, 84, 7.5, 5.5), "yawed": (86, 2.5, 90, 7.9, 6.1), "two_point": (92, 2.5, 126, 8.3, 6.7)}
+                 "random": (66, 2.3, 84, 7.5, 5.5), "yawed": (86, 2.5, 90, 7.9, 6.1),
+                 "two_point": (92, 2.5, 126, 8.3, 6.7)}
 
 
 @pytest.mark.parametrize("name", CLASSES)

@@ -7,8 +7,9 @@ from .rules import ACTIVE_ARRAYS, RATES
 from .scope import Scope, parameters
 
 Pair = namedtuple("Pair", "value rate")         # texts; the rate is None for what is constant
-OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.Pow: "**",
-             ast.LShift: "<<", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
+OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%",
+             ast.Pow: "**", ast.LShift: "<<", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
+             ast.Eq: "==", ast.NotEq: "!="}
 
 
 class Expressions(Scope):
@@ -17,7 +18,8 @@ class Expressions(Scope):
     def __init__(self, kernel, module, node):
         super().__init__(kernel, module, node)
         self.tangents, self.lines, self.depth, self.count = set(), [], 1, 0
-        self.active = {name for name, kind in self.kinds.items() if kind == "float" and name in dict(parameters(node))}
+        self.active = {name for name, kind in self.kinds.items() if kind == "float"
+                       and name in dict(parameters(node))}
         self.names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} | set(self.kinds)
         before = -1
         while len(self.active) != before:
@@ -78,7 +80,8 @@ class Expressions(Scope):
         return f"{tangent[1]}_t({', '.join(arguments)})"
 
     def value(self, node, own=False):
-        """Text of an expression's value; calls that change something stand before it.  ``own``: a call that stays one."""
+        """Text of an expression's value; calls that change something stand before it.
+        ``own``: a call that stays one."""
         if isinstance(node, ast.Call) and node.func.id in ("held", "moving", "seeded"):
             return self.value(node.args[0])
         if isinstance(node, ast.Call) and node.func.id == "rate_of":
@@ -99,7 +102,8 @@ class Expressions(Scope):
             before = len(self.lines)
             parts = [self.operand(part) for part in node.values]
             if len(self.lines) > before:
-                raise ValueError(f"{self.module}.py, line {node.lineno}: one of several conditions calls what changes something")
+                raise ValueError(f"{self.module}.py, line {node.lineno}: one of several conditions calls "
+                                 f"what changes something")
             return (" and " if isinstance(node.op, ast.And) else " or ").join(parts)
         if isinstance(node, ast.Call):
             return f"{node.func.id}({', '.join(self.value(argument) for argument in node.args)})"
@@ -170,7 +174,8 @@ class Expressions(Scope):
             if not right.rate:
                 return Pair(f"{left.value} / {right.value}", f"{closed(left.rate)} / {right.value}")
             quotient = self.named(f"{left.value} / {right.value}")
-            rate = f"{closed(left.rate)} - {quotient} * {closed(right.rate)}" if left.rate else f"-{quotient} * {closed(right.rate)}"
+            rate = (f"{closed(left.rate)} - {quotient} * {closed(right.rate)}" if left.rate
+                    else f"-{quotient} * {closed(right.rate)}")
             return Pair(quotient, f"({rate}) / {right.value}")
         if isinstance(node.op, ast.Pow) and not right.rate:
             power = self.named(f"{left.value} ** {right.value}")
@@ -197,7 +202,8 @@ class Expressions(Scope):
             up, along = self.atom(node.args[0]), self.atom(node.args[1])
             square = f"({along.value} * {along.value} + {up.value} * {up.value})"
             return Pair(f"atan2({up.value}, {along.value})",
-                        f"({along.value} * {closed(up.rate or '0.0')} - {up.value} * {closed(along.rate or '0.0')}) / {square}")
+                        f"({along.value} * {closed(up.rate or '0.0')} - {up.value} * "
+                        f"{closed(along.rate or '0.0')}) / {square}")
         argument = self.atom(node.args[0])
         value = f"{name}({argument.value})"
         if "{f}" in RATES[name]:

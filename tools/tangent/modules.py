@@ -1,4 +1,5 @@
-"""The kernel's modules, which of their functions are differentiated, and the text of the modules that result."""
+"""The kernel's modules, which of their functions are differentiated, and the text of
+the modules that result."""
 
 import ast
 
@@ -32,7 +33,8 @@ class Kernel:
         self.known_returns, self.wanted, self.known_writes = {}, set(), {}
 
     def home(self, module, name):
-        """The module that defines the function ``name`` as ``module`` sees it; None if it is not the kernel's."""
+        """The module that defines the function ``name`` as ``module`` sees it; None
+        if it is not the kernel's."""
         if name in self.modules[module].functions:
             return module
         return next((home for home, names in self.modules[module].imports.items()
@@ -78,9 +80,11 @@ class Kernel:
         return follows and (returns or self.writes(module, name) and bool(ACTIVE_ARRAYS & set(arrays)))
 
     def differentiated(self, module, name):
-        """(module, function) whose tangent a call of ``name`` in ``module`` stands for; None where the call stays as it is."""
+        """(module, function) whose tangent a call of ``name`` in ``module`` stands for; None where
+        the call stays as it is."""
         home = self.home(module, name)
-        if home is None or name in INTRINSICS or name in SEARCHES or module == RULE_MODULE and name in {*RULES, RATE_SOLVER}:
+        if (home is None or name in INTRINSICS or name in SEARCHES or module == RULE_MODULE
+            and name in {*RULES, RATE_SOLVER}):
             return None
         if name in RULES:
             return RULE_MODULE, RULES[name]
@@ -104,9 +108,11 @@ class Kernel:
         return self.differentiated(module, call.func.id)
 
     def place(self, module, name):
-        """The module beside whose tangents that of a function stands: a rule beside what it is the rule of."""
+        """The module beside whose tangents that of a function stands: a rule beside
+        what it is the rule of."""
         replaced = {**{rule: function for function, rule in RULES.items()}, **PARTS}
-        return self.home(RULE_MODULE, replaced[name]) if module == RULE_MODULE and name in replaced else module
+        return self.home(RULE_MODULE,
+                         replaced[name]) if module == RULE_MODULE and name in replaced else module
 
     def module_text(self, place, functions):
         """The text of one differentiated module, of functions each of which is (module, name)."""
@@ -117,13 +123,16 @@ class Kernel:
             names = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
             used |= names
             module = self.modules[body.module]
-            for home, offered in [*module.imports.items(), (module.name, {*module.constants, *module.functions})]:
+            for home, offered in [*module.imports.items(),
+                                  (module.name, {*module.constants, *module.functions})]:
                 imported.setdefault(home, set()).update(names & set(offered))
         lines = [f'"""Tangents of {place}.py."""', ""]
-        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "fabs", "isfinite", "log", "pi", "sin", "sqrt"})
+        mathematics = sorted(used & {"acos", "asin", "atan", "atan2", "cos", "fabs", "isfinite", "log", "pi",
+                                     "sin", "sqrt"})
         if mathematics:
             lines.append(f"from math import {', '.join(mathematics)}")
-        lines += [f"from .{home} import {', '.join(sorted(names))}" for home, names in sorted(imported.items()) if names]
+        lines += [f"from .{home} import {', '.join(sorted(names))}"
+                  for home, names in sorted(imported.items()) if names]
         rates = sorted(used & {"root_rate", "size_rate", "power_rate"})
         if rates:
             lines.append(f"from .tangent_rates import {', '.join(rates)}")
@@ -132,5 +141,6 @@ class Kernel:
             for home, name in body.tangents:
                 if self.place(home, name) != place:
                     calls.setdefault(self.place(home, name), set()).add(name + "_t")
-        lines += [f"from .tangent_{home} import {', '.join(sorted(names))}" for home, names in sorted(calls.items())]
+        lines += [f"from .tangent_{home} import {', '.join(sorted(names))}"
+                  for home, names in sorted(calls.items())]
         return "\n".join(lines) + "\n\n\n" + "\n\n\n".join(texts) + "\n"

@@ -1,11 +1,12 @@
-"""What the differentiation knows of the kernel by name: rules for iterations, arrays that follow the inputs, rates of functions."""
+"""What the differentiation knows of the kernel by name: rules for iterations, arrays that follow the
+inputs, rates of functions."""
 
 #: What stands in for an iteration when the kernel is differentiated: a function of implicit.py.
 RULES = {
-    "open_region": "minimum_rule", "zone_width": "width_rule", "find_saddle": "saddle_rule", "solve_penetrations": "penetrations_rule",
-    "touching_pair": "pair_rule",
-    "upright_coefficients": "upright_rule", "move_arc": "arc_rule", "move_chord": "chord_rule", "move_across": "across_rule",
-    "normal_line": "line_rule", "find_overlaps": "overlaps_rule",
+    "open_region": "minimum_rule", "zone_width": "width_rule", "find_saddle": "saddle_rule",
+    "solve_penetrations": "penetrations_rule", "touching_pair": "pair_rule",
+    "upright_coefficients": "upright_rule", "move_arc": "arc_rule", "move_chord": "chord_rule",
+    "move_across": "across_rule", "normal_line": "line_rule", "find_overlaps": "overlaps_rule",
 }
 #: Called as they are: they look for places from which an iteration starts.
 SEARCHES = {"list_minima"}
@@ -18,8 +19,8 @@ ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
 INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated"}
 #: Rates of functions of one argument, where {v} is the argument, {f} the value and {d} the argument's rate.
-RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})", "log": "{d} / {v}", "sin": "cos({v}) * {d}",
-         "cos": "-sin({v}) * {d}", "atan": "{d} / (1.0 + {v} * {v})"}
+RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})", "log": "{d} / {v}",
+         "sin": "cos({v}) * {d}", "cos": "-sin({v}) * {d}", "atan": "{d} / (1.0 + {v} * {v})"}
 HELPERS = '''"""How roots and sizes change: helpers of the differentiated kernel."""
 
 

@@ -18,7 +18,8 @@ class Differentiated(Expressions):
             names.append(f"{name}: {annotation}")
             if kind == "float" or kind == "array" and name in ACTIVE_ARRAYS:
                 names.append(f"{name}_t: {annotation}")
-        self.block([n for n in self.node.body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))])
+        self.block([n for n in self.node.body
+                    if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))])
         head = f"def {self.node.name}_t({', '.join(names)}):"
         text = "\n".join([head, f'    """Tangent of ``{self.node.name}``."""', *self.lines])
         return ast.unparse(ast.parse(text))         # in as few parentheses as the meaning needs
@@ -44,7 +45,8 @@ class Differentiated(Expressions):
         before = len(self.lines)
         test = self.value(node.test)
         if len(self.lines) > before:
-            raise ValueError(f"{self.module}.py, line {node.lineno}: a while loop's condition calls what changes something")
+            raise ValueError(f"{self.module}.py, line {node.lineno}: a while loop's condition calls what "
+                             f"changes something")
         self.write(f"while {test}:")
         self.block(node.body, 1)
 
@@ -138,7 +140,8 @@ class Differentiated(Expressions):
                 if kind == "float" and name in self.active:
                     self.write(f"{name}_t = 0.0")
             return
-        results = [text for name, kind in zip(names, kinds) for text in ([name, name + "_t"] if kind == "float" else [name])]
+        results = [text for name, kind in zip(names, kinds)
+                   for text in ([name, name + "_t"] if kind == "float" else [name])]
         if not names and "float" in kinds:
             results = [self.fresh("n"), self.fresh("n")]
         text = self.tangent_call(call, tangent)

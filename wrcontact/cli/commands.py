@@ -2,7 +2,7 @@
 
 import sys
 from pathlib import Path
-from typing import Annotated, Optional
+from typing import Annotated
 
 import numpy as np
 import typer
@@ -13,8 +13,16 @@ from ..status import Status
 from ..storage.atomic import write_atomically
 from .door import Door, Refused, sentences
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, number, option_of, takes
-from .report import (columns_of, is_compliant, print_state, print_sweep, sentence, state_text, sweep_remark,
-                     write_table)
+from .report import (
+    columns_of,
+    is_compliant,
+    print_state,
+    print_sweep,
+    sentence,
+    state_text,
+    sweep_remark,
+    write_table,
+)
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown",
@@ -29,7 +37,7 @@ def millimetres(option, words):
     return typer.Option(option, help=words, parser=number, metavar="NUMBER")
 
 
-Smoothing = Annotated[Optional[float], typer.Option(
+Smoothing = Annotated[float | None, typer.Option(
     "--smoothing-um", parser=number, metavar="NUMBER", help="Smoothing of profile files: root mean square distance "
     "between the curve and the points, in um; 0 goes through every point (default: the estimated noise of the points)")]
 
@@ -85,7 +93,7 @@ def sweep(load, system,
           start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
           stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
           step: Annotated[float, millimetres("--step-mm", "Step of the lateral shift, in mm")] = 0.5,
-          file: Annotated[Optional[Path], typer.Option("--csv", metavar="FILE", help="Write all outputs to this CSV file, in SI "
+          file: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all outputs to this CSV file, in SI "
                           "units and with the names of the FMU, instead of printing a few of them")] = None,
           smoothing: Smoothing = None):
     """Move the wheelset across the track and print a table of its contacts.
@@ -133,7 +141,7 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 @takes(geometry=GEOMETRY)
 def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
           = Path("check.png"),
-          file: Annotated[Optional[Path], typer.Option("--json", metavar="FILE", help="Write all results to this file as JSON, "
+          file: Annotated[Path | None, typer.Option("--json", metavar="FILE", help="Write all results to this file as JSON, "
                           "in SI units")] = None,
           smoothing: Smoothing = None):
     """Check a pair of profiles before a simulation relies on it.
@@ -161,10 +169,10 @@ def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="F
 
 
 @main.command()
-def figures(more: Annotated[Optional[list[str]], typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
+def figures(more: Annotated[list[str] | None, typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
             output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the pictures, the tables and the index")]
             = Path("wrcontact-figures"),
-            only: Annotated[Optional[list[str]], typer.Option(metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
+            only: Annotated[list[str] | None, typer.Option(metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
     """Recompute and draw the figures of the degree project that wrcontact started from.
 
     Each figure is written as a picture and a CSV table, such as fig_7_2.png and fig_7_2.csv. The index

@@ -5,9 +5,9 @@ from pathlib import Path
 from rich import box
 from rich.table import Table
 
+from ..storage.atomic import write_atomically
 from ..study.figure import FAILS, HOLDS, PARTLY, Study
 from ..study.figures import chosen, compute
-from ..storage.atomic import write_atomically
 from .report import console
 
 INDEX = "figures.md"

@@ -7,13 +7,13 @@ not given leaves the package's default.
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from math import radians
-from typing import Annotated, Optional
+from typing import Annotated
 
 import typer
 
+from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
 from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
-from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
 TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3, "MPa": lambda value: value * 1e6}
@@ -117,7 +117,7 @@ def _option(variable):
         kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name_of(variable) == RATIO else number}
     option = typer.Option(option_of(variable), help=words, show_default=False,
                           rich_help_panel=PANELS[variable.causality], **reading)
-    return Parameter(name_of(variable), Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[Optional[kind], option])
+    return Parameter(name_of(variable), Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[kind | None, option])
 
 
 def _values(variables, given):

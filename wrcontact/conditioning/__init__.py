@@ -8,8 +8,8 @@
 The package uses a ContactSystem; nothing in a simulation or an FMU uses it.
 """
 
-from .conicity import Conicity, equivalent_conicity
 from .conformal import ConformalZone
+from .conicity import Conicity, equivalent_conicity
 from .curves import Curves, SideCurves
 from .jumps import Jump, find_jumps
 from .quality import ProfileQuality

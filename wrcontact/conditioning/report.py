@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..conventions import SIDES
-from ..status import Status
 from ..interface.inputs import LATERAL_LIMIT
 from ..interface.parameters import GEOMETRY, Wheelset
+from ..status import Status
 from ..system import ContactSystem
 from .conformal import conformal_zones, near_stretches
 from .conicity import AMPLITUDES, Conicity, conicities

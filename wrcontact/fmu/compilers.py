@@ -14,7 +14,7 @@ import sys
 import tempfile
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 from ..kernel.binding.library import HERE, fingerprint
@@ -70,7 +70,7 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
         return output.read_bytes()
 
 
-@lru_cache(maxsize=None)
+@cache
 def zig_cache():
     """Environment variables for zig's cache: none for the usual folder, or a temporary folder if that is not
     writable."""

@@ -7,7 +7,19 @@ from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
 from ..conditioning.jumps import merged_jumps
 from ..profiles.compiled import evaluate_table, places
-from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, SIDE_COLOUR, WHEEL_COLOUR, new_figure, number, styled
+from .style import (
+    DEGREE,
+    INK,
+    MM,
+    QUIET,
+    RAIL_COLOUR,
+    RAIL_LABEL,
+    SIDE_COLOUR,
+    WHEEL_COLOUR,
+    new_figure,
+    number,
+    styled,
+)
 from .sweep import BAND
 
 SHOWN = 8e-3  # [m] lateral shifts shown, the largest amplitude

@@ -6,7 +6,18 @@ from ..conventions import SIDES
 from ..kernel import layout
 from .geometry import rail_outline, wheel_outline
 from .patch import draw_outlines
-from .style import CONTACT_COLOUR, DEGREE, KILONEWTON, MM, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR, new_figure, number, styled
+from .style import (
+    CONTACT_COLOUR,
+    DEGREE,
+    KILONEWTON,
+    MM,
+    RAIL_COLOUR,
+    RAIL_LABEL,
+    WHEEL_COLOUR,
+    new_figure,
+    number,
+    styled,
+)
 
 INSIDE, OUTSIDE = 78e-3, 54e-3  # [m] shown from the rail's highest point to the track centre and to the field side
 ABOVE, BELOW = 18e-3, 38e-3  # [m] shown above and below top of rail

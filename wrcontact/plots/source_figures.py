@@ -9,7 +9,18 @@ import numpy as np
 from ..study.figure import rows_of
 from .patch import FINER
 from .pose import HIGH
-from .style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR, ZONE_COLOUR, new_figure, styled
+from .style import (
+    CONTACT_COLOUR,
+    INK,
+    MM,
+    QUIET,
+    RAIL_COLOUR,
+    RAIL_LABEL,
+    WHEEL_COLOUR,
+    ZONE_COLOUR,
+    new_figure,
+    styled,
+)
 from .sweep import WHEEL_ZONES
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito

@@ -8,7 +8,7 @@ Rails
 """
 
 import math
-from functools import lru_cache
+from functools import cache
 
 from .profile import Profile
 from .zones import Arc, Polynomial, mirror_zone
@@ -68,7 +68,7 @@ WHEELS = ("S1002",)
 RAILS = ("UIC60", "60E1", "54E1")
 
 
-@lru_cache(maxsize=None)
+@cache
 def standard_profile(name):
     """The built-in profile called ``name``; KeyError if there is none."""
     return BUILDERS[name]()

@@ -6,7 +6,7 @@ Everything in a :class:`SourceFigure` is in the units that people read: mm, deg,
 import csv
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 
@@ -65,7 +65,7 @@ def _cell(value):
 class Study:
     """The wheelset of the source's figures in every variant that they need; each is made once."""
 
-    @lru_cache(maxsize=None)
+    @cache
     def system(self, **parameters):
         """S1002 on UIC60 1:40, gauge 1435 mm, radius 460 mm, with other methods if ``parameters`` say so."""
         return ContactSystem(**parameters)
@@ -75,12 +75,12 @@ class Study:
         """The same with the wheelset in elastic equilibrium."""
         return self.system(contact_mode="elastic")
 
-    @lru_cache(maxsize=None)
+    @cache
     def section(self, shift):
         """:class:`~wrcontact.study.sections.Section` at a lateral shift [mm]."""
         return Section(self.system(), shift / 1e3)
 
-    @lru_cache(maxsize=None)
+    @cache
     def right(self, shift, yaw=0.0, **parameters):
         """The right wheel's contact under the load, at a lateral shift [mm] and yaw [deg]."""
         return self.system(**parameters).evaluate(lateral_shift=shift / 1e3, yaw=math.radians(yaw), normal_force=FORCE).right

@@ -1,7 +1,7 @@
 """The source's figures 7.1 to 7.4: where the wheel touches, and the separation of the profiles there."""
 
 import math
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -32,7 +32,7 @@ def turned(vertical):
     return Separation(vertical.station * vertical.stretch, vertical.gap / vertical.stretch, vertical.wheel, vertical.rail)
 
 
-@lru_cache(maxsize=None)
+@cache
 def separation_patches(section):
     """Nodes and patch by name of the separation, with the circle fit as lateral curvature."""
     vertical = section.vertical(FINE_DS, 1600)

@@ -1,0 +1,84 @@
+"""How deep a pressed wheel overlaps the rail, against the surface of revolution by dense search and against
+Hertz's contact of circles."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import wrcontact
+from tests.helpers.elastic import compliant, elastic
+from tests.helpers.hertz import hertz
+from tests.helpers.overlap import deepest
+from tests.reference import brute_force
+from wrcontact.kernel import layout
+from wrcontact.profiles.profile import Profile
+from wrcontact.profiles.zones import Arc
+
+# --- overlap, by dense search ---------------------------------------------------------------------
+
+
+OVERLAPS = [(0.0, 0.0), (2e-3, 0.01), (4.95e-3, 0.0), (5.2e-3, 0.0175), (6e-3, 0.0), (6.15e-3, 0.0175),
+            (7e-3, 0.02), (-6e-3, 0.03), (6.6e-3, -0.05)]
+
+
+@pytest.mark.parametrize("shift, yaw", OVERLAPS)
+def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
+    """Every region's deepest point along the rail's normals, at the pose where the wheelset carries FORCE."""
+    stand = elastic().evaluate(shift, yaw)
+    stepper, track = compliant().stepper(), brute_force.track()
+    stepper.inputs[:] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
+    assert stepper.step() == 0
+    overlap = layout.Work.at(stepper._workspace).overlap
+    points = overlap.points[:overlap.count]
+    pose = brute_force.Pose(shift, yaw, stand.roll, stand.vertical_shift)
+    for point in points:      # of the right wheel, which came last
+        depth, _, abscissa = deepest(track, pose, point.rail)
+        assert point.depth == pytest.approx(depth, abs=1e-11)      # [m]; measured 5e-13
+        assert point.rail == pytest.approx(abscissa, abs=1e-7)
+    state = compliant().evaluate(shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
+    assert state.right.penetration == max(point.depth for point in points)
+    assert deepest(track, pose.mirrored(),
+                   state.left.contact.y_rail)[0] == pytest.approx(state.left.penetration, abs=1e-11)
+    assert len(points) == (2 if shift in (4.95e-3, 5.2e-3, 6.15e-3) else 1)
+
+
+# --- Hertz, pressed down --------------------------------------------------------------------------
+
+
+BALL, CROWN = 0.2, 0.09   # radii of wheel and rail profile [m]
+
+
+@cache
+def circles(**parameters):
+    """A wheel and a rail of one circle each, that touch at 13 deg."""
+    wheel = Profile("ball", "wheel", (Arc(-60.0, 60.0, 1e3 * BALL, 45.0, -199.0, +1),))
+    rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 1e3 * CROWN, 0.0, 1e3 * CROWN, -1),))
+    return wrcontact.ContactSystem(wheel, rail, rail_inclination=0.0, gauge=1.4, gauge_depth=6e-3,
+                                   **parameters)
+
+
+@pytest.mark.parametrize("sink", [1e-6, 1e-5, 1e-4])
+def test_a_ball_pressed_down_on_a_slope_is_hertz(sink):
+    """Circles overlap by what their radii exceed the distance of their centres, sink
+    cos(angle) to first order."""
+    rigid = circles().evaluate()
+    state = circles(contact_mode="compliant").evaluate(vertical_shift_input=rigid.vertical_shift + sink)
+    angle = rigid.right.contact_angle
+    assert state.status == 0 and abs(angle) > 0.1
+    total = BALL + CROWN
+    # of the centres, across and down
+    apart = total * np.array([np.sin(angle), np.cos(angle)]) - [0.0, sink]
+    depth = total - np.hypot(*apart)
+    assert depth == pytest.approx(sink * math.cos(angle), rel=sink / total)
+    A = 0.5 * math.cos(angle) / rigid.right.rolling_radius
+    B = 0.5 * (1 / BALL + 1 / CROWN)
+    force = brentq(lambda load: hertz(A, B, load)[0] - depth, 1e-3, 1e7, rtol=1e-13)
+    for side in (state.left, state.right):
+        assert side.penetration == pytest.approx(depth, abs=1e-13)
+        # the gap is a circle's and not its parabola's: patch over radius squared, 1e-3
+        assert side.normal_force == pytest.approx(force, rel=2e-3)
+    again = circles(contact_mode="elastic").evaluate(normal_force=state.right.normal_force)
+    assert again.vertical_shift == pytest.approx(state.vertical_shift, abs=1e-12)

@@ -1,0 +1,103 @@
+"""Processes that are killed or interrupted: what they were writing is whole or as it was before."""
+
+import contextlib
+import os
+import random
+import signal
+import time
+
+import pytest
+
+from tests.helpers.command_line import start
+from tests.helpers.faults import assert_files_are_whole, building, cli, needs_linux, parts_in
+from tests.helpers.fmus import needs_compiler
+from wrcontact.cli.demo import apart
+from wrcontact.cli.door import Refused
+from wrcontact.fmu import native
+
+pytestmark = needs_linux
+
+
+def wait_for_part(program, folder):
+    """Until a process is writing to a folder."""
+    while not parts_in(folder):
+        assert program.poll() is None, program.communicate()
+        time.sleep(0.002)
+
+
+@pytest.mark.parametrize("blow, code", [(signal.SIGINT, 130), (signal.SIGKILL, -9)],
+                         ids=["interrupted", "killed"])
+def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
+    target = tmp_path / "sweep.csv"
+    target.write_text("before\n")
+    program = cli("sweep", "--step-mm", "0.002", "--csv", target)
+    wait_for_part(program, tmp_path)
+    program.send_signal(blow)
+    out, errors = program.communicate(timeout=60)
+    assert (program.returncode, out, target.read_text()) == (code, "", "before\n")
+    if blow == signal.SIGINT:
+        assert errors == "wrcontact: interrupted; no file is half written\n" and parts_in(tmp_path) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words, rounds", [
+    (("demo", "--output", "{}"), 1),
+    *(pytest.param(words, 4, marks=pytest.mark.complete) for words in (
+        ("sweep", "--step-mm", "0.0005", "--csv", "{}/a.csv"), ("figures", "--output", "{}"),
+        ("demo", "--output", "{}")))])
+def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
+    """Of the group of processes, as a terminal sends it; the helper of the demo is in it too."""
+    chance = random.Random(rounds)
+    for _ in range(rounds):
+        program = cli(*(word.format(tmp_path) for word in words), start_new_session=True)
+        time.sleep(chance.uniform(1.5, 4.0))      # not before it has been loaded
+        os.killpg(program.pid, signal.SIGINT)
+        _, errors = program.communicate(timeout=120)
+        lines = [line for line in errors.splitlines() if "WARNING" not in line]
+        if program.returncode == 0:
+            assert lines == []      # it had ended
+        else:
+            assert program.returncode == 130 and lines == ["wrcontact: interrupted; no file is half written"]
+        assert_files_are_whole(tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.complete
+def test_a_demo_that_is_killed(tmp_path):
+    """At random times: each of its files is whole or not there, and the next run is
+    undisturbed by what was left."""
+    chance = random.Random(12)
+    for _ in range(12):
+        program = cli("demo", "--output", tmp_path, start_new_session=True)
+        time.sleep(chance.uniform(1.0, 12.0))
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(program.pid, signal.SIGKILL)
+        program.communicate()
+        assert_files_are_whole(tmp_path)
+    done = start("-c", "from wrcontact.cli import main; main()", "demo", "--output", str(tmp_path),
+                 folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert assert_files_are_whole(tmp_path) == 3
+
+
+@pytest.mark.slow
+@needs_compiler
+@pytest.mark.parametrize("rounds", [2, pytest.param(25, marks=pytest.mark.complete)])
+def test_a_build_that_is_killed(tmp_path, fmus, compiled, rounds):
+    """At random times while it compiles, packs and writes; what it kept for the next build is whole too."""
+    chance, cache = random.Random(rounds), tmp_path / "cache" if rounds > 4 else compiled
+    for _ in range(rounds):
+        program = building(tmp_path / "out", cache, start_new_session=True)
+        time.sleep(chance.uniform(0.2, 8.0 if rounds > 4 else 2.5))
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(program.pid, signal.SIGKILL)
+        program.communicate()
+        for file in (tmp_path / "out").glob("*.fmu"):
+            assert file.read_bytes() == fmus[int(file.stem[-1])].read_bytes()
+    again = native.build_native_fmus(tmp_path / "out", cache=cache)
+    assert [file.read_bytes() for file in again] == [file.read_bytes() for file in fmus.values()]
+
+
+def test_a_helper_that_is_killed_is_told_in_a_sentence():
+    with pytest.raises(Refused, match="the process that runs the FMU ended before it returned its results"):
+        apart(os._exit, 9)

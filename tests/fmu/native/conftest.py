@@ -1,0 +1,111 @@
+"""What tests of the native FMUs run: scenarios in fresh processes, packed profiles, C hosts; each
+made once for a worker."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from fmpy import read_model_description
+
+from benchmarks.native import native_host, rows_text
+from tests.helpers.c_host import HOOKS
+from tests.helpers.cases import stored
+from tests.helpers.fmus import FMI_HEADERS, measured, run_scenario, unpacked_library
+from tests.helpers.paths import HELPERS
+from wrcontact.fmu import native
+
+
+@pytest.fixture
+def run(fmus, tmp_path):
+    """Run a scenario of fmu_process.py with the FMU of FMI 2."""
+    return lambda scenario, **arguments: run_scenario(scenario, fmus[2], tmp_path / "unpacked", arguments)
+
+
+@pytest.fixture
+def run3(fmus, tmp_path):
+    """Run a scenario of native_process.py with the FMU of FMI 3."""
+
+    def run3(scenario, **arguments):
+        command = [sys.executable, str(HELPERS / "native_process.py"), scenario, str(fmus[3]),
+                   str(tmp_path / "unpacked3")]
+        done = subprocess.run(command, input=json.dumps(arguments), capture_output=True, text=True,
+                              encoding="utf-8", timeout=600)
+        assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
+        return json.loads(done.stdout)
+
+    return run3
+
+
+@pytest.fixture(scope="session")
+def packed(tmp_path_factory, compiled):
+    """FMUs by version with a wheel and a rail of one's own, and their files, whose names have
+    spaces and other letters."""
+    folder = tmp_path_factory.mktemp("Profile & 轮轨")
+    wheel = measured("S1002", folder / "Rad 7 ä.txt")
+    rail = measured("UIC60", folder / "Schiene 轨 'neu'.txt")
+    fmus = native.build_native_fmus(folder / "out", wheel=wheel, rail=rail, cache=compiled)
+    return dict(zip((2, 3), fmus)), wheel, rail
+
+
+@pytest.fixture(scope="session", params=(2, 3))
+def raw(request, fmus, tmp_path_factory):
+    """What native_raw.py saw with the library of a version of FMI, in a folder without resources."""
+    version, folder = request.param, tmp_path_factory.mktemp("Räder & Schienen 轮轨")
+    described = read_model_description(str(fmus[version]))
+    given = {"token": described.instantiationToken or described.guid,
+             "references": {v.name: v.valueReference for v in described.modelVariables}}
+    command = [sys.executable, str(HELPERS / "native_raw.py"), str(version),
+               str(unpacked_library(fmus[version], version, folder)), str(FMI_HEADERS)]
+    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8",
+                          timeout=300)
+    assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-4000:]}"
+    return version, json.loads(done.stdout)
+
+
+@pytest.fixture(scope="session")
+def linked_host(fmus, tmp_path_factory):
+    """native_host.c with the library in the FMU; `linked_host(2)` is the program."""
+    made = {}
+
+    def linked_host(version):
+        if version not in made:
+            made[version] = native_host(fmus[version], version, tmp_path_factory.mktemp("linked"))
+        return made[version]
+
+    return linked_host
+
+
+@pytest.fixture(scope="session")
+def host(tmp_path_factory):
+    """native_host.c with the FMU's sources, compiled with flags: `host(2, *SANITIZERS)`."""
+    kept = tmp_path_factory.mktemp("objects")
+
+    def host(version, *flags):
+        folder = tmp_path_factory.mktemp("host")
+        native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), folder)
+        shutil.copy(HELPERS / "native_host.c", folder)
+        units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
+        units["native_host.c"] = [f"-DFMI={version}"]
+        objects = []
+        for unit, extra in units.items():       # the kernel is the same for both versions
+            objects.append(Path(kept if "/" in unit else folder, f"{abs(hash(flags))} {Path(unit).stem}.o"))
+            if not objects[-1].exists():
+                command = ["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o",
+                           objects[-1]]
+                subprocess.run(command, cwd=folder, check=True)
+        subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm", "-pthread"], cwd=folder, check=True)
+        return folder / "host"
+
+    return host
+
+
+@pytest.fixture(scope="session")
+def rows_file(tmp_path_factory):
+    """Inputs of the stored run "hunting" as native_host reads them."""
+    file = tmp_path_factory.mktemp("rows") / "rows.txt"
+    _, rows, _ = stored("hunting")
+    file.write_text(rows_text(rows))
+    return file

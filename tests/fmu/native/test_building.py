@@ -1,0 +1,141 @@
+"""Building native FMUs: the command, the compilers, the sources in the archive."""
+
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from fmpy import read_model_description
+from fmpy.build import build_platform_binary
+
+from tests.helpers.cases import OUTPUT_NAMES, poses
+from tests.helpers.fmus import assert_same, needs_compiler, needs_glibc, outputs_of, run_scenario
+from tests.helpers.paths import ROOT
+from wrcontact.fmu import compilers, native
+from wrcontact.fmu.compilers import CompilerProblem, compiler_for
+from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+
+pytestmark = needs_compiler
+
+
+# --- behaviour ------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_command_line_prints_the_paths(fmus, tmp_path):
+    command = [sys.executable, str(ROOT / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    printed = list(map(Path, done.stdout.split()))
+    assert printed == [tmp_path / "out" / f"WheelsetContact_native_fmi{version}.fmu" for version in (2, 3)]
+    assert [file.read_bytes() for file in printed] == [file.read_bytes() for file in fmus.values()]
+
+
+def test_command_line_refuses_in_a_sentence(tmp_path):
+    command = [sys.executable, str(ROOT / "build_fmu.py"), "--native", "--output", str(tmp_path / "out")]
+    wrong = subprocess.run([*command, "--platforms", "amiga"], capture_output=True, text=True)
+    assert wrong.returncode == 1 and "platform is 'amiga'; permitted are x86_64-linux" in wrong.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.slow
+def test_equal_sources_give_equal_bytes(fmus, tmp_path):
+    for version, again in zip((2, 3), native.build_native_fmus(tmp_path)):
+        assert again.read_bytes() == fmus[version].read_bytes()
+
+
+def test_other_contents_give_another_token(fmus, packed):
+    tokens = [read_model_description(str(fmu)).instantiationToken for fmu in (fmus[3], packed[0][3])]
+    assert tokens[0] != tokens[1]
+
+
+SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O2"]      # the language that the build description names
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
+@pytest.mark.parametrize("version", (2, 3))
+@pytest.mark.parametrize("builder", ("system", "fmpy"))
+def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, builder):
+    """Compiled from what the archive itself says: by the system's compiler alone, and
+    as fmpy does, by CMake."""
+    if builder == "fmpy" and not shutil.which("cmake"):
+        pytest.skip("fmpy builds by CMake, which is not installed")
+    with zipfile.ZipFile(fmus[version]) as archive:
+        archive.extractall(tmp_path / "sources only")
+    place, description = PLATFORMS[host_platform()], tmp_path / "sources only" / "modelDescription.xml"
+    library = description.parent / "binaries" / (place.fmi2 if version == 2
+                                                 else place.name) / f"WheelsetContact{place.suffix}"
+    library.unlink()
+    if builder == "fmpy":
+        build_platform_binary(description.parent)
+    else:
+        compile_as_described(version, description, library)
+    again = tmp_path / "again.fmu"
+    with zipfile.ZipFile(again, "w") as archive:
+        for file in sorted(description.parent.rglob("*")):
+            archive.write(file, file.relative_to(description.parent))
+    rows, script = poses(20), "fmu_process.py" if version == 2 else "native_process.py"
+    one, other = (outputs_of(script, file, tmp_path / f"unpacked {k}", rows)
+                  for k, file in enumerate((fmus[version], again)))
+    for ours, theirs in zip(one, other, strict=True):
+        assert_same(theirs, ours)
+
+
+def compile_as_described(version, description, library):
+    """By the system's compiler, the files that the archive lists."""
+    sources = description.parent / "sources"
+    listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
+    units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
+    assert len(units) == 6
+    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library), "-lm"], cwd=sources, text=True,
+                          capture_output=True)
+    assert done.returncode == 0, done.stderr
+
+
+# --- from a C host --------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_compilers_have_nothing_to_say(tmp_path, version):
+    """About the sources in the archive, with -Wall."""
+    native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), tmp_path)
+    for unit in native.compiled_units(version):
+        command = ["cc", "-std=gnu11", "-Wall", "-Werror", "-fsyntax-only", unit]
+        done = subprocess.run(command, cwd=tmp_path, text=True, capture_output=True)
+        assert (done.returncode, done.stderr) == (0, ""), done.stderr[:2000]
+
+
+# --- building -------------------------------------------------------------------------------------
+
+
+def test_unknown_platform_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="platform is 'amiga'; permitted are x86_64-linux"):
+        native.build_native_fmus(tmp_path / "out", platforms=["amiga"])
+    assert not (tmp_path / "out").exists()
+
+
+def test_missing_compiler_is_told(monkeypatch):
+    monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(compilers.shutil, "which", lambda name: None)
+    with pytest.raises(CompilerProblem, match="no compiler for aarch64-darwin; pip install ziglang"):
+        compiler_for(PLATFORMS["aarch64-darwin"])
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
+def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypatch):
+    """Another compiler, the same bits but for the mathematical library."""
+    monkeypatch.setattr(compilers.importlib.util, "find_spec", lambda name: None)
+    own = native.build_native_fmus(tmp_path / "own")
+    rows = poses(20)
+    seen = [run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}",
+                         {"rows": rows, "names": OUTPUT_NAMES})["seen"]
+            for k, fmu in enumerate((fmus[2], own[0]))]
+    for one, other in zip(*seen):
+        assert_same(one, other)

@@ -1,0 +1,111 @@
+"""The native FMUs from a C host, tests/helpers/native_host.c: random calls, threads, memory."""
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import benchmarks.native
+from tests.helpers.c_host import RACES, SANITIZERS, answer_of, fuzz, needs_race_detector, needs_sanitizers
+from tests.helpers.fmus import needs_compiler, needs_glibc
+from wrcontact.interface.variables import VARIABLES
+
+pytestmark = needs_compiler
+
+
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_random_calls(linked_host, version):
+    counted = fuzz(linked_host(version), version, 5, 15_000)
+    assert (counted["other_outlines"] > 0.01 * 15_000) == (version == 3)
+
+
+@pytest.mark.slow
+@needs_sanitizers
+@pytest.mark.parametrize("version", (2, 3))
+def test_a_million_random_calls_under_sanitizers(host, version):
+    """Ten runs, or a share of them, in which every contact mode meets every normal model."""
+    program, started, runs = host(version, *SANITIZERS), {}, int(os.environ.get("WRCONTACT_FUZZ_RUNS", 10))
+    for seed in range(runs):
+        for methods, count in fuzz(program, version, seed, 100_000)["started"].items():
+            started[methods] = started.get(methods, 0) + count
+    modes, models = (next(v for v in VARIABLES if v.name == name).choices
+                     for name in ("contact_mode", "normal_model"))
+    assert len(started) == len(modes) * len(models) and min(started.values()) >= 2 * runs, started
+
+
+@needs_glibc
+def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
+    """With its seed and number, which repeat it."""
+    running = subprocess.Popen([str(linked_host(2)), "fuzz", "11", "100000000"], text=True,
+                               stderr=subprocess.PIPE)
+    children = Path(f"/proc/{running.pid}/task/{running.pid}/children")
+    while not (child := children.read_text().split()):
+        pass
+    os.kill(int(child[0]), signal.SIGSEGV)
+    _, told = running.communicate(timeout=60)
+    assert (running.returncode == 1
+            and re.match(r"native_host fuzz 11 \d+ fails: ended by signal 11", told)), told
+
+
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_no_allocation_between_initialisation_and_end(linked_host, version, rows_file):
+    """Nor in any other part of the process; but the first of the states that are
+    saved has to be somewhere."""
+    counted = answer_of(linked_host(version), "allocations", rows_file)
+    assert counted["rows"] > 100 and counted["wrong"] == 0
+    assert counted["steps"] == counted["states"] == 0 and counted["first_state"] == 1
+
+
+@needs_glibc
+@pytest.mark.parametrize("version", (2, 3))
+def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
+    """Of different methods, each with the bits of its run alone."""
+    assert answer_of(linked_host(version), "threads", 8, rows_file) == {"equal": 8, "variants": 8, "wrong": 0}
+
+
+@needs_glibc
+def test_a_random_walk_repeats_itself_and_resumes(linked_host):
+    """A little of test_long_runs.py: the same bits by FMI 2.0, by FMI 3.0, and from saved
+    states at random times."""
+    walks = [answer_of(linked_host(version), way, 7, 4_000, 0)[0] for version in (2, 3)
+             for way in ("walk", "resumed")]
+    assert [walk["bad"] for walk in walks] == [0] * 4 and walks[1]["partings"] > 4 and walks[0]["jumps"] > 100
+    assert len({walk["digest"] for walk in walks}) == 1
+    threads = answer_of(linked_host(2), "walks", 7, 4_000, 2)
+    assert threads[0]["digest"] == walks[0]["digest"] != threads[1]["digest"]
+
+
+@pytest.mark.slow
+@needs_race_detector
+@pytest.mark.parametrize("version", (2, 3))
+def test_threads_share_nothing(host, version, rows_file):
+    assert answer_of(host(version, *RACES), "threads", 8, rows_file) == {"equal": 8, "variants": 8,
+                                                                         "wrong": 0}
+
+
+@needs_glibc
+@pytest.mark.slow
+@pytest.mark.complete
+@pytest.mark.skipif(not shutil.which("valgrind"), reason="valgrind is not installed")
+@pytest.mark.parametrize("version", (2, 3))
+def test_valgrind_finds_nothing(host, version):
+    """In the program as it is packed, without a sanitizer's help."""
+    command = ["valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--trace-children=yes"]
+    done = subprocess.run([*command, str(host(version)), "fuzz", "3", "3000"], text=True, capture_output=True,
+                          timeout=900)
+    assert done.returncode == 0, done.stderr[-3000:]
+
+
+@pytest.mark.slow
+@needs_glibc
+def test_cost_is_measured(fmus, capsys):
+    benchmarks.native.main(list(map(str, fmus.values())))
+    rows = re.findall(r"\| FMI (\d)\.0 \| ([\d.]+) \| ([\d.]+) \|", capsys.readouterr().out)
+    assert [version for version, *_ in rows] == ["2", "3"]
+    assert all(0.5 < float(units) < 200 for _, units, _ in rows)

@@ -1,0 +1,87 @@
+"""The Python FMU's archive: what is in it, and that equal sources give equal bytes."""
+
+import ast
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+from fmpy import read_model_description
+
+from tests.helpers.cases import profile_file
+from tests.helpers.paths import ROOT
+from wrcontact.fmu import build_fmu
+from wrcontact.interface import variables
+
+
+def test_archive_holds_what_is_needed_and_nothing_else(entries):
+    assert {"modelDescription.xml", "documentation/index.html", "resources/slavemodule.txt"} <= set(entries)
+    assert b"MIT" in entries["documentation/licenses/pythonfmu.txt"]
+    packed = [name.split("/", 2)[2] for name in entries if name.startswith("resources/wrcontact_")]
+    offline = ("cli", "plots", "study", "fmu", "kernel/native", "kernel/generated")
+    assert not [name for name in packed if name.startswith(offline)]
+    assert {"simulation/session.py", "system.py", "status.py", "kernel/binding/library.py"} <= set(packed)
+
+
+def test_packed_code_loads_with_numpy_only(entries):
+    resources = {name.split("/")[1] for name in entries if name.startswith("resources/")}
+    for name, content in entries.items():
+        if name.endswith(".py") and "/pythonfmu/" not in name:
+            assert imported(content) <= {"numpy", *sys.stdlib_module_names, *resources}, name
+
+
+def imported(source):
+    """First names of the modules that a source needs when it is loaded; relative imports do not count."""
+    nodes = ast.parse(source).body
+    names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+    names |= {node.module for node in nodes if isinstance(node, ast.ImportFrom) and not node.level}
+    return {name.split(".")[0] for name in names}
+
+
+def test_documentation_names_every_variable(entries):
+    page = entries["documentation/index.html"].decode()
+    for name, variable in variables.documented():
+        assert f"<code>{name}</code>" in page
+    assert "envelope theorem" in page and "ANALYN" in page
+    assert "contact_mode" in page and "about the wheelset's centre" in page and "a wheelset with mass" in page
+
+
+def test_equal_sources_give_equal_bytes(fmu, tmp_path):
+    again = build_fmu(tmp_path / "here")
+    assert again.read_bytes() == fmu.read_bytes()
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path), "PYTHONHASHSEED": "7"}
+    script = "import sys; from wrcontact.fmu import build_fmu; build_fmu(sys.argv[1])"
+    subprocess.run([sys.executable, "-c", script, str(tmp_path / "there")], check=True, env=environment)
+    assert (tmp_path / "there" / fmu.name).read_bytes() == fmu.read_bytes()
+
+
+def test_other_contents_give_another_name_and_guid(description, fmu, tmp_path):
+    other = build_fmu(tmp_path, wheel=profile_file(tmp_path, "wheel"))
+    assert read_model_description(str(other)).guid != description.guid
+    assert unique_names(other).isdisjoint(unique_names(fmu))
+
+
+def unique_names(fmu):
+    """Names in the resources that hold the hash of the contents."""
+    with zipfile.ZipFile(fmu) as archive:
+        names = {name.split("/")[1] for name in archive.namelist() if name.startswith("resources/")}
+    return {name for name in names if name.startswith(("wrcontact_", "wheelset_contact_"))}
+
+
+def test_command_line_prints_the_path(fmu, tmp_path):
+    script = ROOT / "build_fmu.py"
+    command = [sys.executable, str(script), "--output", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert Path(done.stdout.strip()) == tmp_path / "out" / "WheelsetContact.fmu"
+    assert os.listdir(tmp_path / "out") == ["WheelsetContact.fmu"]
+
+
+def test_command_line_refuses_an_unknown_profile(tmp_path):
+    script = ROOT / "build_fmu.py"
+    command = [sys.executable, str(script), "--output", str(tmp_path / "out"), "--wheel", "no such"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode != 0
+    assert "no such" in done.stderr and "S1002" in done.stderr and "Traceback" not in done.stderr
+    assert not (tmp_path / "out").exists()

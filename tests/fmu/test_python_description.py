@@ -1,0 +1,132 @@
+"""The Python FMU's description: variables, units, dependencies."""
+
+import math
+
+import pytest
+from fmpy.validation import validate_fmu
+
+from tests.helpers.cases import INPUT_NAMES, OUTPUT_NAMES
+from tests.helpers.fmus import WARM_START, assert_same, evaluated
+from wrcontact import ContactSystem
+from wrcontact.interface import variables
+from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, VARIABLES
+
+
+def test_fmpy_finds_no_problem(fmu):
+    assert validate_fmu(str(fmu)) == []
+
+
+def test_description_has_every_variable_of_the_table(description):
+    described = {v.name: v for v in description.modelVariables}
+    assert list(described) == [v.name for v in VARIABLES]
+    for reference, variable in enumerate(VARIABLES):
+        found = described[variable.name]
+        assert (found.valueReference, found.type, found.causality, found.variability) == (
+            reference, variable.type, variable.causality, variable.variability)
+        assert found.description == variable.description
+        assert found.initial == {INPUT: "exact", PARAMETER: "exact", OUTPUT: "calculated"}[variable.causality]
+
+
+def test_names_of_the_interface_are_there(description):
+    names = {v.name for v in description.modelVariables}
+    patch = ("normal_force", "area", "max_pressure", "length", "width", "centroid", "contact_angle")
+    side = ["patch_count", "contact.x_wheel", "contact.y_wheel", "contact.z_wheel", "contact.y_rail",
+            "contact.z_rail", "contact.x_track", "contact.y_track", "contact.z_track", "contact_angle",
+            "rolling_radius", "curvature_x", "curvature_y", "penetration", "normal_force", "area",
+            "max_pressure", "patch_length", "patch_width", "patch_centroid"]
+    side += [f"patch[{k}].{n}" for k in (1, 2, 3) for n in patch]
+    side += [f"{n}[{j}]" for n in ("station", "half_length", "pressure") for j in range(1, 32)]
+    expected = {f"{s}.{n}" for s in ("left", "right") for n in side} | {"roll", "vertical_shift", "status"}
+    expected |= {f"{vector}.{axis}" for vector in ("force", "moment") for axis in "xyz"}
+    expected |= {"lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer",
+                 "vertical_shift_input", "roll_input"}
+    expected |= {"wheel_profile", "rail_profile", "rail_inclination", "gauge", "gauge_depth",
+                 "running_circle_distance", "nominal_radius", "youngs_modulus", "poisson_ratio",
+                 "contact_mode", "load", "normal_model", "separation", "longitudinal_curvature",
+                 "lateral_curvature", "curvature_step", "curvature_reach"}
+    assert expected <= names
+
+
+def test_every_real_has_a_unit_and_a_nominal_value(description):
+    for v in description.modelVariables:
+        if v.type == "Real":
+            assert v.unit in variables.UNITS, v.name
+            assert float(v.nominal) > 0, v.name
+            assert v.displayUnit == (variables.UNITS[v.unit].display or None), v.name
+
+
+def test_units_are_si_and_shown_as_engineers_read_them(description):
+    units = description.unitDefinitions
+    bases = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
+    exponents = {u.name: {b: getattr(u.baseUnit, b) for b in bases if getattr(u.baseUnit, b)} for u in units}
+    assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2},
+                         "N.m": {"kg": 1, "m": 2, "s": -2},
+                         "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {}}
+    shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
+    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "MPa": 1e-6, "mm2": 1e6}
+
+
+def test_start_values_lie_within_their_limits(description):
+    for v in description.modelVariables:
+        if v.type == "Real" and v.start is not None:
+            assert float(v.min) <= float(v.start) <= float(v.max), v.name
+
+
+def test_dependencies(description):
+    follows = {u.variable.name: {d.name for d in u.dependencies} for u in description.outputs}
+    assert set(follows) == set(OUTPUT_NAMES)
+    # declared once for all contact modes, and in elastic and compliant contact all
+    # that is read moves everything
+    read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input"}
+    assert all(inputs == read for inputs in follows.values())
+    initial = {u.variable.name: {d.name for d in u.dependencies} for u in description.initialUnknowns}
+    assert set(initial) == set(OUTPUT_NAMES)
+    assert {"gauge", "nominal_radius", "lateral_shift"} <= initial["roll"]
+
+
+GEOMETRY = ("contact.", "contact_angle", "rolling_radius", "curvature_")
+
+
+def is_geometry(name):
+    """Whether the output is one of rigid contact's geometry."""
+    return (name in ("roll", "vertical_shift") or "patch[" not in name
+            and name.split(".", 1)[1].startswith(GEOMETRY))
+
+
+#: What an output of each contact mode does not follow: inputs, and the outputs that this is said of.
+FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, "load_transfer": is_geometry,
+                  "vertical_shift_input": lambda name: True, "roll_input": lambda name: True},
+        "elastic": {name: lambda name: True for name in ("roll_guess", "vertical_shift_input", "roll_input")},
+        "compliant": {name: lambda name: True for name in ("roll_guess", "normal_force", "load_transfer")}}
+
+
+@pytest.mark.parametrize("mode", FREE)
+def test_declared_dependencies_hold(mode):
+    """At a pose with nothing special: no output changes with an input that it is not declared to
+    follow, nor with one that the contact mode does not read for it; and every input that it reads
+    does change something."""
+    system = ContactSystem(contact_mode=mode)
+    pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
+            "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5}
+    changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,
+               "load_transfer": 0.01, "vertical_shift_input": 1e-6, "roll_input": 1e-6}
+    assert set(changes) == set(INPUT_NAMES)
+    present = evaluated(pose, system.stepper())
+    assert present["status"] == 0
+    for name, change in changes.items():
+        changed = evaluated({**pose, name: pose[name] + change}, system.stepper())
+        is_free = FREE[mode].get(name, lambda output: False)
+        outputs = VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]
+        free = [v.name for v in outputs if name not in v.depends_on or is_free(v.name)]
+        assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
+        assert len(free) == len(outputs) or changed["right.area"] != present["right.area"], name
+
+
+def test_capabilities(description):
+    ability = description.coSimulation
+    assert not ability.needsExecutionTool
+    assert ability.canHandleVariableCommunicationStepSize
+    assert ability.canGetAndSetFMUstate and ability.canSerializeFMUstate
+    assert not ability.canBeInstantiatedOnlyOncePerProcess
+    assert {c.name for c in description.logCategories} == {"logStatusWarning", "logStatusError"}
+    assert "PythonFMU" in description.generationTool

@@ -1,0 +1,46 @@
+"""Answers of tests/helpers/native_host.c, and the compilers' flags that it is built with."""
+
+import json
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from tests.helpers.fmus import header_functions
+
+HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_realloc"]
+SANITIZERS = ("-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow",
+              "-fno-sanitize-recover=all")
+RACES = ("-O1", "-fsanitize=thread")
+
+
+def can_use(flags):
+    """Whether the system's compiler links a program with these flags, and it runs."""
+    if not shutil.which("cc"):
+        return False
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "probe.c").write_text("int main(void) { return 0; }\n")
+        made = subprocess.run(["cc", *flags, "probe.c", "-o", "probe"], cwd=folder, capture_output=True)
+        return made.returncode == 0 and subprocess.run([str(Path(folder, "probe"))]).returncode == 0
+
+
+needs_sanitizers = pytest.mark.skipif(not can_use(SANITIZERS), reason="no sanitizers here")
+needs_race_detector = pytest.mark.skipif(not can_use(RACES), reason="no thread sanitizer here")
+
+
+def answer_of(program, *arguments):
+    done = subprocess.run([str(program), *map(str, arguments)], text=True, capture_output=True, timeout=1800)
+    assert done.returncode == 0, f"{done.stdout[-3000:]}\n{done.stderr[-4000:]}"
+    return json.loads(done.stdout)
+
+
+def fuzz(program, version, seed, calls):
+    """Random calls, legal and illegal, with allocations that fail now and then; what they reached."""
+    counted = answer_of(program, "fuzz", seed, calls)
+    assert counted["calls"] == calls and counted["odd_lines"] == counted["damage_accepted"] == 0
+    assert counted["valid_steps"] > 0.03 * calls and counted["lines"] > 0.1 * calls
+    assert set(counted["functions"]) == set(header_functions(version)), (
+        "every function of the standard is called")
+    return counted

@@ -1,0 +1,65 @@
+"""What tests of several platforms need, and what a library has to export."""
+
+import importlib.util
+
+import pytest
+
+from wrcontact.kernel.binding.platforms import PLATFORMS, host_platform
+
+REFERENCE = "x86_64-linux"      # the platform that others are compared with
+KERNEL_EXPORTS = {f"wrcontact_{name}" for name in ("abi", "step", "step_many", "prepare", "prepare_room",
+                                                   "tangent", "tangent_room")}
+
+
+def needs(condition, reason):
+    return pytest.mark.skipif(not condition, reason=reason)
+
+
+needs_zig = needs(importlib.util.find_spec("ziglang"), "ziglang is not installed")
+needs_lief = needs(importlib.util.find_spec("lief"),
+                   "lief, which reads libraries of every platform, is not installed")
+needs_build = needs(all(map(importlib.util.find_spec, ("build", "setuptools"))),
+                    "build or setuptools is not installed")
+needs_reference = needs(host_platform() == REFERENCE,
+                        f"this is not {REFERENCE}, with whose values others are compared")
+
+MACHINES = {"x86_64-linux": "X86_64", "aarch64-linux": "AARCH64", "x86_64-windows": "AMD64",
+            "aarch64-darwin": "ARM64", "x86_64-darwin": "X86_64"}
+
+
+def parsed(content):
+    """A library as lief reads it."""
+    import lief
+
+    read = lief.parse(list(content))
+    return read.at(0) if isinstance(read, lief.MachO.FatBinary) else read
+
+
+def check_library(content, name, identifier, wanted):
+    """Right machine, nothing needed beyond the C library of the oldest system promised,
+    exactly ``wanted`` exported."""
+    read, suffix = parsed(content), PLATFORMS[name].suffix
+    if suffix == ".so":
+        assert read.header.machine_type.name == MACHINES[name]
+        assert set(read.libraries) <= {"libm.so.6", "libc.so.6"}
+        versions = [symbol.name for need in read.symbols_version_requirement
+                    for symbol in need.get_auxiliary_symbols()]
+        assert versions
+        assert all(tuple(map(int, text.removeprefix("GLIBC_").split("."))) <= (2, 17) for text in versions)
+        exported = {symbol.name for symbol in read.exported_symbols}
+    elif suffix == ".dll":
+        assert read.header.machine.name == MACHINES[name]
+        system = ("kernel32", "api-ms-win-crt-")      # part of Windows 10
+        assert all(library.name.lower().startswith(system) for library in read.imports), (
+            [lib.name for lib in read.imports])
+        exported = {function.name for function in read.exported_functions}
+    else:
+        assert read.header.cpu_type.name == MACHINES[name]
+        assert [library.name for library in read.libraries] == [f"@rpath/{identifier}.dylib",
+                                                                "/usr/lib/libSystem.B.dylib"]
+        assert read.build_version.minos == ([11, 0, 0] if name == "aarch64-darwin" else [10, 15, 0])
+        # Apple's own machines ask for it
+        assert read.has_uuid and (read.has_code_signature or name == "x86_64-darwin")
+        exported = {symbol.name for symbol in read.exported_symbols} - {"__mh_dylib_header", "___dso_handle"}
+        exported = {symbol.removeprefix("_") for symbol in exported}
+    assert exported == wanted

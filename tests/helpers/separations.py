@@ -1,0 +1,170 @@
+"""Separations of wheel and rail near a contact, computed apart from the kernel."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+import wrcontact
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact import curves, separation, traces
+from wrcontact.methods import NUMBERS
+from wrcontact.profiles.compiled import evaluate_table, table_pieces
+
+PLACES = {"tread": 1e-3, "root": 6e-3, "flange": 6.5e-3}
+YAWS = {"no_yaw": 0.0, "yaw": 0.03, "yaw_back": -0.02}
+EVERY_PLACE = pytest.mark.parametrize("shift, yaw", [pytest.param(shift, yaw, id=f"{place}-{turned}")
+                                                     for place, shift in PLACES.items()
+                                                     for turned, yaw in YAWS.items()])
+
+
+class Curve:
+    """A curve across the track: ``point(u)`` and ``angle(u)`` of its tangent over a profile's
+    abscissa u, its pieces' ends."""
+
+    def __init__(self, table):
+        self.table = table
+        self.ends = table_pieces(table)[1:-1, 0]
+        self.error = 1e-14      # of arc lengths [m]
+
+    def point(self, u):
+        return np.array([u, evaluate_table(self.table, u)[0]])
+
+    def angle(self, u):
+        return np.arctan(evaluate_table(self.table, u)[1])
+
+    def speed(self, u):
+        return 1 / np.cos(self.angle(u))
+
+    def arc(self, start, stop):
+        """Arc length by scipy's adaptive quadrature, broken where the curvature may jump."""
+        inside = np.sort([u for u in self.ends if min(start, stop) < u < max(start, stop)])
+        edges = [start, *(inside if stop > start else inside[::-1]), stop]
+        return sum(quad(self.speed, a, b, epsabs=self.error, epsrel=0.0)[0]
+                   for a, b in zip(edges[:-1], edges[1:]))
+
+    def at_arc(self, start, length):
+        return self._root(lambda u: self.arc(start, u) - length, start, length)
+
+    def at_chord(self, start, chord):
+        """Abscissa where a circle of radius abs(chord) around the point at ``start`` cuts the curve."""
+        middle = self.point(start)
+        return self._root(lambda u: np.hypot(*(self.point(u) - middle)) - abs(chord), start, chord)
+
+    def _root(self, function, start, length):
+        return brentq(function, start, start + 1.2 * length, xtol=1e-16, rtol=8.9e-16)
+
+
+class Outline(Curve):
+    """The wheel's outline, seen along the track: of each circle around the axle the point
+    whose normal has no x part.
+
+    That point is found numerically, with the wheelset's attitude as a product of two rotation matrices.
+    """
+
+    def __init__(self, table, system, state):
+        super().__init__(table)
+        c, s = np.cos(float(state.inputs[1])), np.sin(float(state.inputs[1]))
+        cr, sr = np.cos(float(state.roll)), np.sin(float(state.roll))
+        self.turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, cr, -sr],
+                                                                             [0, sr, cr]])
+        self.radius = system.parameters["nominal_radius"]
+        self.arm = system.parameters["running_circle_distance"] / 2
+        self.error = 1e-14 if c == 1.0 else 3e-13
+
+    def around(self, u):
+        """Position and normal in the track's axes at profile abscissa ``u``, from the wheelset's centre."""
+        z, slope, _ = evaluate_table(self.table, u)
+        r = self.radius + z
+
+        def along(phi):
+            return self.turn[0] @ [np.sin(phi), -slope, np.cos(phi)]
+
+        phi = brentq(along, -0.7, 0.7, xtol=1e-16, rtol=8.9e-16) if self.turn[0, 1] != 0.0 else 0.0
+        return (self.turn @ [r * np.sin(phi), self.arm + u, r * np.cos(phi)],
+                self.turn @ np.array([np.sin(phi), -slope, np.cos(phi)]))
+
+    def point(self, u):
+        return self.around(u)[0][1:]
+
+    def angle(self, u):
+        normal = self.around(u)[1]
+        return np.arctan2(-normal[1], normal[2])
+
+    def speed(self, u, step=2e-5):
+        """By differences of sixth order on one side of a piece's end; without yaw the profile's,
+        whose roll does not count."""
+        if self.turn[0, 1] == 0.0:
+            return np.hypot(1.0, evaluate_table(self.table, u)[1])
+        low, high = self.piece(u)
+        step = min(step, 0.99 * (high - u) / 3, 0.99 * (u - low) / 3)
+        one, two, three = ((self.point(u + k * step) - self.point(u - k * step)) / (2 * k * step)
+                           for k in (1, 2, 3))
+        return np.hypot(*(1.5 * one - 0.6 * two + 0.1 * three))
+
+    def piece(self, u):
+        profile = layout.Profile.at(self.table)
+        edges = np.concatenate([[profile.start], self.ends, [profile.stop]])
+        at = np.searchsorted(edges, u)
+        return edges[at - 1], edges[at]
+
+
+class Contact:
+    """The right wheel's contact at a pose: both curves, its abscissae, and the kernel's own frame at it."""
+
+    def __init__(self, shift, yaw=0.0, kind="normal", **parameters):
+        self.system = wrcontact.ContactSystem(separation=kind, **parameters)
+        stepper = self.system.stepper()
+        stepper.inputs[:4] = shift, yaw, 0.0, 78.5e3
+        assert stepper.step() == 0
+        self.state = self.system.evaluate(shift, yaw)
+        self.tables, self.memory, self.work = stepper._tables, stepper.state, stepper._workspace
+        wheel, rail, end = (int(self.tables[at])
+                            for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
+        self.rail = Curve(self.tables[rail:end])
+        self.wheel = Outline(self.tables[wheel:rail], self.system, self.state)
+        frame = layout.Work.at(self.work).frame
+        self.u_rail, self.u_wheel = frame.rail.y, frame.wheel.y
+        self.angle = np.arctan2(frame.plane.sin, frame.plane.cos)
+
+    def kernel(self, kind, stations, spacing=0.0):
+        """Gap [m], rate [-], bend [1/m] and 1/R_x [1/m] from the kernel's Python, (4, n), at
+        ``stations`` from the contact."""
+        tables, work, state = (layout.Tables.at(self.tables.copy()), layout.Work.at(self.work.copy()),
+                               layout.State.at(self.memory))
+        tables.separation = NUMBERS["separation"][kind]
+        region = layout.Region(rail=self.u_rail, wheel=self.u_wheel)
+        traces.start_traces(work.frame, 0.0, self.u_rail, self.u_wheel)
+        curves.open_origin(tables, work.frame, work.origin, region, spacing)
+        return np.array([separation.separation(tables, work.frame, work.origin, state, float(s), 1e-13)
+                         for s in stations]).T
+
+    def between(self, u_rail, u_wheel):
+        """Wheel's point less the rail's, both from the contact [m]."""
+        return ((self.wheel.point(u_wheel) - self.wheel.point(self.u_wheel))
+                - (self.rail.point(u_rail) - self.rail.point(self.u_rail)))
+
+    def along_mean_normal(self, u_rail, u_wheel):
+        normals = [np.array([np.sin(curve.angle(u)), -np.cos(curve.angle(u))])
+                   for curve, u in ((self.rail, u_rail), (self.wheel, u_wheel))]
+        return self.between(u_rail, u_wheel) @ sum(normals) / np.hypot(*sum(normals))
+
+    def vertical(self, station):
+        lateral = station * np.cos(self.angle)
+        start = self.wheel.point(self.u_wheel)[0]
+        u = brentq(lambda u: self.wheel.point(u)[0] - start - lateral, self.u_wheel - 5e-3,
+                   self.u_wheel + 5e-3, xtol=1e-16, rtol=8.9e-16)
+        return -self.between(self.u_rail + lateral, u)[1]
+
+    def equidistant(self, station):
+        return self.along_mean_normal(self.rail.at_arc(self.u_rail, station),
+                                      self.wheel.at_arc(self.u_wheel, station))
+
+    def chords(self, count, spacing):
+        u_rail, u_wheel = self.u_rail, self.u_wheel
+        for _ in range(count):
+            u_rail, u_wheel = self.rail.at_chord(u_rail, spacing), self.wheel.at_chord(u_wheel, spacing)
+        return self.along_mean_normal(u_rail, u_wheel)
+
+
+STATIONS = np.array([0.2e-3, 0.6e-3, 1.1e-3])     # on a flange the rail's side begins soon
