@@ -5,7 +5,8 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 from ..interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, STRING, UNITS, VARIABLES, select
 
 MODEL = "WheelsetContact"
-DESCRIPTION = "Wheel-rail contact of a wheelset on track: contact points, roll and normal contact (ANALYN or Hertz) of both wheels"
+DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points, roll and normal contact (ANALYN "
+               "or Hertz) of both wheels")
 
 CAPABILITIES = {
     "modelIdentifier": MODEL,
@@ -23,7 +24,8 @@ CAPABILITIES = {
 NATIVE_CAPABILITIES = {**CAPABILITIES, "providesDirectionalDerivative": "true"}
 
 LOG_CATEGORIES = {
-    "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the limit",
+    "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the "
+                        "limit",
     "logStatusError": "Why a call failed: a parameter, a saved state or a value that was refused",
 }
 

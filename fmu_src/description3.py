@@ -44,8 +44,9 @@ def variable_blocks():
 def model_description(token, tool, version, starts, units=()):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's; ``units`` stand in
     the build description here."""
-    root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token, description=DESCRIPTION,
-                   version=version, generationTool=tool, variableNamingConvention="structured")
+    root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token,
+                   description=DESCRIPTION, version=version, generationTool=tool,
+                   variableNamingConvention="structured")
     SubElement(root, "CoSimulation", CAPABILITIES)
     unit_definitions(SubElement(root, "UnitDefinitions"))
     categories = SubElement(root, "LogCategories")
@@ -65,7 +66,8 @@ def build_description(units):
     """The file sources/buildDescription.xml as bytes: which C files are compiled, and how."""
     root = Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = SubElement(root, "BuildConfiguration", modelIdentifier=MODEL)
-    files = SubElement(configuration, "SourceFileSet", language="C11", compilerOptions="-O3 -ffp-contract=off")
+    files = SubElement(configuration, "SourceFileSet", language="C11",
+                       compilerOptions="-O3 -ffp-contract=off")
     for name in units:
         SubElement(files, "SourceFile", name=name)
     SubElement(configuration, "Library", name="m", external="true", description="mathematical functions of C")
@@ -80,8 +82,9 @@ def _variable(parent, reference, name, first, run, starts):
                    variability="continuous", description="Simulation time")
         return
     if first == STATIONS:
-        SubElement(parent, "UInt64", name=name, valueReference=str(reference), causality="structuralParameter",
-                   variability="fixed", description="Number of stations of an outline, evenly spaced over the loaded width",
+        SubElement(parent, "UInt64", name=name, valueReference=str(reference),
+                   causality="structuralParameter", variability="fixed",
+                   description="Number of stations of an outline, evenly spaced over the loaded width",
                    start=str(STATION_COUNT), min=str(STATION_LEAST), max=str(STATION_LIMIT))
         return
     variable = VARIABLES[first]
@@ -118,5 +121,6 @@ def _structure(parent, blocks):
                 continue
             size = [STATIONS_REFERENCE] if extra and run != SINGLE else []
             follows = sorted([known[name] for name in VARIABLES[first].depends_on] + extra + size)
-            SubElement(parent, section, valueReference=str(reference), dependencies=" ".join(map(str, follows)),
+            SubElement(parent, section, valueReference=str(reference),
+                       dependencies=" ".join(map(str, follows)),
                        dependenciesKind=" ".join("dependent" for _ in follows))

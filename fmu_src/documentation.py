@@ -166,15 +166,17 @@ from it gives the same bits as one that was not interrupted. Its bytes can be re
 
 
 OUTLINES = {
-    2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> and "
-       "<code>pressure</code>; the FMU of FMI 3.0 has arrays instead.",
+    2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code> "
+       "and <code>pressure</code>; the FMU of FMI 3.0 has arrays instead.",
     3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code> and "
-       "<code>pressure</code>, evenly spaced from the first loaded place to the last. Their length is the structural parameter "
-       "<code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between fmi3EnterConfigurationMode and "
-       "fmi3ExitConfigurationMode, before the initialisation; no other output depends on it. An array has one value reference, "
-       "and a call needs room for all its values. Value references start at 1 and differ from those of the FMU of FMI 2.0.",
+       "<code>pressure</code>, evenly spaced from the first loaded place to the last. Their length is the "
+       "structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between "
+       "fmi3EnterConfigurationMode and fmi3ExitConfigurationMode, before the initialisation; no other output "
+       "depends on it. An array has one value reference, and a call needs room for all its values. Value "
+       "references start at 1 and differ from those of the FMU of FMI 2.0.",
 }
-LISTS = {2: "<code>SourceFiles</code> in the model description", 3: "<code>sources/buildDescription.xml</code>"}
+LISTS = {2: "<code>SourceFiles</code> in the model description",
+         3: "<code>sources/buildDescription.xml</code>"}
 ADJOINT = {2: "", 3: ", and adjoint ones"}
 TOKENS = {2: "guid", 3: "instantiation token"}
 
@@ -186,7 +188,8 @@ TABLES = {
     "input": "Inputs",
     "structuralParameter": "Structural parameters (sizes of arrays)",
     "parameter": "Parameters (fixed after initialisation)",
-    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 by default)",
+    "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 by "
+              "default)",
     "independent": "Time",
 }
 
@@ -195,7 +198,8 @@ def _abilities(root):
     """Capabilities and log categories, as the model description declares them."""
     abilities = dict(root.find("CoSimulation").attrib)
     abilities.pop("modelIdentifier")
-    rows = "".join(f"<tr><td><code>{name}</code></td><td>{value}</td></tr>\n" for name, value in abilities.items())
+    rows = "".join(f"<tr><td><code>{name}</code></td><td>{value}</td></tr>\n"
+                   for name, value in abilities.items())
     logs = "".join(f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
                    for category in root.iter("Category"))
     return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
@@ -213,7 +217,8 @@ def _table(title, causality, root):
         return ""
     table = [HEADINGS, *(_row(name, members, root) for name, members in groups.items())]
     kept = [k for k in range(len(HEADINGS)) if any(row[k] for row in table[1:])]
-    rows = ["".join(f"<{tag}>{row[k]}</{tag}>" for k in kept) for row, tag in zip(table, ["th"] + ["td"] * (len(table) - 1))]
+    rows = ["".join(f"<{tag}>{row[k]}</{tag}>" for k in kept)
+            for row, tag in zip(table, ["th"] + ["td"] * (len(table) - 1))]
     return f"<h2>{title}</h2>\n<table>\n" + "".join(f"<tr>{row}</tr>\n" for row in rows) + "</table>\n"
 
 
@@ -223,7 +228,8 @@ HEADINGS = ("name", "reference", "unit", "shown in", "start", "permitted", "mean
 def _row(name, members, root):
     """The cells of one row; ``members`` are variables that differ only by side, patch or station."""
     first = members[0]
-    attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}     # nested in FMI 2
+    # nested in FMI 2
+    attributes = {**first.attrib, **(first[0].attrib if first.tag == "ScalarVariable" else {})}
     start = attributes.get("start") or next((element.get("value") for element in first.iter("Start")), "")
     meaning = attributes["description"]
     return (

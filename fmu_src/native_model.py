@@ -29,8 +29,8 @@ TYPES = {REAL: "MODEL_REAL", INTEGER: "MODEL_INTEGER", STRING: "MODEL_STRING"}
 def sizes_header(token, profiles, blocks):
     """The text of model_sizes.h."""
     sizes = {
-        "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "FIRST_OUTPUT": FIRST_OUTPUT, "OUTPUTS": STATUS - FIRST_OUTPUT,
-        "STATUS": STATUS,
+        "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "FIRST_OUTPUT": FIRST_OUTPUT,
+        "OUTPUTS": STATUS - FIRST_OUTPUT, "STATUS": STATUS,
         "TOLERANCE": REFERENCE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
@@ -43,8 +43,8 @@ def sizes_header(token, profiles, blocks):
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]
-    return "\n".join([BANNER, "#ifndef MODEL_SIZES_H", "#define MODEL_SIZES_H", "", f"#define MODEL_TOKEN {text(token)}",
-                      *lines, "", "#endif"]) + "\n"
+    return "\n".join([BANNER, "#ifndef MODEL_SIZES_H", "#define MODEL_SIZES_H", "",
+                      f"#define MODEL_TOKEN {text(token)}", *lines, "", "#endif"]) + "\n"
 
 
 def model_code(starts, profiles, blocks):
@@ -55,7 +55,8 @@ def model_code(starts, profiles, blocks):
         if variable.choices:
             rows = [f"    {{{text(name)}, {NUMBERS[variable.name][name]}}}," for name in variable.choices]
             parts += [f"static const model_choice {variable.name}_choices[] = {{", *rows, "};", ""]
-    parts += ["const model_variable model_variables[MODEL_VARIABLES] = {", *(row(v, starts) for v in VARIABLES), "};", ""]
+    parts += ["const model_variable model_variables[MODEL_VARIABLES] = {",
+              *(row(v, starts) for v in VARIABLES), "};", ""]
     rows = []
     for number, (name, profile) in enumerate(profiles.items()):
         values = definition(profile)
@@ -79,12 +80,14 @@ def row(variable, starts):
     """One variable as C."""
     start = starts.get(variable.name, variable.start)
     number = start if isinstance(start, float) else 0.0
-    low, high = (variable.minimum, variable.maximum) if variable.causality == PARAMETER and variable.type == REAL else (0.0, 0.0)
+    ranged = variable.causality == PARAMETER and variable.type == REAL
+    low, high = (variable.minimum, variable.maximum) if ranged else (0.0, 0.0)
     setup = PLACES.get(variable.name, -1)
     slot = STRINGS.index(variable.name) if variable.type == STRING else -1
     choices = f"{variable.name}_choices" if variable.choices else "0"
-    cells = [text(variable.name), TYPES[variable.type], CAUSALITIES[variable.causality], text(unit_behind(variable.unit)), repr(number),
-             repr(low), repr(high), str(setup), str(slot), text(start) if slot >= 0 else "0", choices, str(len(variable.choices))]
+    cells = [text(variable.name), TYPES[variable.type], CAUSALITIES[variable.causality],
+             text(unit_behind(variable.unit)), repr(number), repr(low), repr(high), str(setup), str(slot),
+             text(start) if slot >= 0 else "0", choices, str(len(variable.choices))]
     return f"    {{{', '.join(cells)}}},"
 
 
@@ -97,7 +100,8 @@ def ladder_code():
     """Their steps of tolerance as C."""
     lines, rows = [], []
     for model in ladders():
-        steps = [f"    {{{tolerance!r}, {{{', '.join(map(str, found))}}}}}," for tolerance, found in model.ladder.items()]
+        steps = [f"    {{{tolerance!r}, {{{', '.join(map(str, found))}}}}},"
+                 for tolerance, found in model.ladder.items()]
         lines += [f"static const model_resolution {model.name}_steps[] = {{", *steps, "};", ""]
         finest = model.numbers()["tolerance"].low
         rows.append(f"    {{{text(model.name)}, {finest!r}, {len(steps)}, {model.name}_steps}},")
@@ -113,6 +117,7 @@ def numbers(declaration, values):
 
 def text(value):
     """A text as C."""
-    escaped = "".join(c if 32 <= ord(c) < 127 and c not in '"\\?' else "".join(f"\\{byte:03o}" for byte in c.encode())
+    escaped = "".join(c if 32 <= ord(c) < 127 and c not in '"\\?'
+                      else "".join(f"\\{byte:03o}" for byte in c.encode())
                       for c in value)
     return f'"{escaped}"'

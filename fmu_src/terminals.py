@@ -9,8 +9,8 @@ from ..interface.variables import OUTPUT, VARIABLES
 FOLDER = Path(__file__).resolve().parent
 
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
-POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input", "yaw": "yaw",
-        "roll_guess": "roll_guess"}
+POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
+        "yaw": "yaw", "roll_guess": "roll_guess"}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 
 
@@ -26,14 +26,16 @@ def terminals_and_icons(version, names):
     SubElement(picture, "Icon", corners)
     parent = SubElement(root, "Terminals")
     for name, (kind, meaning, members) in terminals(names).items():
-        terminal = SubElement(parent, "Terminal", name=name, matchingRule="bus", terminalKind=f"wrcontact.{kind}",
-                              description=meaning)
+        terminal = SubElement(parent, "Terminal", name=name, matchingRule="bus",
+                              terminalKind=f"wrcontact.{kind}", description=meaning)
         for member, variable in members.items():
-            SubElement(terminal, "TerminalMemberVariable", variableName=variable, memberName=member, variableKind="signal")
+            SubElement(terminal, "TerminalMemberVariable", variableName=variable, memberName=member,
+                       variableKind="signal")
     indent(root)
     image = (FOLDER / "icon.png").read_bytes()
     entries = {
-        "terminalsAndIcons/terminalsAndIcons.xml": tostring(root, encoding="UTF-8", xml_declaration=True) + b"\n",
+        "terminalsAndIcons/terminalsAndIcons.xml": tostring(root, encoding="UTF-8", xml_declaration=True)
+        + b"\n",
         "terminalsAndIcons/icon.png": image,
         "terminalsAndIcons/icon.svg": (FOLDER / "icon.svg").read_bytes(),
     }
@@ -42,14 +44,17 @@ def terminals_and_icons(version, names):
 
 def terminals(names):
     """(kind, meaning, variables by their name in a connection) of each terminal, by name."""
-    whole = [variable.name for variable in VARIABLES if variable.causality == OUTPUT and not variable.name.startswith(SIDES)]
+    whole = [variable.name for variable in VARIABLES if variable.causality == OUTPUT
+             and not variable.name.startswith(SIDES)]
     groups = {
-        "pose": ("pose", "Where the wheelset stands; compliant contact reads the height and the roll too", POSE),
+        "pose": ("pose", "Where the wheelset stands; compliant contact reads the height and the roll too",
+                 POSE),
         "load": ("load", "What the wheels carry; compliant contact does not read it", LOAD),
         "wheelset": ("resultant", "Roll and height of the wheelset, and the resultant of its contact forces",
                      {name: name for name in whole}),
     }
     for side in SIDES:
         of_side = [name.removeprefix(f"{side}.") for name in names if name.startswith(f"{side}.")]
-        groups[side] = ("contact", f"Contact of the {side} wheel", {name: f"{side}.{name}" for name in of_side})
+        groups[side] = ("contact", f"Contact of the {side} wheel",
+                        {name: f"{side}.{name}" for name in of_side})
     return groups

@@ -51,14 +51,16 @@ PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version
 FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
 
 EDGE = "/*........................................*/"        # Pyccel's line above and below each function
-#: Modules that a usual step does not enter, and the function of each that decides it.  All others of theirs are kept out of
-#: line: a compiler inlines only so much of one unit, and what it spent on them it took from the usual step (4 % when yawed).
+#: Modules that a usual step does not enter, and the function of each that decides it. All others of theirs
+#: are kept out of line: a compiler inlines only so much of one unit, and what it spent on them it took from
+#: the usual step (4 % when yawed).
 SELDOM = {"separation": "separation"} | dict.fromkeys((
-    "arc_length", "brackets", "compliant", "curves", "deep_points", "elastic", "moves", "overlap_samples", "overlaps", "planes",
-    "pressed", "pressed_regions", "touching", "trial"))
+    "arc_length", "brackets", "compliant", "curves", "deep_points", "elastic", "moves", "overlap_samples",
+    "overlaps", "planes", "pressed", "pressed_regions", "touching", "trial"))
 #: Tuples of numbers of the room layout that the C beside the kernel reads.
 ARRAYS = {"INPUT_NOMINALS"}
-#: Runs Pyccel's command without writing wrappers for CPython: nobody reads them, and they take most of its time.
+#: Runs Pyccel's command without writing wrappers for CPython: nobody reads them, and they
+#: take most of its time.
 WITHOUT_WRAPPERS = """
 from pyccel.codegen.wrappergen import Wrappergen
 from pyccel.commands.console import pyccel_command
@@ -66,12 +68,10 @@ Wrappergen.wrap = lambda self, folder: None
 pyccel_command()
 """
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
-MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf "
-                 "isnan log log10 log1p "
-                 "pow sin sinh sqrt tan tanh".split())
+MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "
+                 "log log10 log1p pow sin sinh sqrt tan tanh".split())
 SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max "
-                 "py_floor_div_int64_t "
-                 "pyc_modulo".split())
+                 "py_floor_div_int64_t pyc_modulo".split())
 
 
 class Refused(Exception):
@@ -195,8 +195,8 @@ class Module:
                             "sqrt(x)")
             if isinstance(node, ast.Name) and node.id in ("hypot", "pow"):
                 self.refuse(node,
-                            f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt "
-                            f"or **")
+                            f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt or "
+                            "**")
         for function, loop in self.range_loops():
             self.refuse_loop_variable(function, loop)
 
@@ -282,8 +282,10 @@ def run_pyccel(modules):
         for module in modules:
             Path(folder, f"{module.name}.py").write_bytes(module.source())
         command = [sys.executable, "-c", WITHOUT_WRAPPERS, "make",
-                   "--language", "C", "--convert-only", "--output", "out", "--files", *(f"{module.name}.py" for module in modules)]
-        run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                   "--language", "C", "--convert-only", "--output", "out", "--files",
+                   *(f"{module.name}.py" for module in modules)]
+        run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT,
                              env={**os.environ, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})
         if run.returncode:
             raise Refused(f"Pyccel says\n{run.stdout}")
@@ -415,12 +417,11 @@ def refuse_unknown_calls(module, text, functions):
     code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
     if re.search(r"\w+\[", code.replace("shape[", "")):
         raise Refused(f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] "
-                      f"needs a "
-                      "name first")
+                      "needs a name first")
     unknown = set(re.findall(r"\b([A-Za-z_]\w*)\(", code)) - functions - MATH_CALLS - SPAN_CALLS - C_WORDS
     if unknown:
-        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h "
-                      f"and math.h do not have")
+        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h and "
+                      "math.h do not have")
 
 
 def unit(modules, fingerprint):

@@ -28,18 +28,18 @@ from .stepper import Stepper
 from .system import ContactSystem
 
 __version__ = "0.1.0"
-__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check", "explain",
-           "Material", "Track", "Wheelset",
-           "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz", "Strip",
-           "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation", "BasicCurvature", "EffectiveCurvature",
-           "Adaptive", "Rough", "Smooth"]
+__all__ = ["ContactSystem", "Profile", "ProfileWarning", "Status", "Stepper", "WheelsetState", "check",
+           "explain", "Material", "Track", "Wheelset",
+           "Compliant", "Elastic", "Rigid", "NormalLoad", "VerticalLoad", "Analyn", "Halfspace", "Hertz",
+           "Strip", "Equidistant", "EquidistantChord", "NormalSeparation", "VerticalSeparation",
+           "BasicCurvature", "EffectiveCurvature", "Adaptive", "Rough", "Smooth"]
 
 
 def check(system):
     """Check the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
 
-    It reports jumps of the contact, sensitivities, conformal zones, quality of the profiles and equivalent conicity
-    (docs/check.md); see :func:`wrcontact.conditioning.check`.
+    It reports jumps of the contact, sensitivities, conformal zones, quality of the profiles and equivalent
+    conicity (docs/check.md); see :func:`wrcontact.conditioning.check`.
     """
     from . import conditioning  # not part of an FMU
 

@@ -25,8 +25,8 @@ class Status(IntEnum):
 def explain(status, inputs, compliant=False):
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
-    ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says whether
-    the contact mode is compliant.
+    ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says
+    whether the contact mode is compliant.
     """
     shift, yaw, _, force, transfer, height, roll = (float(value) for value in inputs)
     kept = "the outputs keep their last valid values"
@@ -35,12 +35,12 @@ def explain(status, inputs, compliant=False):
     if status == Status.INVALID_INPUT:
         return f"{_invalid_input(inputs)}; {kept}"
     if status == Status.UNLOADED and compliant:
-        return (f"vertical_shift_input is {height:g} m at roll_input {roll:g} rad, so a wheel is lifted and carries no load; its "
-                "patch is empty (a larger vertical_shift_input lowers the wheelset)")
+        return (f"vertical_shift_input is {height:g} m at roll_input {roll:g} rad, so a wheel is lifted and "
+                "carries no load; its patch is empty (a larger vertical_shift_input lowers the wheelset)")
     if status == Status.UNLOADED:
         name, value = ("normal_force", f"{force:g} N") if force == 0.0 else ("load_transfer", f"{transfer:g}")
-        return (f"{name} is {value}, so a wheel carries no load; its patch is empty "
-                "(a load needs normal_force > 0 N and |load_transfer| < 1)")
+        return (f"{name} is {value}, so a wheel carries no load; its patch is empty (a load needs "
+                "normal_force > 0 N and |load_transfer| < 1)")
     if status == Status.OFF_PROFILE:
         if abs(shift) <= LATERAL_LIMIT and abs(yaw) > YAW_LIMIT:
             return f"yaw is {yaw:g} rad, beyond the profiles; permitted is |yaw| <= {YAW_LIMIT:g} rad; {kept}"
@@ -50,13 +50,15 @@ def explain(status, inputs, compliant=False):
         if compliant and abs(roll) > ROLL_LIMIT:
             return f"roll_input is {roll:g} rad; permitted is |roll_input| <= {ROLL_LIMIT:g} rad; {kept}"
         if compliant:
-            return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift {shift:g} m: the "
-                    f"contact leaves a profile, or a wheel is deeper in its rail than {DEEPEST:g} m; {kept}")
-        return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a profile, so there "
-                f"is no contact; or, in elastic contact, normal_force {force:g} N with load_transfer {transfer:g} presses a wheel "
-                f"deeper into its rail than {DEEPEST:g} m; permitted are poses with the contact inside both profiles; {kept}")
-    return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, load_transfer "
-            f"{transfer:g} within the iteration limit; {kept}")
+            return (f"vertical_shift_input is {height:g} m and roll_input {roll:g} rad at lateral_shift "
+                    f"{shift:g} m: the contact leaves a profile, or a wheel is deeper in its rail than "
+                    f"{DEEPEST:g} m; {kept}")
+        return (f"lateral_shift is {shift:g} m at yaw {yaw:g} rad: the smallest gap lies at the end of a "
+                f"profile, so there is no contact; or, in elastic contact, normal_force {force:g} N with "
+                f"load_transfer {transfer:g} presses a wheel deeper into its rail than {DEEPEST:g} m; "
+                f"permitted are poses with the contact inside both profiles; {kept}")
+    return (f"no solution at lateral_shift {shift:g} m, yaw {yaw:g} rad, normal_force {force:g} N, "
+            f"load_transfer {transfer:g} within the iteration limit; {kept}")
 
 
 def _invalid_input(inputs):

@@ -76,9 +76,10 @@ class Stepper:
         if penetration is self._penetration:
             return
         if self._tables[layout.SET_MODE] != layout.MODE_RIGID:
-            raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' is none, since "
-                             "it follows from the load or from the height")
-        left, right = np.broadcast_to(np.nan if penetration is None else np.asarray(penetration, dtype=float), 2)
+            raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
+                             "is none, since it follows from the load or from the height")
+        left, right = np.broadcast_to(np.nan if penetration is None else np.asarray(penetration, dtype=float),
+                                      2)
         low, high = PENETRATION_RANGE
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or low <= value <= high):

@@ -52,8 +52,8 @@ def print_check(report):
     inclination = chosen["rail_inclination"]
     out.print(f"{report.wheel.name} on {report.rail.name}: gauge {_mm(chosen['gauge'])} mm, "
               f"{f'inclination 1:{1 / inclination:.4g}' if inclination else 'rails upright'}, nominal radius "
-              f"{_mm(chosen['nominal_radius'])} mm, running circles "
-              f"{_mm(chosen['running_circle_distance'])} mm apart; without yaw", soft_wrap=True)
+              f"{_mm(chosen['nominal_radius'])} mm, running circles {_mm(chosen['running_circle_distance'])} "
+              "mm apart; without yaw", soft_wrap=True)
     out.print(_range_words(report), soft_wrap=True)
     parts = [("Profiles", profile_table(report)),
              ("Jumps of the right contact (the left one's are the mirror image)", jump_table(report)),
@@ -84,8 +84,8 @@ def _range_words(report):
     if not math.isfinite(first):
         return "no contact in the centred position"
     flange = f"{report.flange_shift * 1e3:.2f} mm" if math.isfinite(report.flange_shift) else "nowhere"
-    return (f"contact at lateral shifts from {first * 1e3:.2f} to {last * 1e3:.2f} mm; on the flange (steeper than 45 deg) "
-            f"from: {flange}")
+    return (f"contact at lateral shifts from {first * 1e3:.2f} to {last * 1e3:.2f} mm; on the flange "
+            f"(steeper than 45 deg) from: {flange}")
 
 
 def _table(*headings):
@@ -126,7 +126,8 @@ def move_table(curves):
     for shift in PRINTED:
         at = int(np.argmin(np.abs(curves.lateral_shift - shift * 1e-3)))
         if np.isfinite(curves.roll[at]):
-            table.add_row(str(shift), *(_shown(read(curves)[at], factor, digits) for _, read, factor, digits in MOVES))
+            table.add_row(str(shift),
+                          *(_shown(read(curves)[at], factor, digits) for _, read, factor, digits in MOVES))
     return table
 
 
@@ -142,7 +143,8 @@ def conicity_table(conicity):
 
 def zone_table(report):
     """Ranges of lateral shift over which the right contact is conformal."""
-    table = _table("from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over", "turns by\ndeg")
+    table = _table("from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over",
+                   "turns by\ndeg")
     for zone in report.conformal:
         if zone.side == "right":
             table.add_row(*(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)), *(_shown(y, 1e3, 1) for y in
@@ -158,7 +160,8 @@ def check_text(report):
     NaN."""
     chosen = report.system.parameters
     fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
-    system = {"wheel": report.wheel.name, "rail": report.rail.name, **{name: chosen[name] for name in GEOMETRY}}
+    system = {"wheel": report.wheel.name, "rail": report.rail.name,
+              **{name: chosen[name] for name in GEOMETRY}}
     return json.dumps(_plain({**fields, "system": system}), indent=1)
 
 

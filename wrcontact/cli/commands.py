@@ -25,9 +25,11 @@ from .report import (
 )
 
 main = typer.Typer(
-    name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown",
-    help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the wheelset, and the size, "
-         "load and pressure of the contact patches. Lengths are in mm, angles in deg, forces in kN, pressures in MPa.")
+    name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
+    rich_markup_mode="markdown",
+    help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the "
+         "wheelset, and the size, load and pressure of the contact patches. Lengths are in mm, angles in "
+         "deg, forces in kN, pressures in MPa.")
 MOST_ROWS = 1_000_000
 PICTURES = (".png", ".svg", ".pdf")
 
@@ -38,8 +40,9 @@ def millimetres(option, words):
 
 
 Smoothing = Annotated[float | None, typer.Option(
-    "--smoothing-um", parser=number, metavar="NUMBER", help="Smoothing of profile files: root mean square distance "
-    "between the curve and the points, in um; 0 goes through every point (default: the estimated noise of the points)")]
+    "--smoothing-um", parser=number, metavar="NUMBER",
+    help="Smoothing of profile files: root mean square distance between the curve and the points, in um; 0 "
+         "goes through every point (default: the estimated noise of the points)")]
 
 
 @main.callback(invoke_without_command=True)
@@ -50,9 +53,11 @@ def welcome(context: typer.Context):
 
 
 @main.command()
-def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the FMU, the table and the picture")]
+def demo(output: Annotated[Path, typer.Option(
+             metavar="DIR", help="Folder for the FMU, the table and the picture")]
          = Path("wrcontact-demo"),
-         native: Annotated[bool, typer.Option("--native", help="Build the native FMUs, which need no Python, and run the one for FMI 2.0")]
+         native: Annotated[bool, typer.Option(
+             "--native", help="Build the native FMUs, which need no Python, and run the one for FMI 2.0")]
          = False):
     """Build the FMU, run it over tread, flange root and flange, and check its results.
 
@@ -67,7 +72,9 @@ def demo(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for th
 
 @main.command()
 @takes(pose=POSE, system=SYSTEM)
-def solve(pose, system, as_json: Annotated[bool, typer.Option("--json", help="Print all results as JSON, in SI units")] = False,
+def solve(pose, system,
+          as_json: Annotated[bool, typer.Option(
+              "--json", help="Print all results as JSON, in SI units")] = False,
           smoothing: Smoothing = None):
     """Solve one pose and print the contact of both wheels side by side.
 
@@ -93,8 +100,10 @@ def sweep(load, system,
           start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
           stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
           step: Annotated[float, millimetres("--step-mm", "Step of the lateral shift, in mm")] = 0.5,
-          file: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all outputs to this CSV file, in SI "
-                          "units and with the names of the FMU, instead of printing a few of them")] = None,
+          file: Annotated[Path | None, typer.Option("--csv", metavar="FILE",
+                                                    help="Write all outputs to this CSV file, in SI units "
+                                                         "and with the names of the FMU, instead of printing "
+                                                         "a few of them")] = None,
           smoothing: Smoothing = None):
     """Move the wheelset across the track and print a table of its contacts.
 
@@ -118,7 +127,8 @@ def sweep(load, system,
 
 @main.command()
 @takes(pose=POSE, system=SYSTEM)
-def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
+def plot(pose, system,
+         output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
          = Path("pose.png"), smoothing: Smoothing = None):
     """Draw one pose: both wheels on their rails, and the contact patches with their pressure.
 
@@ -139,10 +149,12 @@ def plot(pose, system, output: Annotated[Path, typer.Option(metavar="FILE", help
 
 @main.command()
 @takes(geometry=GEOMETRY)
-def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
+def check(geometry,
+          output: Annotated[Path, typer.Option(
+              metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
           = Path("check.png"),
-          file: Annotated[Path | None, typer.Option("--json", metavar="FILE", help="Write all results to this file as JSON, "
-                          "in SI units")] = None,
+          file: Annotated[Path | None, typer.Option(
+              "--json", metavar="FILE", help="Write all results to this file as JSON, in SI units")] = None,
           smoothing: Smoothing = None):
     """Check a pair of profiles before a simulation relies on it.
 
@@ -169,10 +181,13 @@ def check(geometry, output: Annotated[Path, typer.Option(metavar="FILE", help="F
 
 
 @main.command()
-def figures(more: Annotated[list[str] | None, typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
-            output: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the pictures, the tables and the index")]
+def figures(more: Annotated[list[str] | None,
+                            typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
+            output: Annotated[Path, typer.Option(metavar="DIR",
+                                                 help="Folder for the pictures, the tables and the index")]
             = Path("wrcontact-figures"),
-            only: Annotated[list[str] | None, typer.Option(metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
+            only: Annotated[list[str] | None, typer.Option(
+                metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
     """Recompute and draw the figures of the degree project that wrcontact started from.
 
     Each figure is written as a picture and a CSV table, such as fig_7_2.png and fig_7_2.csv. The index
@@ -201,12 +216,13 @@ def _system(parameters, smoothing):
 
 def _refuse_what_is_not_read(system, given):
     """Refuse an option that the contact mode does not use: the result would not be what was asked for."""
-    names = ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input", "roll_input")
+    names = ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input",
+                                                                            "roll_input")
     for variable in POSE:
         if variable.name in names and variable.name in given:
             allowed = "rigid or elastic" if is_compliant(system) else "compliant"
-            raise Refused(f"{option_of(variable)} is given; it is permitted only with --contact-mode {allowed}; "
-                          f"{system.parameters['contact_mode']!r} does not use it")
+            raise Refused(f"{option_of(variable)} is given; it is permitted only with --contact-mode "
+                          f"{allowed}; {system.parameters['contact_mode']!r} does not use it")
 
 
 def _refuse_without_contact(system, state):
@@ -220,8 +236,8 @@ def _refuse_without_contact(system, state):
 def _shifts(start, stop, step):
     """Lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm] fits."""
     if not all(map(np.isfinite, (start, stop, step))) or not step > 0 or stop < start:
-        raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} do not define a sweep; permitted are finite "
-                      f"numbers with --step-mm > 0 and --to-mm >= --from-mm")
+        raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} do not define a sweep; "
+                      "permitted are finite numbers with --step-mm > 0 and --to-mm >= --from-mm")
     count = int((stop - start) / step + 1e-9) + 1
     if count > MOST_ROWS:
         raise Refused(f"--step-mm {step:g} gives {count} rows; permitted are at most {MOST_ROWS}")

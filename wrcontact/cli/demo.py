@@ -128,7 +128,8 @@ def apart(function, *arguments):
         try:
             return answer.result()
         except BrokenProcessPool:
-            raise Refused("the process that runs the FMU ended before it returned its results", code=1) from None
+            raise Refused("the process that runs the FMU ended before it returned its results",
+                          code=1) from None
 
 
 @contextmanager
@@ -198,7 +199,8 @@ def _started(folder):
 def compare(answers, stored):
     """A list of :class:`Check`: the status, then each quantity against its stored values."""
     wrong = np.flatnonzero(answers["status"])
-    count, place = len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f}" if len(wrong) else ""
+    count, place = (len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f}" if len(wrong)
+                    else "")
     status = Check("steps not valid", float(len(wrong)), 0.0, "", count - len(wrong), count, place)
     return [status, *(check_quantity(answers, stored, *row) for row in TOLERANCES)]
 
@@ -209,7 +211,8 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
     deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
     asked = np.array([is_asked(answers, name) for name in variables])
     deviations[~asked] = 0.0
-    which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)), deviations.shape)
+    which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)),
+                                  deviations.shape)
     wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
     place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f}{wheel}"
     within = int(np.sum(deviations[asked] <= tolerance))
@@ -253,17 +256,20 @@ def draw(path, answers, stored):
 def tell(folder, fmu, checks, seconds):
     """Print the summary; True if every check passed."""
     failed = [check.quantity for check in checks if not check.passed]
-    cost = f"{len(seconds)} steps, median {1e3 * np.median(seconds):.3f} ms (set inputs, step, read all outputs)"
+    cost = (f"{len(seconds)} steps, median {1e3 * np.median(seconds):.3f} ms (set inputs, step, read all "
+            "outputs)")
     lines = [cost, f"{fmu}: the FMU", f"{Path(folder, CSV_NAME)}: all outputs of the run, in SI units",
              f"{Path(folder, PICTURE_NAME)}: the picture",
              f"FAILED: {', '.join(failed)}" if failed else "PASSED: every output is within its tolerance"]
     out = console()
-    out.print("Results of the FMU compared with the stored run: a hunting wheelset over tread, flange root and flange",
+    out.print("Results of the FMU compared with the stored run: a hunting wheelset over tread, flange root "
+              "and flange",
               soft_wrap=True)
     out.print(check_table(checks))
-    out.print(f"penetration, area and pressure are compared with complete half-space theory; a check is ok if {LEAST_WITHIN:.0%} of "
-              f"the values are within the tolerance and none exceeds {', '.join(f'{limit:g}' for limit in LARGEST.values())} %; "
-              "pressures are not compared where a patch has a plane of its own, since the stored patches lie in one plane", soft_wrap=True)
+    out.print("penetration, area and pressure are compared with complete half-space theory; a check is ok if "
+              f"{LEAST_WITHIN:.0%} of the values are within the tolerance and none exceeds "
+              f"{', '.join(f'{limit:g}' for limit in LARGEST.values())} %; pressures are not compared where "
+              "a patch has a plane of its own, since the stored patches lie in one plane", soft_wrap=True)
     for line in lines:
         out.print(line, soft_wrap=True)
     return not failed
@@ -279,6 +285,6 @@ def check_table(checks):
         column.no_wrap, column.vertical = True, "bottom"
     for check in checks:
         verdict, look = ("ok", None) if check.passed else ("FAILED", "bold red")
-        table.add_row(check.quantity, check.unit, f"{check.deviation:.2g}", check.place, f"{check.tolerance:g}",
-                      f"{check.within}/{check.count}", verdict, style=look)
+        table.add_row(check.quantity, check.unit, f"{check.deviation:.2g}", check.place,
+                      f"{check.tolerance:g}", f"{check.within}/{check.count}", verdict, style=look)
     return table

@@ -16,27 +16,32 @@ from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..profiles import RAILS, WHEELS
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
-TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3, "MPa": lambda value: value * 1e6}
+TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3,
+         "MPa": lambda value: value * 1e6}
 #: Help texts that differ from those of the FMU.
 WORDS = {
     "wheel": f"Wheel profile: {', '.join(WHEELS)}, or the path of a file of points (docs/profiles.md)",
     "rail": f"Rail profile: {', '.join(RAILS)}, or the path of a file of points (docs/profiles.md)",
-    "rail_inclination": "Inclination of the rails towards the track centre, as a ratio, 1:40, or a slope, 0.025",
-    "normal_force": "Load per wheel before load transfer; --load says whether it is the normal or the vertical force",
-    "load_transfer": "Share L of the load N moved from the left to the right wheel: N (1 + L) right, N (1 - L) left",
+    "rail_inclination": "Inclination of the rails towards the track centre, as a ratio, 1:40, or a slope, "
+                        "0.025",
+    "normal_force": "Load per wheel before load transfer; --load says whether it is the normal or the "
+                    "vertical force",
+    "load_transfer": "Share L of the load N moved from the left to the right wheel: N (1 + L) right, N (1 - "
+                     "L) left",
     "vertical_shift_input": "Height of the wheelset with --contact-mode compliant, positive down",
     "roll_input": "Roll of the wheelset with --contact-mode compliant, positive with the right wheel down",
-    "contact_mode": "How wheel and rail meet. rigid: the undeformed surfaces touch; elastic: the wheels approach the rails "
-                    "until each carries its load, which gives height and roll; compliant: --vertical-shift-mm and "
-                    "--roll-deg give height and roll, and the loads follow",
-    "load": "What --normal-force-kn is. normal: the sum over the patches of a wheel; vertical: the vertical component of "
-            "their resultant",
-    "separation": "How the undeformed distance of wheel and rail is measured. normal: along the normal of the contact plane; "
-                  "vertical: at equal lateral coordinates; equidistant: between points at equal arc lengths from the contact; "
-                  "equidistant_chord: between nodes at equal chord steps from the contact",
-    "lateral_curvature": "Curvature across the rail. adaptive: averaged over a window in proportion to the patch; smooth: "
-                         "of circles fitted to the profiles over --curvature-reach-mm on either side; rough: change of the "
-                         "profile angles over --curvature-step-mm",
+    "contact_mode": "How wheel and rail meet. rigid: the undeformed surfaces touch; elastic: the wheels "
+                    "approach the rails until each carries its load, which gives height and roll; compliant: "
+                    "--vertical-shift-mm and --roll-deg give height and roll, and the loads follow",
+    "load": "What --normal-force-kn is. normal: the sum over the patches of a wheel; vertical: the vertical "
+            "component of their resultant",
+    "separation": "How the undeformed distance of wheel and rail is measured. normal: along the normal of "
+                  "the contact plane; vertical: at equal lateral coordinates; equidistant: between points at "
+                  "equal arc lengths from the contact; equidistant_chord: between nodes at equal chord steps "
+                  "from the contact",
+    "lateral_curvature": "Curvature across the rail. adaptive: averaged over a window in proportion to the "
+                         "patch; smooth: of circles fitted to the profiles over --curvature-reach-mm on "
+                         "either side; rough: change of the profile angles over --curvature-step-mm",
     "curvature_step": "Arc length over which --lateral-curvature rough takes the change of the profile angle",
     "curvature_reach": "Half the width over which --lateral-curvature smooth fits circles to the profiles",
 }
@@ -57,7 +62,8 @@ def ratio(text):
         rise, _, run = str(text).replace("/", ":").partition(":")
         return float(rise) / float(run or 1)
     except (ValueError, ZeroDivisionError):
-        raise typer.BadParameter(f"{text!r} is neither a ratio such as 1:40 nor a slope such as 0.025") from None
+        raise typer.BadParameter(f"{text!r} is neither a ratio such as 1:40 nor a slope such as "
+                                 "0.025") from None
 
 
 #: Without roll_guess, which changes the cost of a result but never the result.
@@ -83,7 +89,8 @@ def takes(**groups):
             return command(**taken, **given)
 
         options = [_option(variable) for variables in groups.values() for variable in variables]
-        own = [p.replace(kind=Parameter.KEYWORD_ONLY) for p in signature(command).parameters.values() if p.name not in groups]
+        own = [p.replace(kind=Parameter.KEYWORD_ONLY) for p in signature(command).parameters.values()
+               if p.name not in groups]
         with_options.__signature__ = Signature(options + own)
         with_options.__annotations__ = {p.name: p.annotation for p in options + own}
         return with_options
@@ -110,21 +117,26 @@ def _display(variable):
 def _option(variable):
     """The command's parameter for a variable; its default None means the package's default."""
     unit = _display(variable)
-    start = f"{variable.start * UNITS[variable.unit].display_factor:g}" if variable.type == REAL else variable.start
-    words = WORDS.get(name_of(variable), variable.meaning) + (f", in {unit}" if unit else "") + f" (default: {start})"
+    start = (f"{variable.start * UNITS[variable.unit].display_factor:g}" if variable.type == REAL
+             else variable.start)
+    words = WORDS.get(name_of(variable), variable.meaning) + (f", in {unit}" if unit
+                                                              else "") + f" (default: {start})"
     kind, reading = str, {"metavar": "NAME"}
     if variable.type == REAL:
-        kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name_of(variable) == RATIO else number}
+        kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name_of(variable) == RATIO
+                                else number}
     option = typer.Option(option_of(variable), help=words, show_default=False,
                           rich_help_panel=PANELS[variable.causality], **reading)
-    return Parameter(name_of(variable), Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[kind | None, option])
+    return Parameter(name_of(variable), Parameter.KEYWORD_ONLY, default=None,
+                     annotation=Annotated[kind | None, option])
 
 
 def _values(variables, given):
     """Remove the options of ``variables`` from ``given``; return those that were given, by Python name, in
     SI."""
     typed = {variable: given.pop(name_of(variable)) for variable in variables}
-    return {name_of(variable): _in_si(variable, value) for variable, value in typed.items() if value is not None}
+    return {name_of(variable): _in_si(variable, value) for variable, value in typed.items()
+            if value is not None}
 
 
 def _in_si(variable, value):

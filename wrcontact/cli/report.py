@@ -67,12 +67,12 @@ def print_state(system, state):
     """One state in display units, left and right side by side."""
     shift, yaw = state.inputs[:2]
     out = console()
-    out.print(f"{system.wheel.name} on {system.rail.name}: lateral shift {shown(shift, 'm')} mm, yaw {shown(yaw, 'rad')} deg, "
-              f"{load_words(system, state)}", soft_wrap=True)
+    out.print(f"{system.wheel.name} on {system.rail.name}: lateral shift {shown(shift, 'm')} mm, yaw "
+              f"{shown(yaw, 'rad')} deg, {load_words(system, state)}", soft_wrap=True)
     out.print(f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
               f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)
-    out.print(f"contact forces on the wheelset {vector_words(state.force, 'N')}, "
-              f"moment about its centre {vector_words(state.moment, 'N.m')}", soft_wrap=True)
+    out.print(f"contact forces on the wheelset {vector_words(state.force, 'N')}, moment about its centre "
+              f"{vector_words(state.moment, 'N.m')}", soft_wrap=True)
     out.print(state_table(state))
     if state.status:
         out.print(sentence(state.status, state.inputs, is_compliant(system)), soft_wrap=True)
@@ -105,7 +105,8 @@ def state_table(state):
     for k in range(most if most > 1 else 0):
         table.add_section()
         for name, unit in PATCH_ROWS:
-            table.add_row(f"patch[{k + 1}].{name}", unit_name(unit), *(_of_patch(side, k, name, unit) for side in sides))
+            table.add_row(f"patch[{k + 1}].{name}", unit_name(unit),
+                          *(_of_patch(side, k, name, unit) for side in sides))
     return table
 
 
@@ -116,8 +117,9 @@ def _of_patch(side, k, name, unit):
 def state_text(system, state):
     """One state as JSON in SI, with the Python names; null where there is no value."""
     words = sentence(state.status, state.inputs, is_compliant(system))
-    content = {"status": int(state.status), "explanation": words, "inputs": dict(zip(INPUT_NAMES, map(_plain, state.inputs))),
-               "roll": _plain(state.roll), "vertical_shift": _plain(state.vertical_shift)}
+    content = {"status": int(state.status), "explanation": words,
+               "inputs": dict(zip(INPUT_NAMES, map(_plain, state.inputs))), "roll": _plain(state.roll),
+               "vertical_shift": _plain(state.vertical_shift)}
     for name in ("force", "moment"):
         content[name] = {axis: _plain(getattr(getattr(state, name), axis)) for axis in VECTOR_AXES}
     return json.dumps({**content, **{side: _side_content(getattr(state, side)) for side in SIDES}}, indent=2)
@@ -128,8 +130,10 @@ def _side_content(side):
     for name, _ in SIDE_ROWS:
         part = content["contact"] if name.startswith("contact.") else content
         part[name.removeprefix("contact.")] = _plain(attrgetter(name)(side))
-    content["patches"] = [{name: _plain(getattr(patch, name)) for name, _ in PATCH_ROWS} for patch in side.patches]
-    content["outline"] = {name: [_plain(value) for value in getattr(side.outline, name)] for name in OUTLINE_NAMES}
+    content["patches"] = [{name: _plain(getattr(patch, name)) for name, _ in PATCH_ROWS}
+                          for patch in side.patches]
+    content["outline"] = {name: [_plain(value) for value in getattr(side.outline, name)]
+                          for name in OUTLINE_NAMES}
     return content
 
 
@@ -144,7 +148,8 @@ def _plain(value):
 def columns_of(table):
     """Columns (n,) of a table of states in SI by FMU name: inputs, outputs, status."""
     columns = {v.name: table.inputs[:, v.index] for v in VARIABLES if v.causality == INPUT}
-    columns |= {v.name: table.values[:, v.index] for v in VARIABLES if v.causality == OUTPUT and v.index is not None}
+    columns |= {v.name: table.values[:, v.index] for v in VARIABLES if v.causality == OUTPUT
+                and v.index is not None}
     return {**columns, "status": np.asarray(table.status)}
 
 

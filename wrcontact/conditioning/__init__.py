@@ -15,5 +15,5 @@ from .jumps import Jump, find_jumps
 from .quality import ProfileQuality
 from .report import Conditioning, check
 
-__all__ = ["Conditioning", "Conicity", "ConformalZone", "Curves", "Jump", "ProfileQuality", "SideCurves", "check",
-           "equivalent_conicity", "find_jumps"]
+__all__ = ["Conditioning", "Conicity", "ConformalZone", "Curves", "Jump", "ProfileQuality", "SideCurves",
+           "check", "equivalent_conicity", "find_jumps"]

@@ -53,7 +53,8 @@ class Outlines:
 
     def __init__(self, system):
         wheel, rail, self.rail_y = system.profile_tables()
-        self.radius, self.arm = system.parameters["nominal_radius"], system.parameters["running_circle_distance"] / 2
+        self.radius, self.arm = (system.parameters["nominal_radius"],
+                                 system.parameters["running_circle_distance"] / 2)
         self.y = places(wheel, STEP)
         self.z = evaluate_table(wheel, self.y)[0]
         self.angle = np.arctan2(self.z[CHORD:] - self.z[:-CHORD], self.y[CHORD:] - self.y[:-CHORD])
@@ -74,7 +75,8 @@ class Outlines:
         high = contact + int(np.argmax(apart[contact:])) if apart[contact:].any() else len(self.y)
         low, high = low + 1, max(high - 1, low + 1)
         angle = self.angle[low:high - CHORD + 1]
-        return self.length[high] - self.length[low], np.max(angle) - np.min(angle) if high - low >= CHORD else 0.0
+        return (self.length[high] - self.length[low], np.max(angle) - np.min(angle) if high - low >= CHORD
+                else 0.0)
 
 
 def near_stretches(system, lateral_shift, table):
@@ -84,7 +86,8 @@ def near_stretches(system, lateral_shift, table):
     for side, sign in zip(SIDES, (MIRROR[0], 1.0)):
         wheel = getattr(table, side)
         rows = zip(sign * lateral_shift, sign * table.roll, wheel.contact_angle, wheel.contact.y_wheel)
-        found[side] = np.array([outlines.near(*row) if math.isfinite(row[1]) else (math.nan, math.nan) for row in rows]).T
+        found[side] = np.array([outlines.near(*row) if math.isfinite(row[1]) else (math.nan, math.nan)
+                                for row in rows]).T
     return found
 
 
@@ -98,10 +101,12 @@ def _zones(lateral_shift, conformal):
     """Indices of the ``conformal`` shifts (n,), one array per zone; shifts no farther apart than ONE are in
     one zone."""
     found = np.flatnonzero(conformal)
-    return [part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1) if len(part)]
+    return [part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1)
+            if len(part)]
 
 
 def _zone(name, lateral_shift, side, shifts):
     place = side.y_wheel[shifts]
-    return ConformalZone(name, float(lateral_shift[shifts[0]]), float(lateral_shift[shifts[-1]]), float(np.min(place)),
-                         float(np.max(place)), float(np.max(side.near_width[shifts])), float(np.max(side.near_turn[shifts])))
+    return ConformalZone(name, float(lateral_shift[shifts[0]]), float(lateral_shift[shifts[-1]]),
+                         float(np.min(place)), float(np.max(place)), float(np.max(side.near_width[shifts])),
+                         float(np.max(side.near_turn[shifts])))

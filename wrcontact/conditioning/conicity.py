@@ -39,11 +39,13 @@ class Conicity:
     Attributes
     ----------
     amplitude : [m].
-    level : conicity at zero roll, each wheel in contact where its own vertical gap is smallest, as for EN 15302's references.
+    level : conicity at zero roll, each wheel in contact where its own vertical gap is smallest, as
+    for EN 15302's references.
     rolled : conicity with the roll of the wheelset in contact on both sides.
     middle, wavelength : middle of the oscillation [m] and its wavelength [m], at zero roll.
     level_reason, rolled_reason : "" or the reason why there is no oscillation.
-    nonlinearity : change of ``level`` from 2 to 4 mm, per metre [1/m] (Polach, Vehicle System Dynamics 48 S1 (2010) 19-36).
+    nonlinearity : change of ``level`` from 2 to 4 mm, per metre [1/m] (Polach, Vehicle System
+    Dynamics 48 S1 (2010) 19-36).
     """
 
     amplitude: np.ndarray
@@ -103,7 +105,8 @@ class Swing:
         phi = math.pi * ((np.arange(PLACES) + 0.5) / PLACES - 0.5)
         middle, amplitude = 0.5 * (first + last), 0.5 * (last - first)
         y = middle + amplitude * np.sin(phi)
-        level = np.where(phi < 0.0, self.energy(first), self.energy(last))      # equal but for the rounding of the turn
+        # equal but for the rounding of the turn
+        level = np.where(phi < 0.0, self.energy(first), self.energy(last))
         speed = np.sqrt(2.0 * np.maximum(level - self.energy(y), np.finfo(float).tiny))
         return np.sum(amplitude * np.cos(phi) / speed) * math.pi / PLACES
 
@@ -139,15 +142,16 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
     Raises
     ------
     ValueError
-        if the arrays differ in length, are shorter than 2, not finite or not rising, or an amplitude is not positive.
+        if the arrays differ in length, are shorter than 2, not finite or not rising, or an
+        amplitude is not positive.
     """
     shift, difference = np.asarray(lateral_shift, dtype=float), np.asarray(radius_difference, dtype=float)
     if shift.ndim != 1 or shift.shape != difference.shape or len(shift) < 2:
-        raise ValueError(f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; permitted are "
-                         f"arrays of the same length, 2 or more")
+        raise ValueError(f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; "
+                         "permitted are arrays of the same length, 2 or more")
     if not (np.all(np.isfinite(shift)) and np.all(np.isfinite(difference)) and np.all(np.diff(shift) > 0.0)):
-        raise ValueError("lateral_shift does not rise all along, or there are values that are not finite; permitted are "
-                         "finite numbers [m], lateral_shift rising")
+        raise ValueError("lateral_shift does not rise all along, or there are values that are not finite; "
+                         "permitted are finite numbers [m], lateral_shift rising")
     amplitudes = np.atleast_1d(np.asarray(amplitude, dtype=float))
     if not np.all(amplitudes > 0.0):
         raise ValueError(f"amplitude is {amplitude!r}; permitted is amplitude > 0 m")

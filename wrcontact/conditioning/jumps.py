@@ -43,8 +43,10 @@ def find_jumps(system, lateral_shift, yaw=0.0):
 def contact_places(system, lateral_shift, yaw=0.0):
     """y_wheel and y_rail of the contacts [m], (2, n) by side, for ``lateral_shift`` (n,); NaN without
     contact."""
-    table = system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED, outputs="geometry")
-    return {side: np.array([getattr(table, side).contact.y_wheel, getattr(table, side).contact.y_rail]) for side in SIDES}
+    table = system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED,
+                                 outputs="geometry")
+    return {side: np.array([getattr(table, side).contact.y_wheel, getattr(table, side).contact.y_rail])
+            for side in SIDES}
 
 
 def _jumps_of(system, yaw, side, shift, places):
@@ -61,7 +63,8 @@ def _jumps_of(system, yaw, side, shift, places):
         before, after = np.hstack([before, between]), np.hstack([between, after])
     order = np.argsort(low)
     return [Jump(side, *map(float, row)) for row in
-            zip(0.5 * (low + high)[order], before[0, order], after[0, order], before[1, order], after[1, order])]
+            zip(0.5 * (low + high)[order], before[0, order], after[0, order], before[1, order],
+                after[1, order])]
 
 
 def merged_jumps(jumps, side):
@@ -73,5 +76,6 @@ def merged_jumps(jumps, side):
             clusters[-1].append(jump)
         else:
             clusters.append([jump])
-    return [Jump(side, max(cluster, key=lambda jump: abs(jump.after - jump.before)).lateral_shift, cluster[0].before,
-                 cluster[-1].after, cluster[0].rail_before, cluster[-1].rail_after) for cluster in clusters]
+    return [Jump(side, max(cluster, key=lambda jump: abs(jump.after - jump.before)).lateral_shift,
+                 cluster[0].before, cluster[-1].after, cluster[0].rail_before, cluster[-1].rail_after)
+            for cluster in clusters]

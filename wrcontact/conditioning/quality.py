@@ -58,8 +58,8 @@ def profile_quality(profile, table, visited, inclination=0.0):
     steps = np.abs([joint.bend_step for joint in joints]) / square**1.5
     kinks = tuple((float(at), float(turn)) for at, turn in zip(y, turns) if abs(turn) > KINK)
     return ProfileQuality(profile.name, profile.kind, Profile.at(table).start, Profile.at(table).stop,
-                          visited, len(profile.zones), kinks, float(np.max(steps, initial=0.0)), _roughness(table, *visited),
-                          profile.reading)
+                          visited, len(profile.zones), kinks, float(np.max(steps, initial=0.0)),
+                          _roughness(table, *visited), profile.reading)
 
 
 def _on_track(profile, angle):

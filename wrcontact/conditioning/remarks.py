@@ -6,13 +6,15 @@ import numpy as np
 
 from .jumps import merged_jumps
 
-LEAST_RANGE = 1e-3  # [m] a pair is usable if there is contact up to this shift, the smallest amplitude of the conicity
+# [m] a pair is usable if there is contact up to this shift, the smallest amplitude of the conicity
+LEAST_RANGE = 1e-3
 RUNNING = 8e-3  # [m] the largest amplitude of the conicity: shifts that occur in operation
 STRAIGHT = 3e-3  # [m] shifts that occur on straight track; EN 15302 compares conicities at this amplitude
 CLOSE = 1e-3  # [m] a jump closer to the centred position is crossed all the time
 MANY = 8  # jumps of one contact within RUNNING: exact profiles have 3 to 5
 FAST = 20.0  # rate of the contact position: 10 um of gauge or profile then move it by 0.2 mm
-FLANGE = math.radians(45.0)  # treads and roots of wheels in use are less steep where they touch, flanges steeper
+# treads and roots of wheels in use are less steep where they touch, flanges steeper
+FLANGE = math.radians(45.0)
 OFF_MIDDLE = 0.05e-3  # [m] largest distance of an oscillation's middle from the middle of the track
 ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder of UIC60, 5 to 8 1/m
 
@@ -21,10 +23,11 @@ def sentences(found):
     """The remarks (a tuple of sentences) on the results of ``check``, a Conditioning."""
     on_profiles = *_on_profile(found.wheel), *_on_profile(found.rail)
     if not math.isfinite(found.usable_shifts[0]):
-        return "there is no contact in the centred position: the smallest gap lies at the end of a profile", *on_profiles
+        return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
+                *on_profiles)
     return (*_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
-            *_on_jumps(found.jumps, found.nearest_jump), *_on_moves(found.curves), *_on_zones(found.conformal),
-            *_on_conicity(found.conicity), *on_profiles)
+            *_on_jumps(found.jumps, found.nearest_jump), *_on_moves(found.curves),
+            *_on_zones(found.conformal), *_on_conicity(found.conicity), *on_profiles)
 
 
 def _mm(value, digits=2):
@@ -34,8 +37,8 @@ def _mm(value, digits=2):
 def _on_range(usable, usable_shifts, flange_shift, curves):
     first, last = usable_shifts
     if not usable:
-        yield (f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} ... {_mm(last)} "
-               f"mm: the pair cannot be used")
+        yield (f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} "
+               f"... {_mm(last)} mm: the pair cannot be used")
     elif max(first, -last) > -RUNNING:
         yield f"the contact leaves the profiles beyond lateral shifts of {_mm(first)} ... {_mm(last)} mm"
     inside = (curves.lateral_shift >= first) & (curves.lateral_shift <= last)
@@ -53,11 +56,12 @@ def _on_jumps(jumps, nearest_jump):
         nearest = min(jumps, key=lambda jump: (abs(jump.lateral_shift), jump.side == "left"))
         distance = _mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)
         yield (f"contact jumps {distance} mm from the centred position, from {_mm(nearest.before, 1)} to "
-               f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: near it, small changes decide which place is in contact")
+               f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: near it, small changes decide which "
+               "place is in contact")
     count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, "right"))
     if count > MANY:
-        yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the curvatures are "
-               f"rough, or the two profiles are nearly equal there")
+        yield (f"the right contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: the "
+               "curvatures are rough, or the two profiles are nearly equal there")
 
 
 def _on_moves(curves):
@@ -65,26 +69,28 @@ def _on_moves(curves):
     rate = np.where(near & np.isfinite(curves.right.wheel_rate), np.abs(curves.right.wheel_rate), 0.0)
     worst = int(np.argmax(rate))
     if rate[worst] > FAST:
-        yield (f"at {_mm(curves.lateral_shift[worst])} mm the right contact moves by {rate[worst]:.0f} mm on its wheel per "
-               f"mm of lateral shift")
+        yield (f"at {_mm(curves.lateral_shift[worst])} mm the right contact moves by {rate[worst]:.0f} mm on "
+               "its wheel per mm of lateral shift")
 
 
 def _on_zones(conformal):
     for zone in conformal:
         if zone.side == "right" and zone.start <= RUNNING and zone.stop >= -RUNNING:
-            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and rail are "
-                   f"within 0.1 mm of each other over up to {_mm(zone.width, 0)} mm, and their direction changes there by up to "
-                   f"{math.degrees(zone.turn):.0f} deg")
+            yield (f"the right contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: wheel and "
+                   f"rail are within 0.1 mm of each other over up to {_mm(zone.width, 0)} mm, and their "
+                   f"direction changes there by up to {math.degrees(zone.turn):.0f} deg")
 
 
 def _on_conicity(conicity):
     aside = [k for k, middle in enumerate(conicity.middle) if abs(middle) > OFF_MIDDLE]
     if aside:
         k = aside[0]
-        yield (f"a free wheelset oscillates about {_mm(conicity.middle[k])} mm, not about the middle of the track, at "
-               f"{_mm(conicity.amplitude[k], 0)} mm amplitude: the rolling radius difference drives it away from the middle")
+        yield (f"a free wheelset oscillates about {_mm(conicity.middle[k])} mm, not about the middle of the "
+               f"track, at {_mm(conicity.amplitude[k], 0)} mm amplitude: the rolling radius difference "
+               "drives it away from the middle")
     for reason in dict.fromkeys(filter(None, conicity.level_reason)):
-        at = ", ".join(_mm(value, 0) for value, why in zip(conicity.amplitude, conicity.level_reason) if why == reason)
+        at = ", ".join(_mm(value, 0) for value, why in zip(conicity.amplitude, conicity.level_reason)
+                       if why == reason)
         yield f"there is no equivalent conicity at {at} mm amplitude: {reason}"
 
 
@@ -94,8 +100,9 @@ def _on_profile(profile):
         yield f"{name}: {remark}"
     if profile.kinks:
         y, turn = max(profile.kinks, key=lambda kink: abs(kink[1]))
-        yield f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where it is in contact" + (
-            f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else "")
+        more = f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else ""
+        yield (f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where it is in "
+               f"contact{more}")
     if profile.roughness > ROUGH:
-        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where it is in contact: "
-               f"the contact follows noise; use more smoothing")
+        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where it is in "
+               "contact: the contact follows noise; use more smoothing")

@@ -31,16 +31,18 @@ class Conditioning:
     ----------
     system : the ContactSystem that was checked; its parameters are the track and the wheelset.
     usable : whether there is contact at every shift up to the smallest amplitude of the conicity, 1 mm.
-    usable_shifts : (first, last) lateral shift [m] with contact, without interruption, around the centred position; at most
-        +-15 mm, the kernel's limit; NaN without contact in the centred position.
+    usable_shifts : (first, last) lateral shift [m] with contact, without interruption, around the centred
+        position; at most +-15 mm, the kernel's limit; NaN without contact in the centred position.
     jumps : tuple of :class:`~wrcontact.conditioning.Jump`, left ones first.
-    nearest_jump : lateral shift [m] from the centred position to the nearest jump of either contact; infinite without one.
-    flange_shift : lateral shift [m] beyond which the right contact is steeper than 45 deg; infinite if it never is.
+    nearest_jump : lateral shift [m] from the centred position to the nearest jump of either
+    contact; infinite without one.
+    flange_shift : lateral shift [m] beyond which the right contact is steeper than 45 deg;
+    infinite if it never is.
     curves : :class:`~wrcontact.conditioning.Curves` over the lateral shift, every 0.05 mm within +-15 mm.
     conformal : tuple of :class:`~wrcontact.conditioning.ConformalZone`, left ones first.
     conicity : :class:`~wrcontact.conditioning.Conicity` at amplitudes of 1 ... 8 mm.
-    conicity_curves : dict with "level" and "rolled": (lateral shift (n,), rolling radius difference (n,)) [m], the data of the
-        conicity, with both values at every jump; None without contact.
+    conicity_curves : dict with "level" and "rolled": (lateral shift (n,), rolling radius difference (n,))
+        [m], the data of the conicity, with both values at every jump; None without contact.
     wheel, rail : :class:`~wrcontact.conditioning.ProfileQuality`.
     remarks : tuple of sentences on what to know about the pair; empty if there is nothing special.
     """
@@ -84,7 +86,8 @@ def check(system):
         "flange_shift": _flange_shift(rolling, curves),
         "curves": curves,
         "conformal": conformal_zones(shifts, {side: getattr(curves, side) for side in SIDES}),
-        "conicity": conicities(*swings.values(), **{name: system.parameters[name] for name in Wheelset.keywords()}),
+        "conicity": conicities(*swings.values(),
+                               **{name: system.parameters[name] for name in Wheelset.keywords()}),
         "conicity_curves": swings,
         **_profiles(rolling, curves),
     }
@@ -113,7 +116,8 @@ def _run_around(shifts, fine):
     if not fine[middle]:
         return slice(0, 0)
     gaps = np.flatnonzero(~fine)
-    return slice(int(np.max(gaps[gaps < middle], initial=-1)) + 1, int(np.min(gaps[gaps > middle], initial=len(fine))))
+    return slice(int(np.max(gaps[gaps < middle], initial=-1)) + 1,
+                 int(np.min(gaps[gaps > middle], initial=len(fine))))
 
 
 def _usable_shifts(system, shifts, status):
@@ -126,7 +130,8 @@ def _usable_shifts(system, shifts, status):
         return geometry(system, [shift]).status[0] <= Status.UNLOADED
 
     first = shifts[0] if run.start == 0 else _boundary(touches, shifts[run.start], shifts[run.start - 1])
-    last = shifts[-1] if run.stop == len(shifts) else _boundary(touches, shifts[run.stop - 1], shifts[run.stop])
+    last = shifts[-1] if run.stop == len(shifts) else _boundary(touches, shifts[run.stop - 1],
+                                                                shifts[run.stop])
     return float(first), float(last)
 
 
@@ -148,7 +153,8 @@ def _curves(rolling, level, shifts, table, jumps):
         sides[name] = SideCurves(side.contact.y_wheel, side.contact.y_rail, *moves[name], side.contact_angle,
                                  side.curvature_y, side.rolling_radius, *near[name])
     return Curves(shifts, table.roll, roll_rate, jump_distance(jumps, shifts),
-                  table.right.rolling_radius - table.left.rolling_radius, radius_difference(level, shifts), **sides)
+                  table.right.rolling_radius - table.left.rolling_radius, radius_difference(level, shifts),
+                  **sides)
 
 
 def _swing_curve(system, jumps):

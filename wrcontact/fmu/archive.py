@@ -1,4 +1,5 @@
-"""What every FMU has: its profiles, its licences, and the zip archive, with the same bytes for the same entries."""
+"""What every FMU has: its profiles, its licences, and the zip archive, with the same bytes
+for the same entries."""
 
 import hashlib
 import io
@@ -15,9 +16,11 @@ TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
 def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the profiles that come from files, by file name; each file is read once.
+    """Start values of the profile parameters, and the profiles that come from files, by file
+    name; each file is read once.
 
-    Files are packed as prepared profiles with their own names: reading points needs scipy, which an FMU does not have.
+    Files are packed as prepared profiles with their own names: reading points needs scipy,
+    which an FMU does not have.
     """
     starts = {parameter: str(name) for parameter, name in chosen.items() if name is not None}
     given = {parameter.removesuffix("_profile"): name for parameter, name in starts.items()}
@@ -25,14 +28,16 @@ def chosen_profiles(smoothing=None, **chosen):
     profiles = {"wheel_profile": system.wheel, "rail_profile": system.rail}
     files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     if len(set(files.values())) < len(files):
-        raise ValueError(f"wheel and rail profile have the same file name, {files['wheel_profile']}; rename one of them")
+        raise ValueError(f"wheel and rail profile have the same file name, {files['wheel_profile']}; rename "
+                         "one of them")
     return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def licence(name):
     """Licence text (bytes) of an installed distribution or of the checkout; None if there is none."""
     try:
-        files = [Path(str(file.locate())) for file in distribution(name).files or () if file.name.startswith("LICENSE")]
+        files = [Path(str(file.locate())) for file in distribution(name).files or ()
+                 if file.name.startswith("LICENSE")]
     except PackageNotFoundError:
         files = []
     if name == "wrcontact":
@@ -54,7 +59,8 @@ def archive(entries):
     with zipfile.ZipFile(stream, "w") as file:
         for name, content in sorted(entries.items()):
             entry = zipfile.ZipInfo(name, TIMESTAMP)
-            entry.compress_type, entry.create_system, entry.external_attr = zipfile.ZIP_DEFLATED, 3, 0o100644 << 16
+            entry.compress_type, entry.create_system, entry.external_attr = (zipfile.ZIP_DEFLATED, 3,
+                                                                             0o100644 << 16)
             file.writestr(entry, content)
     return stream.getvalue()
 

@@ -22,8 +22,8 @@ from ..kernel.binding.platforms import PLATFORMS, host_platform, library_name
 from ..storage.atomic import write_atomically
 
 #: No fused a*b + c, so that results have the same bits as the kernel's Python source.
-FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-Werror=implicit-function-declaration",
-         "-fPIC")
+FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fvisibility=hidden", "-g0",
+         "-Werror=implicit-function-declaration", "-fPIC")
 KERNEL_UNITS = tuple(f"native/wrcontact_{part}.c" for part in ("kernel", "prepare", "tangent"))
 
 
@@ -46,8 +46,9 @@ def compile_platform(name, folder, sources, identifier, flags=(), cache=None):
     command, library = [*compiler_for(chosen), *FLAGS, *flags], identifier + chosen.suffix
 
     def run(*arguments):
-        done = subprocess.run([*command, *arguments], cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **zig_cache()})
+        done = subprocess.run([*command, *arguments], cwd=folder, text=True, errors="replace",
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              env={**os.environ, **zig_cache()})
         if done.returncode:
             raise CompilerProblem(f"{' '.join(command)} failed for {name}:\n{done.stdout}")
 
@@ -117,4 +118,5 @@ def compiler_for(chosen):
     own = next((command for command in ("cc", "gcc", "clang") if shutil.which(command)), None)
     if chosen.name == host_platform() and own:
         return [own]
-    raise CompilerProblem(f"there is no compiler for {chosen.name}; pip install ziglang, a compiler for every platform")
+    raise CompilerProblem(f"there is no compiler for {chosen.name}; pip install ziglang, a compiler for "
+                          "every platform")

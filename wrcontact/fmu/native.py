@@ -48,7 +48,8 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     starts, profiles = packed_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
-        made = {version: native_fmu(version, starts, profiles, platforms, folder, cache) for version in HEADERS}
+        made = {version: native_fmu(version, starts, profiles, platforms, folder, cache)
+                for version in HEADERS}
     Path(output).mkdir(parents=True, exist_ok=True)
     targets = {Path(output, f"{MODEL}_native_fmi{version}.fmu"): data for version, data in made.items()}
     for target, data in targets.items():
@@ -66,7 +67,8 @@ def native_fmu(version, starts, profiles, platforms, folder, cache):
     """The archive of one version of FMI as bytes; ``folder`` is for scratch, ``cache`` for compiled
     sources."""
     entries = uncompiled(version, starts, profiles, platforms)
-    contents = {name.removeprefix("sources/"): content for name, content in entries.items() if name.startswith("sources/")}
+    contents = {name.removeprefix("sources/"): content for name, content in entries.items()
+                if name.startswith("sources/")}
     for platform, library in libraries(contents, compiled_units(version), platforms, folder, cache).items():
         place = PLATFORMS[platform]
         entries[f"binaries/{place.fmi2 if version == 2 else place.name}/{MODEL}{place.suffix}"] = library
@@ -83,8 +85,10 @@ def uncompiled(version, starts, profiles, platforms):
     token = f"{{{fingerprint(described('', version, tool, starts, profiles))[:32]}}}"
     entries = described(token, version, tool, starts, profiles)
     about = about_native(version, platforms, profiles)
-    entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"], about).encode()
-    licences = {"license": licence("wrcontact"), "fmi": headers_licence(entries[f"sources/{HEADERS[version][0]}"]),
+    entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"],
+                                                             about).encode()
+    licences = {"license": licence("wrcontact"),
+                "fmi": headers_licence(entries[f"sources/{HEADERS[version][0]}"]),
                 "mingw-w64": windows_licence(platforms)}
     entries |= {f"documentation/licenses/{name}.txt": text for name, text in licences.items() if text}
     return entries | terminals_and_icons(version, variable_names(version))
@@ -93,7 +97,8 @@ def uncompiled(version, starts, profiles, platforms):
 def described(token, version, tool, starts, profiles):
     """The model description and the sources."""
     units = compiled_units(version)
-    entries = {f"sources/{name}": content for name, content in sources(version, token, starts, profiles).items()}
+    entries = {f"sources/{name}": content
+               for name, content in sources(version, token, starts, profiles).items()}
     if version == 3:
         entries["sources/buildDescription.xml"] = description3.build_description(units)
     return entries | {"modelDescription.xml": DESCRIPTIONS[version](token, tool, __version__, starts, units)}
@@ -103,7 +108,8 @@ def sources(version, token, starts, profiles):
     """Everything that the library is compiled from, by path."""
     headers = Path(fmpy.__file__).parent / "c-code"
     blocks = [(first, run) for _, first, run in description3.variable_blocks()]
-    kernel = [file for folder in ("native", "generated") for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
+    kernel = [file for folder in ("native", "generated")
+              for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
     adapters = [NATIVE / name for name in (*adapter_headers(version), *adapter_units(version))]
     return {
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
@@ -142,7 +148,8 @@ def libraries(contents, units, platforms, folder, cache):
     """The library of each platform as bytes, made in a scratch folder of its own inside ``folder``."""
     place = Path(tempfile.mkdtemp(dir=folder))
     write_sources(contents, place)
-    return {platform: compile_platform(platform, place, units, MODEL, HIDDEN, cache) for platform in platforms}
+    return {platform: compile_platform(platform, place, units, MODEL, HIDDEN, cache)
+            for platform in platforms}
 
 
 def write_sources(contents, folder):

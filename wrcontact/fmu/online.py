@@ -35,7 +35,8 @@ def kernel_libraries(platforms):
             open_library()
             made[LIBRARY_NAME] = HERE.joinpath(LIBRARY_NAME).read_bytes()
     except LibraryUnusable as reason:
-        print(f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}", file=sys.stderr)
+        print(f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}",
+              file=sys.stderr)
     return {f"kernel/{name}": library for name, library in made.items()}
 
 
@@ -58,7 +59,8 @@ def imports_of(module):
         if isinstance(node, ast.ImportFrom) and node.level:
             yield from files_of(module.parents[node.level - 1], node)
         elif names_itself(node):
-            raise ValueError(f"{module}, line {node.lineno}: a packed module must import relatively, or it gets the host's")
+            raise ValueError(f"{module}, line {node.lineno}: a packed module must import relatively, or it "
+                             "gets the host's")
 
 
 def files_of(folder, node):
@@ -67,10 +69,15 @@ def files_of(folder, node):
     folder = folder.joinpath(*(node.module or "").split("."))
     for target in (folder, *(folder / alias.name for alias in node.names)):
         if target != PACKAGE and OFFLINE.isdisjoint(target.relative_to(PACKAGE).parts):
-            yield from (file for file in (target.with_suffix(".py"), target / "__init__.py") if file.is_file())
+            yield from (file for file in (target.with_suffix(".py"), target / "__init__.py")
+                        if file.is_file())
 
 
 def names_itself(node):
     """Whether an import names the package by its own name."""
-    names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else [getattr(node, "module", None) or ""]
-    return isinstance(node, (ast.Import, ast.ImportFrom)) and any(name.split(".")[0] == PACKAGE.name for name in names)
+    if isinstance(node, ast.Import):
+        names = [alias.name for alias in node.names]
+    else:
+        names = [getattr(node, "module", None) or ""]
+    return (isinstance(node, (ast.Import, ast.ImportFrom))
+            and any(name.split(".")[0] == PACKAGE.name for name in names))

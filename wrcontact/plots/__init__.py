@@ -14,5 +14,5 @@ from .pose import contact_figure, pose_figure
 from .style import save
 from .sweep import sweep, sweep_figure
 
-__all__ = ["check_figure", "contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure", "save", "sweep",
-           "sweep_figure"]
+__all__ = ["check_figure", "contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure",
+           "save", "sweep", "sweep_figure"]

@@ -41,7 +41,8 @@ def check_figure(report):
     figure.suptitle(_headline(report), x=0.01, ha="left")
     draw_places(figure, figure.add_subplot(grid[0, :]), report)
     panels = [figure.add_subplot(grid[row, column]) for row in (1, 2, 3) for column in (0, 1)]
-    for panel, draw in zip(panels, (draw_radii, draw_conicity, draw_moves, draw_roll_rate, draw_distance, draw_near)):
+    for panel, draw in zip(panels,
+                           (draw_radii, draw_conicity, draw_moves, draw_roll_rate, draw_distance, draw_near)):
         draw(panel, report)
     return figure
 
@@ -49,8 +50,9 @@ def check_figure(report):
 def _headline(report):
     chosen = report.system.parameters
     lean = chosen["rail_inclination"]
-    return (f"{report.wheel.name} on {report.rail.name}, {f'inclination 1:{1 / lean:.3g}' if lean else 'upright'}, "
-            f"gauge {chosen['gauge'] / MM:.6g} mm, nominal radius {chosen['nominal_radius'] / MM:.6g} mm")
+    return (f"{report.wheel.name} on {report.rail.name}, "
+            f"{f'inclination 1:{1 / lean:.3g}' if lean else 'upright'}, gauge {chosen['gauge'] / MM:.6g} mm, "
+            f"nominal radius {chosen['nominal_radius'] / MM:.6g} mm")
 
 
 # --- places of contact -----------------------------------------------------------------------------
@@ -61,22 +63,23 @@ def draw_places(figure, panel, report):
     panel.set_label("places")
     panel.set_title("Contact points of right wheel and rail; dotted beside a jump")
     wheel, rail, y_top = report.system.profile_tables()
-    aside = y_top - report.system.parameters["running_circle_distance"] / 2  # lateral distance of the rail's frame from the wheel's in the centred position
+    # lateral distance of the rail's frame from the wheel's in the centred position
+    aside = y_top - report.system.parameters["running_circle_distance"] / 2
     side, colours = report.curves.right, _shift_colours()
     _draw_profile(panel, wheel, report.wheel.visited, 0.0, APART / MM, WHEEL_COLOUR, up=True)
     _draw_profile(panel, rail, report.rail.visited, aside, 0.0, RAIL_COLOUR, up=False)
     for shift in np.arange(-SHOWN, SHOWN + 0.5 * JOINED, JOINED):
         at = int(np.argmin(np.abs(report.curves.lateral_shift - shift)))
         if np.isfinite(side.y_wheel[at]):
-            _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at], color=colours.to_rgba(shift / MM),
-                  linewidth=0.9)
+            _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at],
+                  color=colours.to_rgba(shift / MM), linewidth=0.9)
     for jump in _shown_jumps(report, "right"):
         colour = colours.to_rgba(jump.lateral_shift / MM)
         for place, beside in ((jump.before, jump.rail_before), (jump.after, jump.rail_after)):
             top = _join(panel, wheel, rail, aside, place, beside, color=colour, **BROKEN)
         if abs(jump.after - jump.before) > 1 * MM:
-            panel.annotate(f"{number(jump.lateral_shift / MM, 2)}", top, (0, 3), textcoords="offset points", ha="center",
-                           fontsize=7.5)
+            panel.annotate(f"{number(jump.lateral_shift / MM, 2)}", top, (0, 3), textcoords="offset points",
+                           ha="center", fontsize=7.5)
     panel.set(aspect="equal", xlabel="across the wheel from its running circle, field side + [mm]", yticks=[])
     panel.spines["left"].set_visible(False)
     figure.colorbar(colours, ax=panel, label="lateral shift, right + [mm]", pad=0.01, aspect=30)
@@ -99,7 +102,8 @@ def _draw_profile(panel, table, visited, aside, height, colour, up):
     panel.fill_between((y + aside) / MM, z, edge, color=colour, alpha=0.18, linewidth=0)
     panel.plot((y + aside) / MM, z, color=colour)
     name, at = ("wheel", np.max(z) + 1) if up else ("rail", np.min(z) - 1)
-    panel.text((y[-1] + aside) / MM - 1, at, name, color=WHEEL_COLOUR if up else RAIL_LABEL, ha="right", va="center")
+    panel.text((y[-1] + aside) / MM - 1, at, name, color=WHEEL_COLOUR if up else RAIL_LABEL, ha="right",
+               va="center")
 
 
 def _join(panel, wheel, rail, aside, y_wheel, y_rail, **look):
@@ -120,10 +124,12 @@ def draw_radii(panel, report):
     """Rolling radius difference [mm] against the lateral shift, with and without roll."""
     panel.set_label("radii")
     panel.set_title("Rolling radius difference, right minus left")
-    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"), ("level", LEVEL_COLOUR, "without roll")):
+    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"),
+                                ("level", LEVEL_COLOUR, "without roll")):
         if report.conicity_curves[name] is not None:
             shift, difference = report.conicity_curves[name]
-            panel.plot(shift / MM, difference / MM, color=colour, label=words, zorder=2 if name == "rolled" else 3,
+            panel.plot(shift / MM, difference / MM, color=colour, label=words, zorder=2 if name == "rolled"
+                       else 3,
                        linewidth=1.6 if name == "rolled" else 1.1)
     panel.axhline(0, color=QUIET, linewidth=0.6)
     _shift_axis(panel, "mm")
@@ -135,7 +141,8 @@ def draw_conicity(panel, report):
     panel.set_label("conicity")
     panel.set_title("Equivalent conicity (EN 15302: without roll)")
     top = 0.1
-    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"), ("level", LEVEL_COLOUR, "without roll")):
+    for name, colour, words in (("rolled", ROLLED_COLOUR, "with roll"),
+                                ("level", LEVEL_COLOUR, "without roll")):
         curve, dots = report.conicity_curves[name], getattr(report.conicity, name)
         if curve is not None:
             swing = Swing(*curve)
@@ -193,8 +200,8 @@ def draw_distance(panel, report):
     _mark_jumps(panel, report, SIDE_COLOUR)
     if np.isfinite(report.nearest_jump):
         panel.plot([0], [report.nearest_jump / MM], "o", color=INK, markersize=4)
-        panel.annotate(f"centred: {number(report.nearest_jump / MM, 2)} mm", (0, report.nearest_jump / MM), (0, 12),
-                       textcoords="offset points", ha="center", fontsize=8, bbox=BAND)
+        panel.annotate(f"centred: {number(report.nearest_jump / MM, 2)} mm", (0, report.nearest_jump / MM),
+                       (0, 12), textcoords="offset points", ha="center", fontsize=8, bbox=BAND)
     else:
         panel.text(0.5, 0.5, "no jumps", transform=panel.transAxes, ha="center", color=QUIET)
     _shift_axis(panel, "mm")
@@ -208,13 +215,15 @@ def draw_near(panel, report):
     shift, side = report.curves.lateral_shift / MM, report.curves.right
     for zone in report.conformal:
         if zone.side == "right":
-            panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal")
+            panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0,
+                          gid="conformal")
     panel.plot(*_broken(report, shift, side.near_width / MM, "right"), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
-    panel.text(0.01, WIDE / MM, f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)", ha="left",
-               va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
+    panel.text(0.01, WIDE / MM, f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)",
+               ha="left", va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
     _shift_axis(panel, "mm")
-    panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0),
+    panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM,
+                                                               side.near_width / MM, 0.0),
                                                          initial=0.0)))
 
 
@@ -229,7 +238,8 @@ def _mark_jumps(panel, report, sides):
     """Dotted lines at the jumps of ``sides``, in their colours."""
     for side in sides:
         for jump in _shown_jumps(report, side):
-            panel.axvline(jump.lateral_shift / MM, color=SIDE_COLOUR[side], linewidth=0.8, linestyle=":", gid=f"{side} jump")
+            panel.axvline(jump.lateral_shift / MM, color=SIDE_COLOUR[side], linewidth=0.8, linestyle=":",
+                          gid=f"{side} jump")
 
 
 def _shift_axis(panel, unit):
@@ -239,7 +249,8 @@ def _shift_axis(panel, unit):
 
 def _scale_to_shown(panel):
     """Fit the vertical range of ``panel`` to its curves within the shown shifts."""
-    shown = [np.asarray(line.get_ydata(), dtype=float)[np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM]
+    shown = [np.asarray(line.get_ydata(),
+                        dtype=float)[np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM]
              for line in panel.lines if len(line.get_xdata()) > 2]
     values = np.concatenate([*shown, [np.nan]])
     values = values[np.isfinite(values)]

@@ -10,7 +10,8 @@ from ..profiles.placement import place_rail, readable_wheel
 
 #: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C
 #: and D/E).
-WHEEL_ZONES = {"flange": (-70e-3, -38.426669071e-3), "flange root": (-38.426669071e-3, -26e-3), "tread": (-26e-3, 60e-3)}
+WHEEL_ZONES = {"flange": (-70e-3, -38.426669071e-3), "flange root": (-38.426669071e-3, -26e-3),
+               "tread": (-26e-3, 60e-3)}
 
 POINTS = 1200  # of a drawn outline
 
@@ -30,7 +31,8 @@ def wheel_outline(system, state, side):
     place = Place.at(np.zeros(PLACE_SIZE))
     chosen = system.parameters
     place_wheelset(place, *(sign * pose), chosen["nominal_radius"], chosen["running_circle_distance"] / 2)
-    points = np.array([outline_point(place, *point)[:2] for point in zip(y.tolist(), z.tolist(), slope.tolist())])
+    points = np.array([outline_point(place, *point)[:2]
+                       for point in zip(y.tolist(), z.tolist(), slope.tolist())])
     return sign * points[:, 0], points[:, 1] + state.vertical_shift
 
 

@@ -20,7 +20,8 @@ def fine_outline(outline):
     """
     stored = np.arange(len(outline.station))
     place = np.linspace(0, stored[-1], FINER * stored[-1] + 1)
-    half_length, pressure = (np.sqrt(np.maximum(Akima1DInterpolator(stored, values**2, method="makima")(place), 0.0))
+    half_length, pressure = (np.sqrt(np.maximum(Akima1DInterpolator(stored, values**2,
+                                                                    method="makima")(place), 0.0))
                              for values in (outline.half_length, outline.pressure))
     return np.interp(place, stored, outline.station), half_length, pressure
 
@@ -35,7 +36,8 @@ def draw_patch(panel, outline, scale):
     across = np.sin(np.linspace(-np.pi / 2, np.pi / 2, LAYERS))[:, None]
     y, x = np.broadcast_arrays(station / MM, across * half_length / MM)
     pressure = middle * np.sqrt(np.maximum(1 - across**2, 0.0)) / MEGAPASCAL
-    mesh = panel.pcolormesh(y, x, pressure, shading="gouraud", cmap=PRESSURE_COLOURS, norm=scale, rasterized=True)
+    mesh = panel.pcolormesh(y, x, pressure, shading="gouraud", cmap=PRESSURE_COLOURS, norm=scale,
+                            rasterized=True)
     edge = np.where(_between_patches(half_length), np.nan, half_length)
     for side in (edge, -edge):
         panel.plot(station / MM, side / MM, color=INK, linewidth=0.9)

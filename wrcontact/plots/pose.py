@@ -19,7 +19,8 @@ from .style import (
     styled,
 )
 
-INSIDE, OUTSIDE = 78e-3, 54e-3  # [m] shown from the rail's highest point to the track centre and to the field side
+# [m] shown from the rail's highest point to the track centre and to the field side
+INSIDE, OUTSIDE = 78e-3, 54e-3
 ABOVE, BELOW = 18e-3, 38e-3  # [m] shown above and below top of rail
 PLANE = 32e-3  # [m] drawn length of the contact plane
 HIGH = 0.1  # [m] upper end of a drawn wheel, outside the picture
@@ -50,7 +51,8 @@ def draw_contacts(figure, panels, system, state):
     for panel, side in zip(panels, SIDES):
         draw_contact(panel, system, state, side)
     middle_of_rail = OUTSIDE / (INSIDE + OUTSIDE)
-    panels[0].legend(loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8, labelspacing=0.3)
+    panels[0].legend(loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8,
+                     labelspacing=0.3)
 
 
 def draw_contact(panel, system, state, side):
@@ -77,8 +79,8 @@ def draw_plane(panel, contact, side):
     y, z = contact.contact.y_track, contact.contact.z_track
     rise = np.tan(contact.contact_angle) * (1 if side == "right" else -1)
     ends = np.array([-0.5, 0.5]) * PLANE * np.cos(contact.contact_angle)
-    panel.plot((y + ends) / MM, (-z + rise * ends) / MM, color=CONTACT_COLOUR, linewidth=1.2, linestyle=(0, (4, 2)),
-               label="contact plane")
+    panel.plot((y + ends) / MM, (-z + rise * ends) / MM, color=CONTACT_COLOUR, linewidth=1.2,
+               linestyle=(0, (4, 2)), label="contact plane")
     panel.plot([y / MM], [-z / MM], "o", color=CONTACT_COLOUR, markersize=5, label="contact point")
 
 
@@ -87,7 +89,8 @@ def _frame(panel, top, side):
     [m]."""
     low, high = (-INSIDE, OUTSIDE) if side == "right" else (-OUTSIDE, INSIDE)
     panel.set(xlim=((top + low) / MM, (top + high) / MM), ylim=(-BELOW / MM, ABOVE / MM), aspect="equal",
-              xlabel="across the track, right + [mm]", ylabel="above top of rail [mm]", yticks=(-30, -20, -10, 0, 10))
+              xlabel="across the track, right + [mm]", ylabel="above top of rail [mm]",
+              yticks=(-30, -20, -10, 0, 10))
 
 
 def _describe(contact, side):
@@ -98,8 +101,8 @@ def _describe(contact, side):
 def _headline(system, state):
     """Pose, load and roll in one line."""
     shift, yaw = state.inputs[:2]
-    return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, {_load(system, state)}: "
-            f"roll {number(state.roll / DEGREE, 3)}°")
+    return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, "
+            f"{_load(system, state)}: roll {number(state.roll / DEGREE, 3)}°")
 
 
 def _load(system, state):
@@ -107,4 +110,5 @@ def _load(system, state):
     if system.parameters["contact_mode"] == "compliant":
         return f"{number(state.vertical_shift / MM, 3)} mm down"
     force, transfer = state.inputs[[layout.IN_NORMAL_FORCE, layout.IN_LOAD_TRANSFER]]
-    return f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}" if transfer else "")
+    return f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}"
+                                                              if transfer else "")

@@ -49,10 +49,11 @@ def look_of(name):
     yaw = int(name.rpartition("yaw ")[2].split()[0]) if "yaw" in name else None
     colour = COLOURS[yaw] if yaw is not None else WHEEL_COLOUR
     if "search" in name:
-        return {"linestyle": "", "marker": "o" if "dy 1 mm" not in name else "x", "markersize": 3.2, "zorder": 1.5,
-                "color": colour if yaw is not None else QUIET, "alpha": 0.7}
+        return {"linestyle": "", "marker": "o" if "dy 1 mm" not in name else "x", "markersize": 3.2,
+                "zorder": 1.5, "color": colour if yaw is not None else QUIET, "alpha": 0.7}
     if "elastic" in name:
-        return {"color": colour if yaw is not None else CONTACT_COLOUR, "linestyle": (0, (4, 1.5)), "linewidth": 1.4}
+        return {"color": colour if yaw is not None else CONTACT_COLOUR, "linestyle": (0, (4, 1.5)),
+                "linewidth": 1.4}
     return {"color": colour, "linewidth": 1.5}
 
 
@@ -63,17 +64,20 @@ def over_shift(panel, figure, wanted, *, span=None, legend=True):
         rows = rows_of(figure.columns, curve=name)
         shift, values = rows["lateral shift [mm]"].astype(float), rows[value].astype(float)
         jump = np.flatnonzero(np.abs(np.diff(values)) > JUMP) + 1
-        panel.plot(np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name, **look_of(name))
+        panel.plot(np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name,
+                   **look_of(name))
     panel.set(xlabel="lateral shift of the wheelset, right + [mm]", ylabel=AXES[value])
     if span:
-        seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])] for line in panel.lines]
+        seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])]
+                for line in panel.lines]
         low, high = (of(np.concatenate(seen)) for of in (np.nanmin, np.nanmax))
         panel.set(xlim=span, ylim=(low - 0.04 * (high - low), high + 0.04 * (high - low)))
     if legend:
         panel.legend()
 
 
-AXES = {"roll [deg]": "roll, right wheel down + [deg]", "y_wheel [mm]": "contact on the wheel, field side + [mm]",
+AXES = {"roll [deg]": "roll, right wheel down + [deg]",
+        "y_wheel [mm]": "contact on the wheel, field side + [mm]",
         "x_wheel [mm]": "contact ahead of the axle [mm]"}
 
 
@@ -88,12 +92,14 @@ def mark_jumps(panel, shifts):
         if low < shift < high:
             panel.axvline(shift, color=QUIET, linewidth=0.8, linestyle=":")
             panel.annotate(f"{shift:.3f}", (shift, 0.02), (-3, 0), xycoords=("data", "axes fraction"),
-                           textcoords="offset points", rotation=90, ha="right", va="bottom", fontsize=8, color=QUIET)
+                           textcoords="offset points", rotation=90, ha="right", va="bottom", fontsize=8,
+                           color=QUIET)
 
 
 def jumps_of(figure):
     """Lateral shifts [mm] of the jumps among the numbers."""
-    return [value for name, value in figure.numbers.items() if name.startswith("jump") and name.endswith("at [mm]")]
+    return [value for name, value in figure.numbers.items() if name.startswith("jump")
+            and name.endswith("at [mm]")]
 
 
 # --- chapters 4 and 5 ------------------------------------------------------------------------------
@@ -103,7 +109,8 @@ def draw_roll(picture, figure):
     whole, near = picture.subplots(1, 2)
     over_shift(whole, figure, every)
     over_shift(near, figure, every, span=(4.3, 6.6), legend=False)
-    mark_jumps(near, (figure.numbers["bend to the flange root at [mm]"], figure.numbers["bend to the flange at [mm]"]))
+    mark_jumps(near, (figure.numbers["bend to the flange root at [mm]"],
+                      figure.numbers["bend to the flange at [mm]"]))
     whole.set_title("Whole range")
     near.set_title("Around the two jumps of the contact: the roll bends there")
 
@@ -125,8 +132,8 @@ def draw_zones(panel):
         start, stop = max(start / MM, low), min(stop / MM, high)
         if stop > start:
             panel.axhspan(start, stop, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
-            panel.text(0.99, stop - 0.01 * (high - low), name, color=QUIET, style="italic", ha="right", va="top",
-                       transform=panel.get_yaxis_transform())
+            panel.text(0.99, stop - 0.01 * (high - low), name, color=QUIET, style="italic", ha="right",
+                       va="top", transform=panel.get_yaxis_transform())
     panel.set_ylim(low, high)
 
 
@@ -214,8 +221,10 @@ def draw_outlines(panel, figure):
         panel.plot(y, height, color=colour)
     point = rows_of(figure.columns, curve="contact point")
     y, height = float(point["y_track [mm]"][0]), float(point["height [mm]"][0])
-    panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white", markeredgewidth=0.6)
-    panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left", color=CONTACT_COLOUR,
+    panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white",
+               markeredgewidth=0.6)
+    panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left",
+                   color=CONTACT_COLOUR,
                    arrowprops={"arrowstyle": "-", "color": CONTACT_COLOUR, "linewidth": 0.8})
     panel.text(768, -12, "rail", color=RAIL_LABEL, ha="center")
     panel.text(768, 11, "wheel", color=WHEEL_COLOUR, ha="center")
@@ -229,25 +238,28 @@ def draw_outlines(panel, figure):
 def draw_separation(picture, figure):
     whole, near, patch = picture.subplots(1, 3, width_ratios=(1.2, 1, 1.1))
     for name, colour, look in (("equidistant", COLOURS[0], "-"), ("vertical", COLOURS[1], (0, (3, 1.5)))):
-        rows = {key: values.astype(float) for key, values in rows_of(figure.columns, curve=name).items() if key != "curve"}
+        rows = {key: values.astype(float) for key, values in rows_of(figure.columns, curve=name).items()
+                if key != "curve"}
         whole.plot(rows["y [mm]"], rows["separation [mm]"], color=colour, linestyle=look, label=name)
-        closed_outline(patch, rows["y [mm]"], rows["half length [mm]"], color=colour, linestyle=look, label=name)
+        closed_outline(patch, rows["y [mm]"], rows["half length [mm]"], color=colour, linestyle=look,
+                       label=name)
     cosine = np.cos(np.radians(figure.numbers.get("contact angle [deg]", 0.0)))
     theory = rows_of(figure.columns, curve="complete theory")
-    closed_outline(patch, theory["station [mm]"].astype(float) * cosine, theory["half length [mm]"].astype(float), fine=True,
-                   label="complete theory", **THEORY)
+    closed_outline(patch, theory["station [mm]"].astype(float) * cosine,
+                   theory["half length [mm]"].astype(float), fine=True, label="complete theory", **THEORY)
     apart = rows_of(figure.columns, curve="vertical less equidistant")
     near.plot(apart["y [mm]"].astype(float), np.abs(apart["separation [mm]"].astype(float)), color=INK)
     near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
-    near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET, fontsize=7.5,
-              ha="center", va="bottom")
+    near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET,
+              fontsize=7.5, ha="center", va="bottom")
     near.set(yscale="log", ylim=(1e-7, 1e-1), xlabel="y from the contact, field side + [mm]",
              ylabel="vertical less equidistant [mm]")
     whole.set(ylim=(-0.3, 8), xlabel="y from the contact, field side + [mm]", ylabel="separation [mm]")
     patch.set(xlabel="y from the contact, field side + [mm]", ylabel="rolling direction [mm]")
     to_scale(patch)
     patch.plot([0], [0], "*", color=CONTACT_COLOUR, markersize=7)
-    for panel, title in ((whole, "Separation"), (near, "Their difference inside the patch"), (patch, "Patch")):
+    for panel, title in ((whole, "Separation"), (near, "Their difference inside the patch"),
+                         (patch, "Patch")):
         panel.set_title(title)
     whole.legend(loc="upper center")
     patch.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, handlelength=1.6, columnspacing=1)
@@ -261,7 +273,8 @@ def closed_outline(panel, station, half_length, *, fine=False, label=None, **loo
     loaded = half_length > 0
     beside = loaded | np.roll(loaded, 1) | np.roll(loaded, -1)
     edge = np.where(beside, half_length, np.nan)
-    panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]), label=label, **look)
+    panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]),
+               label=label, **look)
 
 
 def rounded_edge(station, half_length):
@@ -361,12 +374,13 @@ def draw_torn(picture, figure):
         rows = rows_of(figure.columns, curve=name)
         station, half = (rows[column].astype(float) for column in ("station [mm]", "half length [mm]"))
         loaded = half > 0
-        panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour, alpha=0.55, linewidth=0,
-                  label=f"{int(loaded.sum())} loaded nodes")
+        panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour,
+                  alpha=0.55, linewidth=0, label=f"{int(loaded.sum())} loaded nodes")
         closed_outline(panel, *true, fine=True, label="complete theory", **THEORY)
         inside = loaded[np.argmin(np.abs(station))]
-        panel.plot([0], [0], "*", color=INK if inside else CONTACT_COLOUR, markersize=9, markeredgecolor="white",
-                   markeredgewidth=0.5, label=f"first contact point, {'in' if inside else 'not in'} the patch", linestyle="")
+        panel.plot([0], [0], "*", color=INK if inside else CONTACT_COLOUR, markersize=9,
+                   markeredgecolor="white", markeredgewidth=0.5,
+                   label=f"first contact point, {'in' if inside else 'not in'} the patch", linestyle="")
         panel.set(xlabel="s from the contact, field side + [mm]", ylim=(-10.5, 10.5))
         panel.set_title(name[0].upper() + name[1:])
         panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1)
@@ -382,25 +396,27 @@ def draw_lateral(picture, figure):
                    label="three nodes, coordinates to 1 um")
         panel.plot(at, figure.columns[f"{name}, rough [1/m]"], color=COLOURS[0],
                    label="three nodes 0.2 mm apart, exact profile")
-        panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)), linewidth=1.2,
-                   label="circle through 6 mm")
+        panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)),
+                   linewidth=1.2, label="circle through 6 mm")
         panel.set(ylim=span, xlim=(at.min(), at.max()), xlabel=f"on the {name}'s profile, field side + [mm]",
                   ylabel="curvature [1/m]")
-        panel.set_title({"wheel": "Wheel, + where it is hollow as in the flange root",
-                         "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}[name])
+        titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
+                  "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+        panel.set_title(titles[name])
     picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 
 
 DRAWN = {
-    "4.4": draw_roll, "4.5": draw_place, "4.6": draw_place_and_errors, "5.6": draw_two_searches, "5.7": draw_picture,
-    "5.8": draw_roll_by_yaw, "5.9": draw_shift_by_yaw, "7.1": draw_picture, "7.2": draw_separation, "7.3": draw_picture,
-    "7.4": draw_separation, "7.5": draw_longitudinal, "7.6": draw_patches, "7.7": draw_longitudinal, "7.8": draw_patches,
-    "7.9": draw_longitudinal_with_picture, "7.10": draw_patches, "7.11": draw_lateral, "7.12": draw_torn, "7.13": draw_torn,
-    "7.14": draw_torn, "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
+    "4.4": draw_roll, "4.5": draw_place, "4.6": draw_place_and_errors, "5.6": draw_two_searches,
+    "5.7": draw_picture, "5.8": draw_roll_by_yaw, "5.9": draw_shift_by_yaw, "7.1": draw_picture,
+    "7.2": draw_separation, "7.3": draw_picture, "7.4": draw_separation, "7.5": draw_longitudinal,
+    "7.6": draw_patches, "7.7": draw_longitudinal, "7.8": draw_patches, "7.9": draw_longitudinal_with_picture,
+    "7.10": draw_patches, "7.11": draw_lateral, "7.12": draw_torn, "7.13": draw_torn, "7.14": draw_torn,
+    "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
 }  # fmt: skip
 SIZES = {
-    "5.6": (WIDE, 5.2), "5.7": (7.5, 3.9), "5.8": (WIDE, 5.4), "7.1": (7.5, 3.9), "7.2": (WIDE, 4.8), "7.3": (7.5, 3.9),
-    "7.4": (WIDE, 4.8), "7.6": (WIDE, 4.8), "7.8": (WIDE, 4.8), "7.9": (WIDE, 7.4), "7.10": (WIDE, 4.8), "7.11": (WIDE, 6.6),
-    "7.12": (WIDE, 4.8), "7.13": (WIDE, 4.8), "7.14": (WIDE, 4.8), "7.15": (WIDE, 4.8), "7.16": (WIDE, 4.8),
-    "7.17": (WIDE, 4.8),
+    "5.6": (WIDE, 5.2), "5.7": (7.5, 3.9), "5.8": (WIDE, 5.4), "7.1": (7.5, 3.9), "7.2": (WIDE, 4.8),
+    "7.3": (7.5, 3.9), "7.4": (WIDE, 4.8), "7.6": (WIDE, 4.8), "7.8": (WIDE, 4.8), "7.9": (WIDE, 7.4),
+    "7.10": (WIDE, 4.8), "7.11": (WIDE, 6.6), "7.12": (WIDE, 4.8), "7.13": (WIDE, 4.8), "7.14": (WIDE, 4.8),
+    "7.15": (WIDE, 4.8), "7.16": (WIDE, 4.8), "7.17": (WIDE, 4.8),
 }  # fmt: skip  [in]

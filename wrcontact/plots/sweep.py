@@ -59,8 +59,9 @@ def draw_position(panel, swept, side):
     panel.plot(*broken_curve(swept, side), color=SIDE_COLOUR[side], gid="position")
     for jump in told_jumps(swept, side):
         draw_jump(panel, jump, SIDE_COLOUR[side])
-    panel.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM), ylim=(SHOWN[0] / MM, SHOWN[1] / MM),
-              xlabel="lateral shift, right + [mm]", ylabel="field side + [mm]")
+    panel.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
+              ylim=(SHOWN[0] / MM, SHOWN[1] / MM), xlabel="lateral shift, right + [mm]",
+              ylabel="field side + [mm]")
     panel.xaxis.set_major_locator(MultipleLocator(TICKS))
     panel.set_title(f"Contact on the {side} wheel's profile")
 
@@ -71,8 +72,9 @@ def draw_zones(panel, edge):
     for name, (low, high) in WHEEL_ZONES.items():
         low, high = max(low, SHOWN[0]) / MM, min(high, SHOWN[1]) / MM
         panel.axhspan(low, high, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
-        panel.text(edge, low + 0.8 if name == "tread" else (low + high) / 2, name, color=QUIET, style="italic",
-                   ha="right" if 0.5 < edge < 1 else "left", va="bottom" if name == "tread" else "center",
+        panel.text(edge, low + 0.8 if name == "tread" else (low + high) / 2, name, color=QUIET,
+                   style="italic", ha="right" if 0.5 < edge < 1 else "left", va="bottom" if name == "tread"
+                   else "center",
                    transform=panel.get_yaxis_transform())
 
 
@@ -97,8 +99,9 @@ def draw_jump(panel, jump, colour):
     shift, before, after = (length / MM for length in jump)
     panel.plot([shift, shift], [before, after], color=colour, linewidth=1, linestyle=":", gid="jump")
     inward = -1 if shift > 0 else 1
-    panel.annotate(f"jump at {number(shift, 2)} mm", (shift, (before + after) / 2), (6 * inward, 0), textcoords="offset points",
-                   ha="right" if inward < 0 else "left", va="center", fontsize=8, color=INK, bbox=BAND)
+    panel.annotate(f"jump at {number(shift, 2)} mm", (shift, (before + after) / 2), (6 * inward, 0),
+                   textcoords="offset points", ha="right" if inward < 0 else "left", va="center", fontsize=8,
+                   color=INK, bbox=BAND)
 
 
 def draw_roll(panel, swept):
@@ -106,7 +109,7 @@ def draw_roll(panel, swept):
     panel.set_label("roll")
     panel.axhline(0, color=QUIET, linewidth=0.6)
     panel.plot(swept.lateral_shift / MM, swept.state.roll / DEGREE, color=INK)
-    panel.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM), xlabel="lateral shift, right + [mm]",
-              ylabel="right wheel down + [deg]")
+    panel.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
+              xlabel="lateral shift, right + [mm]", ylabel="right wheel down + [deg]")
     panel.xaxis.set_major_locator(MultipleLocator(TICKS))
     panel.set_title("Roll of the wheelset")

@@ -22,8 +22,9 @@ def s1002():
         Arc(-49.662510381, -39.764473993, 20.0, -58.558326413, 8.834924130, +1),
         Polynomial(-39.764473993, -38.426669071, (-93.576667419, -2.747477419)),
         Arc(-38.426669071, -35.0, 13.0, -26.210665, 16.446, -1),
-        Polynomial(-35.0, -26.0, (-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1,
-                                  -4.169739389e-3, -4.687195829e-5, -2.252755540e-7)),
+        Polynomial(-35.0, -26.0,
+                   (-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1,
+                    -4.169739389e-3, -4.687195829e-5, -2.252755540e-7)),
         Polynomial(-26.0, 32.15796, (0.0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8,
                                      -1.562379023e-8, 5.309217349e-15, -5.957839843e-12, 2.646656573e-13)),
         Polynomial(32.15796, 60.0, (1.364323640, -0.066666667)),
@@ -60,9 +61,12 @@ def _tangent_arc(previous, radius, start, stop):
 
 BUILDERS = {
     "S1002": s1002,
-    "UIC60": lambda: rail_head("UIC60", crown_half_width=10.5, shoulder_half_width=25.988023, corner_half_width=36.0),
-    "60E1": lambda: rail_head("60E1", crown_half_width=10.228, shoulder_half_width=26.0265, corner_half_width=36.0),
-    "54E1": lambda: rail_head("54E1", crown_half_width=10.012, shoulder_half_width=24.864, corner_half_width=35.0),
+    "UIC60": lambda: rail_head("UIC60", crown_half_width=10.5, shoulder_half_width=25.988023,
+                               corner_half_width=36.0),
+    "60E1": lambda: rail_head("60E1", crown_half_width=10.228, shoulder_half_width=26.0265,
+                              corner_half_width=36.0),
+    "54E1": lambda: rail_head("54E1", crown_half_width=10.012, shoulder_half_width=24.864,
+                              corner_half_width=35.0),
 }
 WHEELS = ("S1002",)
 RAILS = ("UIC60", "60E1", "54E1")

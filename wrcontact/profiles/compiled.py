@@ -1,4 +1,5 @@
-"""A profile as the kernel reads it: a table of quintic pieces, which kernel/prepare/pieces.py makes from the exact zones."""
+"""A profile as the kernel reads it: a table of quintic pieces, which kernel/prepare/pieces.py makes
+from the exact zones."""
 
 import numpy as np
 
@@ -6,13 +7,15 @@ from ..kernel.layout import PIECE_SIZE, Profile, offset
 
 
 def table_pieces(table):
-    """Pieces (n + 1, 7) in a compiled profile's ``table``: start [m] and coefficients; the last row is after the end."""
+    """Pieces (n + 1, 7) in a compiled profile's ``table``: start [m] and coefficients; the
+    last row is after the end."""
     profile = Profile.at(table)
     return table[offset(profile.pieces, profile):].reshape(-1, PIECE_SIZE)
 
 
 def evaluate_table(table, y):
-    """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at ``y`` [m], three arrays.
+    """Height, slope and second derivative [m, 1, 1/m] that the kernel reads from ``table`` at
+    ``y`` [m], three arrays.
 
     Valid between start and stop; only the kernel extends the end pieces.
     """
@@ -38,6 +41,7 @@ def ends(table):
 
 
 def places(table, step):
-    """Evenly spaced abscissae (n,) over the whole ``table``, both ends included, at most ``step`` apart [m]."""
+    """Evenly spaced abscissae (n,) over the whole ``table``, both ends included, at
+    most ``step`` apart [m]."""
     start, stop = ends(table)
     return np.linspace(start, stop, int((stop - start) / step) + 2)

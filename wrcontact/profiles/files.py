@@ -1,9 +1,9 @@
 """Profiles from files; the only module that opens a profile file.
 
-A file of points is text in one of the formats of formats.py.  The points are repaired where the repair is certain enough
-(repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve.  A :class:`ProfileWarning` reports what
-was done.  A prepared file (.json) contains the pieces themselves and needs only numpy; an FMU contains its profiles in this
-form.
+A file of points is text in one of the formats of formats.py. The points are repaired where the repair is
+certain enough (repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve. A
+:class:`ProfileWarning` reports what was done. A prepared file (.json) contains the pieces themselves and
+needs only numpy; an FMU contains its profiles in this form.
 
 The functions get the class that they make, :class:`~wrcontact.Profile`, as ``make``.
 """
@@ -37,8 +37,8 @@ def read_profile(path, kind, smoothing, make):
     ----------
     path : file of points in a format of formats.py, or a prepared file.
     kind : "wheel" or "rail".
-    smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through every point; None is
-        the estimated noise of the points, and no smoothing if that is below 0.01 um.
+    smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through
+        every point; None is the estimated noise of the points, and no smoothing if that is below 0.01 um.
     make : the class of the profile.
     """
     tolerance = smoothing_in_mm(smoothing)
@@ -57,20 +57,23 @@ def read_profile(path, kind, smoothing, make):
 
 
 def smoothing_in_mm(smoothing):
-    """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None; ValueError outside SMOOTHING."""
+    """``smoothing`` [m] as a tolerance [mm]; None, which means the noise, stays None;
+    ValueError outside SMOOTHING."""
     value = SMOOTHING.checked("smoothing", smoothing)
     return None if value is None else value / MM
 
 
 def _text(path):
-    """The text of a file in UTF-8, UTF-16 or Latin-1; a Refusal if it is too large or changes while it is read."""
+    """The text of a file in UTF-8, UTF-16 or Latin-1; a Refusal if it is too large or
+    changes while it is read."""
     with open(path, "rb") as file:
         before = os.fstat(file.fileno())
         content = file.read(LARGEST_FILE + 1)
         after = os.fstat(file.fileno())
     if len(content) > LARGEST_FILE:
         raise Refusal(f"has more than {LARGEST_FILE / 1e6:g} MB; permitted are files of at most that")
-    if len(content) != after.st_size or (before.st_size, before.st_mtime_ns) != (after.st_size, after.st_mtime_ns):
+    if (len(content) != after.st_size
+        or (before.st_size, before.st_mtime_ns) != (after.st_size, after.st_mtime_ns)):
         raise Refusal("changed while it was read; permitted are files that are not being written")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", errors="replace")
@@ -81,9 +84,11 @@ def _text(path):
 
 
 def _smooth_profile(found, name, kind, tolerance, remarks, make):
-    """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to their noise if that is None."""
+    """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to
+    their noise if that is None."""
     if found.noise > SMOOTHING.high / MM:
-        raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING.high:g} um")
+        raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most "
+                      f"{1e6 * SMOOTHING.high:g} um")
     asked = tolerance is not None
     tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
     try:
@@ -98,8 +103,8 @@ def _smooth_profile(found, name, kind, tolerance, remarks, make):
 def _reading(found, tolerance, remarks):
     """The :class:`Reading` of ``found`` points that were smoothed to ``tolerance`` [mm]."""
     chords = np.hypot(np.diff(found.y), np.diff(found.z)) * MM
-    return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM, tolerance * MM,
-                   tuple(remarks))
+    return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM,
+                   tolerance * MM, tuple(remarks))
 
 
 def _zones_along(found, name, kind, tolerance, asked, remarks):
@@ -108,18 +113,20 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
         return zones_through(found.y, found.z, name, kind), True
     curve = Curve(found.y, found.z, found.weight, tolerance)
     if tolerance > 0.0:
-        done = f"smoothed to {1e3 * tolerance:.3g} um" if asked else f"noise of {1e3 * tolerance:.3g} um smoothed"
+        done = (f"smoothed to {1e3 * tolerance:.3g} um" if asked
+                else f"noise of {1e3 * tolerance:.3g} um smoothed")
         remarks.append(f"{done}, points moved by up to {1e3 * curve.moved:.3g} um")
     top = curve.highest() if kind == "rail" else curve.nearest(0.0)
     zones, smooth = pieces_of(curve, top, walls=kind == "rail")
     if zones[-1].stop - zones[0].start < WIDTHS[0]:
-        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; permitted is a "
-                      f"distance of {WIDTHS[0]:g} mm or more between")
+        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; "
+                      f"permitted is a distance of {WIDTHS[0]:g} mm or more between")
     return zones, smooth
 
 
 def zones_through(y, z, name, kind):
-    """Zones through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline, as :meth:`wrcontact.Profile.from_points`."""
+    """Zones through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline, as
+    :meth:`wrcontact.Profile.from_points`."""
     from scipy.interpolate import CubicSpline  # not needed for prepared profiles
 
     y, z = np.asarray(y, dtype=float), np.asarray(z, dtype=float)
@@ -131,11 +138,11 @@ def zones_through(y, z, name, kind):
         y, z = y[::-1], z[::-1]
     if not np.all(np.diff(y) > 0):
         where = int(np.argmax(np.diff(y) <= 0)) + 1
-        raise ValueError(f"{kind} profile {name}: y does not rise from point {where} to {where + 1}; permitted are "
-                         f"points in the order of y")
+        raise ValueError(f"{kind} profile {name}: y does not rise from point {where} to {where + 1}; "
+                         "permitted are points in the order of y")
     if not WIDTHS[0] <= y[-1] - y[0] <= WIDTHS[1]:
-        raise ValueError(f"{kind} profile {name} is {y[-1] - y[0]:g} mm wide; permitted are {WIDTHS[0]:g} ... "
-                         f"{WIDTHS[1]:g} mm")
+        raise ValueError(f"{kind} profile {name} is {y[-1] - y[0]:g} mm wide; permitted are {WIDTHS[0]:g} "
+                         f"... {WIDTHS[1]:g} mm")
     spline = CubicSpline(y, z)
     if kind == "rail":
         top = _top(spline)
@@ -158,7 +165,8 @@ def _top(spline):
 def prepared_text(profile):
     """The text of a prepared file, from which :func:`read_profile` restores ``profile`` bit by bit."""
     zones = [{"family": type(zone).__name__.lower(), **vars(zone)} for zone in profile.zones]
-    return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1)
+    return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones},
+                      indent=1)
 
 
 def _prepared(text, kind, make):
@@ -175,13 +183,15 @@ def _prepared(text, kind, make):
 def of_kind(profile, kind):
     """``profile``; ValueError where it is not of this ``kind``, "wheel" or "rail"."""
     if profile.kind != kind:
-        raise ValueError(f"{kind} is a {profile.kind} profile ({profile.name}); permitted are {kind} profiles")
+        raise ValueError(f"{kind} is a {profile.kind} profile ({profile.name}); permitted are {kind} "
+                         "profiles")
     return profile
 
 
 def _zone(entry):
     family = {"arc": Arc, "polynomial": Polynomial}[entry.pop("family")]
-    numbers = [value for value in entry.values() if not isinstance(value, list)] + entry.get("coefficients", [])
+    numbers = [value for value in entry.values()
+               if not isinstance(value, list)] + entry.get("coefficients", [])
     if not all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers):
         raise ValueError("a zone has values that are not finite numbers")
     if "coefficients" in entry:

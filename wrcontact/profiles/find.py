@@ -10,8 +10,8 @@ from .profile import Profile
 def find_profile(source, kind, smoothing=None):
     """The profile for ``source``: a :class:`Profile`, a standard name, or the path of a file.
 
-    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`.  ValueError, in one sentence, if
-    ``source`` is none of these.
+    ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`. ValueError, in one
+    sentence, if ``source`` is none of these.
     """
     smoothing_in_mm(smoothing)
     if isinstance(source, Profile):
@@ -22,5 +22,5 @@ def find_profile(source, kind, smoothing=None):
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return Profile.from_file(source, kind, smoothing)
     other = " (a profile of the other kind)" if source in BUILDERS else ""
-    raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a profile file, "
-                     f"or a Profile")
+    raise ValueError(f"{kind} is {str(source)!r}{other}; permitted are {', '.join(names)}, the path of a "
+                     "profile file, or a Profile")

@@ -19,12 +19,13 @@ NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d{1,3})?")
 #: Longest field that is read as a number [characters].
 LONGEST_NUMBER = 60
 #: What instruments and programs write for a missing value.
-ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "infinity", "-infinity", "null", "none",
-                    "-", "--", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind", "1.#inf"})
+ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "infinity", "-infinity",
+                    "null", "none", "-", "--", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind", "1.#inf"})
 COMMENTS = re.compile(r"[#!%].*|//.*")
 #: A line that is either two numbers with decimal commas or four whole numbers.
 AMBIGUOUS = re.compile(r"^[ \t]*[+-]?\d+,\d+,[+-]?\d+,\d+[ \t]*\r?$", re.MULTILINE)
-UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 25.4, "inch": 25.4, "ft": 304.8}
+UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 25.4, "inch": 25.4,
+               "ft": 304.8}
 
 
 @dataclass
@@ -57,7 +58,7 @@ def read_points(text, extension, kind):
     return plain_points(text)
 
 
-# --- plain columns --------------------------------------------------------------------------------------------------------
+# --- plain columns ------------------------------------------------------------------------------------------
 
 
 def plain_points(text):
@@ -69,14 +70,16 @@ def plain_points(text):
     """
     rows = [(number, fields) for number, fields in _fields_of(text) if len(fields) >= 2]
     if 2 * len(AMBIGUOUS.findall(text)) > len(rows) > 0:
-        raise Refusal("has commas that may be decimal signs or separators; permitted are points as decimal signs, or "
-                         "semicolons, tabs or blanks between the columns")
-    counts = [len(fields) for _, fields in rows if _number(fields[0]) is not None and _number(fields[1]) is not None]
+        raise Refusal("has commas that may be decimal signs or separators; permitted are points as decimal "
+                      "signs, or semicolons, tabs or blanks between the columns")
+    counts = [len(fields) for _, fields in rows if _number(fields[0]) is not None
+              and _number(fields[1]) is not None]
     if not counts:
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
     usual = max(set(counts), key=counts.count)
     first, second = _named_columns([fields for _, fields in rows], usual)
-    values = [(number, _number(fields[first]), _number(fields[second])) for number, fields in rows if len(fields) == usual]
+    values = [(number, _number(fields[first]), _number(fields[second])) for number, fields in rows
+              if len(fields) == usual]
     values = [row for row in values if None not in row[1:]]
     if not values:
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
@@ -92,7 +95,8 @@ def _fields_of(text):
     """Line number and fields of every line that is not empty."""
     lines = text.splitlines()
     if len(lines) > 5 * MOST_POINTS:
-        raise Refusal(f"has {len(lines)} lines; permitted are at most {5 * MOST_POINTS}, and {MOST_POINTS} points")
+        raise Refusal(f"has {len(lines)} lines; permitted are at most {5 * MOST_POINTS}, and {MOST_POINTS} "
+                      "points")
     for number, line in enumerate(lines, start=1):
         line = COMMENTS.sub("", line).strip()
         if line:
@@ -146,7 +150,7 @@ def _left_out(word, numbers, why):
     return f"{len(numbers)} {word}{'s' * (len(numbers) > 1)} {why} left out ({word} {some})"
 
 
-# --- Simpack --------------------------------------------------------------------------------------------------------------
+# --- Simpack ------------------------------------------------------------------------------------------------
 
 
 def simpack_points(text, kind):
@@ -165,7 +169,8 @@ def simpack_points(text, kind):
         line = line.split("!")[0].strip()
         word = line.lower()
         if word.endswith((".begin", ".end")):
-            inside, section = word == "point.begin", word.removesuffix(".begin") if word.endswith(".begin") else ""
+            inside, section = (word == "point.begin", word.removesuffix(".begin") if word.endswith(".begin")
+                               else "")
         elif inside and line:
             values = [_number(part) for part in line.replace(",", " ").split()[:3]]
             if len(values) < 2 or None in values:
@@ -176,13 +181,15 @@ def simpack_points(text, kind):
             key, _, value = line.partition("=")
             keys[f"{section}:{key.strip().lower()}"] = value.strip().strip("'\"")
     if not rows:
-        raise Refusal("contains no points between point.begin and point.end; permitted are Simpack profiles with y and z there")
+        raise Refusal("contains no points between point.begin and point.end; permitted are Simpack profiles "
+                      "with y and z there")
     points = _points(rows)
     if bad:
         points.remarks.append(_left_out("line", bad, "without two numbers"))
     asked = {"0": "rail", "1": "wheel"}.get(keys.get("header:type", "").strip())
     if asked and asked != kind:
-        raise Refusal(f"says header type {keys['header:type']}, which is a {asked} profile; permitted are {kind} profiles")
+        raise Refusal(f"says header type {keys['header:type']}, which is a {asked} profile; permitted are "
+                      f"{kind} profiles")
     with np.errstate(all="ignore"):     # what becomes infinite is left out as such
         return _processed(points, keys)
 
@@ -211,7 +218,8 @@ def _processed(points, keys):
     order = np.flatnonzero(keep)[::-1 if value("inversion", 0.0) == 1.0 else 1]
     factor = value("units.len.f", 0.0)
     scale = 1e3 / factor if factor > 0.0 else UNITS_IN_MM.get(keys.get("spline:units.len", "").lower(), 1.0)
-    return replace(points, y=scale * y[order], z=scale * z[order], weight=points.weight[order], lines=points.lines[order])
+    return replace(points, y=scale * y[order], z=scale * z[order], weight=points.weight[order],
+                   lines=points.lines[order])
 
 
 def _apart(y, z, nearest):
@@ -223,7 +231,7 @@ def _apart(y, z, nearest):
     return keep
 
 
-# --- MiniProf -------------------------------------------------------------------------------------------------------------
+# --- MiniProf -----------------------------------------------------------------------------------------------
 
 
 def miniprof_points(text):
@@ -249,7 +257,8 @@ def miniprof_points(text):
         elif rows:
             bad.append(number)
     if not rows:
-        raise Refusal("contains no lines of numbers after its header; permitted are MiniProf profiles with X and Y in mm")
+        raise Refusal("contains no lines of numbers after its header; permitted are MiniProf profiles with X "
+                      "and Y in mm")
     points = _points(rows, free=True)
     if bad:
         points.remarks.append(_left_out("line", bad, "without two numbers"))

@@ -7,11 +7,13 @@ import numpy as np
 from .mended import SIDE, Mended
 from .remarks import Refusal, counted, stretch
 
-#: A gap is longer than GAP [mm] and SPACINGS times the spacing; one longer than WIDEST_GAP [mm] cannot be bridged.
+#: A gap is longer than GAP [mm] and SPACINGS times the spacing; one longer than WIDEST_GAP
+#: [mm] cannot be bridged.
 GAP, SPACINGS, WIDEST_GAP = 3.0, 5.0, 10.0
 #: A gap whose ends point along it within this angle [rad] is a straight stretch and may have any length.
 STRAIGHT = 0.02
-#: At a kink the angle changes by more than KINK [rad] and TIMES more than on both sides; it is rounded over ROUNDED [mm].
+#: At a kink the angle changes by more than KINK [rad] and TIMES more than on both sides; it is
+#: rounded over ROUNDED [mm].
 KINK, TIMES, ROUNDED, MOST_KINKS = math.radians(2.0), 4.0, 1.0, 20
 #: Largest permitted change of angle at a point [rad].
 SPIKE = math.radians(90.0)
@@ -23,13 +25,14 @@ def check_gaps(found, remarks):
     chord = np.hypot(np.diff(y), np.diff(z))
     for i in np.flatnonzero((chord > GAP) & (chord > SPACINGS * np.median(chord))):
         if chord[i] > WIDEST_GAP and not straight_over(y, z, i):
-            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of {chord[i]:.3g} mm; "
-                          f"permitted are {WIDEST_GAP:g} mm or a straight stretch")
+            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of "
+                          f"{chord[i]:.3g} mm; permitted are {WIDEST_GAP:g} mm or a straight stretch")
         remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i:i + 2])})")
 
 
 def straight_over(y, z, i):
-    """Whether the points before ``i`` and after ``i + 1`` have the direction of the chord between these two points."""
+    """Whether the points before ``i`` and after ``i + 1`` have the direction of the chord
+    between these two points."""
     low, high = max(i - SIDE, 0), min(i + 1 + SIDE, len(y) - 1)
     here = math.atan2(z[i + 1] - z[i], y[i + 1] - y[i])
     turns = [math.atan2(z[b] - z[a], y[b] - y[a]) - here for a, b in ((low, i), (i + 1, high)) if b > a]
@@ -43,19 +46,20 @@ def rounded(found, remarks):
     turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
     if turned.max() > SPIKE:
         worst = int(np.argmax(turned))
-        raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike or a fold; "
-                      f"permitted are at most {math.degrees(SPIKE):.3g} deg")
+        raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike "
+                      f"or a fold; permitted are at most {math.degrees(SPIKE):.3g} deg")
     places = _kinks(y, z)
     if not places:
         return found
     if len(places) > MOST_KINKS:
-        raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at most {MOST_KINKS}")
+        raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at "
+                      f"most {MOST_KINKS}")
     spots = np.array([_corner(y, z, index, width) for index, width, _ in places])
     points, deepest = list(zip(y, z)), 0.0
     for (index, width, _), spot in zip(places, spots):
         others = np.hypot(*(spots - spot).T)
-        reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf), 0.9 * math.dist(spot, (y[0], z[0])),
-                    0.9 * math.dist(spot, (y[-1], z[-1])))
+        reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf),
+                    0.9 * math.dist(spot, (y[0], z[0])), 0.9 * math.dist(spot, (y[-1], z[-1])))
         beyond = max(index - 2, 0), min(index + width + 1, len(y) - 1)
         arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in beyond]
         share = np.linspace(0.0, 1.0, 9)[:, None]
@@ -71,7 +75,8 @@ def rounded(found, remarks):
 
 
 def _kinks(y, z):
-    """Kinks: index of a point, 1 for a kink at the point or 2 for one before the next point, change of angle [rad]."""
+    """Kinks: index of a point, 1 for a kink at the point or 2 for one before the next point,
+    change of angle [rad]."""
     chord = np.hypot(np.diff(y), np.diff(z))
     turn = np.diff(np.unwrap(np.arctan2(np.diff(z), np.diff(y))))
     length = 0.5 * (chord[1:] + chord[:-1])
@@ -79,7 +84,8 @@ def _kinks(y, z):
     count, found = len(turn), []
     for width in (1, 2):
         total, reach = (np.convolve(part, np.ones(width))[width - 1:count] for part in (turn, length))
-        beside = [np.max([size[k:k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0) for size in sizes]
+        beside = [np.max([size[k:k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0)
+                  for size in sizes]
         sudden = np.flatnonzero((np.abs(total) > KINK) & (np.abs(total) > TIMES * width * beside[0])
                                 & (np.abs(total) > TIMES * reach * beside[1]))
         found += [(int(i) + 1, width, float(total[i])) for i in sudden
@@ -88,10 +94,12 @@ def _kinks(y, z):
 
 
 def _corner(y, z, index, width):
-    """Position (y, z) [mm] of the kink: the point itself, or the intersection of the chords before and after two points."""
+    """Position (y, z) [mm] of the kink: the point itself, or the intersection of the chords before
+    and after two points."""
     if width == 1:
         return np.array([y[index], z[index]])
-    ahead, back = (np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1)))
+    ahead, back = (np.array([y[b] - y[a], z[b] - z[a]])
+                   for a, b in ((index - 1, index), (index + 2, index + 1)))
     start, stop = np.array([y[index], z[index]]), np.array([y[index + 1], z[index + 1]])
     cross = ahead[0] * back[1] - ahead[1] * back[0]
     return start + ahead * (((stop - start)[0] * back[1] - (stop - start)[1] * back[0]) / cross)

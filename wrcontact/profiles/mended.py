@@ -10,7 +10,8 @@ SIDE = 5
 
 @dataclass(frozen=True)
 class Mended:
-    """Points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down, with their ``weight`` and ``noise`` [mm]."""
+    """Points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down, with their
+    ``weight`` and ``noise`` [mm]."""
 
     y: np.ndarray
     z: np.ndarray

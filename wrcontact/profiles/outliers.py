@@ -1,4 +1,5 @@
-"""Outliers among measured points: single points and short runs that deviate from the curve of their neighbours."""
+"""Outliers among measured points: single points and short runs that deviate from the
+curve of their neighbours."""
 
 import numpy as np
 
@@ -6,11 +7,12 @@ from .mended import SIDE
 from .remarks import Refusal, counted, stretch
 from .smoothing import in_chords, pseudo_inverse
 
-#: An outlier deviates from the curve of its neighbours by more than OUTLIER times the noise and by more than LEAST_OUTLIER
-#: [mm].  If points are farther apart than CLOSE [mm], that limit grows with the square of the spacing, since joints of exact
-#: profiles deviate by as much.
+#: An outlier deviates from the curve of its neighbours by more than OUTLIER times the noise and by more than
+#: LEAST_OUTLIER [mm]. If points are farther apart than CLOSE [mm], that limit grows with the square of the
+#: spacing, since joints of exact profiles deviate by as much.
 OUTLIER, LEAST_OUTLIER, CLOSE = 7.0, 5e-3, 0.3
-#: It also deviates AGREED times more than the neighbours themselves do from their common curve; at a kink it is 7 times.
+#: It also deviates AGREED times more than the neighbours themselves do from their common
+#: curve; at a kink it is 7 times.
 AGREED = 8.0
 #: Outliers are removed in passes, one from each neighbourhood per pass.
 MOST_PASSES = 50
@@ -25,7 +27,8 @@ MOST_OUTLIERS = 0.1
 
 
 def without_outliers(found, remarks):
-    """Remove outliers: single points and runs of up to three that deviate from the curve of their neighbours."""
+    """Remove outliers: single points and runs of up to three that deviate from the
+    curve of their neighbours."""
     count, most, taken = len(found.y), 0.0, []
     for _ in range(MOST_PASSES):
         index, length, height = _runs_off(found)
@@ -35,8 +38,8 @@ def without_outliers(found, remarks):
         gone = np.unique(np.concatenate([np.arange(i, i + n) for i, n in zip(index, length)]))
         taken += found.y[gone].tolist()
         if len(taken) > MOST_OUTLIERS * count:
-            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at most "
-                          f"{MOST_OUTLIERS:.0%}")
+            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at "
+                          f"most {MOST_OUTLIERS:.0%}")
         found = found.only(np.delete(np.arange(len(found.y)), gone))
     if taken:
         remarks.append(f"{counted(len(taken), 'outlier')} of up to {most:.3g} mm left out ({stretch(taken)})")
@@ -64,8 +67,9 @@ def _runs_off(found):
 
 
 def _run_errors(y, z, length):
-    """For every run of ``length`` points: the deviation of its closest point from the cubic through its neighbours, and the
-    deviation of the neighbours themselves, both [mm], divided by their expected value for noise of 1."""
+    """For every run of ``length`` points: the deviation of its closest point from the cubic through
+    its neighbours, and the deviation of the neighbours themselves, both [mm], divided by their
+    expected value for noise of 1."""
     near = 2 * SIDE
     if len(y) < near + length:
         return np.zeros(0), np.zeros(0)
@@ -80,7 +84,8 @@ def _run_errors(y, z, length):
     for _ in range(TRIMMED + 1):
         solved = pseudo_inverse(powers[:, :near] * heard)
         misses = across - np.einsum("ijk,ikl,il->ij", powers, solved, across[:, :near] * heard[:, :, 0])
-        quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1) / (heard.sum(axis=(1, 2)) - 4))
+        quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1)
+                          / (heard.sum(axis=(1, 2)) - 4))
         heard[np.arange(len(start)), np.argmax(np.abs(misses[:, :near]) * heard[:, :, 0], axis=1)] = 0.0
     lever = np.sum(np.einsum("ijk,ikl->ijl", powers[:, near:], solved) ** 2, axis=2)
     return np.min(np.abs(misses[:, near:]) / np.sqrt(1.0 + lever), axis=1), quarrel

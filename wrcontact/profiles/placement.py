@@ -1,8 +1,8 @@
 """The rail on the track: inclination about the head, and the gauge.
 
-The rail is inclined towards the track centre, so its field side rises and its highest point moves to the field side.  The
-inclined profile is expressed in axes parallel to the track's, with the origin at its highest point.  The kernel's own
-preparation does this on the profile's definition.
+The rail is inclined towards the track centre, so its field side rises and its highest point moves to the
+field side. The inclined profile is expressed in axes parallel to the track's, with the origin at its highest
+point. The kernel's own preparation does this on the profile's definition.
 """
 
 import math
@@ -42,20 +42,20 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
     depth = z_top + gauge_depth / MM
     y_gauge, reached = placement.inner_face(zones, 0, angle, depth)
     if reached < depth:
-        raise ValueError(f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile {rail.name} ends "
-                         f"at {reached * MM:.6g} m; permitted are smaller depths")
+        raise ValueError(f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile "
+                         f"{rail.name} ends at {reached * MM:.6g} m; permitted are smaller depths")
     return PlacedRail(_turned(rail, zones, angle, -y_top, -z_top), gauge / 2 + (y_top - y_gauge) * MM)
 
 
 def readable_wheel(wheel):
-    """``wheel`` without the parts at its ends that are too steep to be read, such as the vertical start of the flange back
-    (STEEPEST in kernel/prepare/placement.py)."""
+    """``wheel`` without the parts at its ends that are too steep to be read, such as the vertical start of
+    the flange back (STEEPEST in kernel/prepare/placement.py)."""
     return _turned(wheel, wheel.definition().tolist(), 0.0, 0.0, 0.0)
 
 
 def _turned(profile, zones, angle, y_shift, z_shift):
-    """``profile`` turned by ``angle`` [rad] and shifted [mm], where it can be read; ``zones`` are its definition, which is
-    changed."""
+    """``profile`` turned by ``angle`` [rad] and shifted [mm], where it can be read; ``zones`` are its
+    definition, which is changed."""
     placement.turn_zones(zones, 0, angle, y_shift, z_shift)
     placement.keep_around_top(zones, 0)
     return Profile(profile.name, profile.kind, zones_of(zones, angle), profile.smooth)

@@ -78,8 +78,8 @@ class Profile:
         ----------
         path : text columns in mm, Simpack's .prw or .prr, MiniProf's .whl or .ban, or a prepared .json.
         kind : "wheel" or "rail".
-        smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0 is no smoothing;
-            None is the estimated noise of the points.
+        smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0
+            is no smoothing; None is the estimated noise of the points.
 
         Raises
         ------
@@ -122,7 +122,8 @@ class Profile:
         outside."""
         y = np.asarray(y, dtype=float)
         # ``start`` and ``stop`` in metres need not come back to the same millimetres
-        y_mm = np.where((y >= self.start) & (y <= self.stop), np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)
+        y_mm = np.where((y >= self.start) & (y <= self.stop),
+                        np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)
         result = np.full((3,) + y_mm.shape, np.nan)
         for zone in self.zones:
             inside = (y_mm >= zone.start) & (y_mm <= zone.stop)

@@ -1,8 +1,8 @@
 """Repair of measured points: every repair is reported, and points that cannot be repaired are refused.
 
-The recipe is :func:`mend`.  Each step takes points and returns points, and adds to ``remarks`` what it did, to how many
-points, where and by how much.  Outliers are found in outliers.py, gaps and kinks in kinks.py.  The message of a Refusal lacks
-the file's name, which files.py adds.
+The recipe is :func:`mend`. Each step takes points and returns points, and adds to ``remarks`` what it did, to
+how many points, where and by how much. Outliers are found in outliers.py, gaps and kinks in kinks.py. The
+message of a Refusal lacks the file's name, which files.py adds.
 """
 
 from dataclasses import replace
@@ -26,10 +26,11 @@ WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
 SHOULDER = 10.0
 #: A profile turns back where its y decreases by this [mm]; noise is smaller.
 TURN = 0.5
-#: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to where the gauge is measured.
+#: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to
+#: where the gauge is measured.
 UPRIGHT = 0.2
-#: Factors to millimetres, and the widths in the file's unit for which that unit is assumed.  Centimetres and inches do not
-#: overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
+#: Factors to millimetres, and the widths in the file's unit for which that unit is assumed. Centimetres and
+#: inches do not overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
 UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
          "inches": (25.4, {"wheel": (3.55, 6.3), "rail": (1.9, 3.5)}),
          "centimetres": (10.0, {"wheel": (9.0, 16.0), "rail": (4.8, 9.0)}),
@@ -40,8 +41,8 @@ FAR = 5.0
 SAME = 1e-6
 #: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
-#: Position of the flange tip from the running circle, height of the flange, and distance of the running circle from the
-#: flange's back [mm].
+#: Position of the flange tip from the running circle, height of the flange, and distance of the running
+#: circle from the flange's back [mm].
 TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
 #: A profile that rises by this behind the tip includes the back of the flange [mm].
 ROUND_BACK = 3.0
@@ -50,7 +51,8 @@ OFFSET = 10.0
 
 
 def mend(points, kind, remarks):
-    """The repaired points (:class:`Mended`) of a file's ``points``; adds to ``remarks``; a Refusal if that is impossible."""
+    """The repaired points (:class:`Mended`) of a file's ``points``; adds to ``remarks``; a
+    Refusal if that is impossible."""
     found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
     found = in_millimetres(found, kind, remarks)
@@ -79,10 +81,11 @@ def without_nothing(found, lines, remarks):
     found = found.only(finite)
     with np.errstate(over="ignore"):
         width = max(_span(part) for part in (found.y, found.z))
-        far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)], axis=0) > FAR * max(width, 1e-12)
+        far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)],
+                     axis=0) > FAR * max(width, 1e-12)
     if far.any():
-        remarks.append(f"{counted(far.sum(), 'point')} far from the others left out (y = {found.y[far][0]:.4g}, "
-                       f"z = {found.z[far][0]:.4g} first)")
+        remarks.append(f"{counted(far.sum(), 'point')} far from the others left out (y = "
+                       f"{found.y[far][0]:.4g}, z = {found.z[far][0]:.4g} first)")
     return found.only(~far)
 
 
@@ -97,7 +100,8 @@ def in_millimetres(found, kind, remarks):
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
     width, factor = found.y.max() - found.y.min(), 1.0
     if not WIDTHS[0] <= width <= WIDTHS[1]:
-        unit = next((unit for unit, (_, widths) in UNITS.items() if widths[kind][0] <= width <= widths[kind][1]), None)
+        unit = next((unit for unit, (_, widths) in UNITS.items()
+                     if widths[kind][0] <= width <= widths[kind][1]), None)
         if unit is None:
             raise Refusal(f"is {width:g} mm wide; permitted are {WIDTHS[0]:g} ... {WIDTHS[1]:g} mm")
         remarks.append(f"its width of {width:.4g} means {unit}; converted to mm")
@@ -108,7 +112,8 @@ def in_millimetres(found, kind, remarks):
 
 
 def in_order(found, free, remarks):
-    """Sort the points: in the file's order or in that of y, whichever path is shorter, starting at the smallest y."""
+    """Sort the points: in the file's order or in that of y, whichever path is shorter,
+    starting at the smallest y."""
     backwards = found.y[0] > found.y[-1]
     if backwards:
         found = found.only(slice(None, None, -1))
@@ -138,8 +143,8 @@ def without_repetition(found, remarks):
         count = np.diff(np.append(first, len(found.y)))
         y, z, weight = (np.add.reduceat(part, first) / count for part in (found.y, found.z, found.weight))
         spread = np.max(np.abs(np.diff(found.z))[beside])
-        remarks.append(f"{counted(beside.sum(), 'point')} at the same y as others averaged ({stretch(found.y[1:][beside])}, "
-                       f"z up to {1e3 * spread:.3g} um apart)")
+        remarks.append(f"{counted(beside.sum(), 'point')} at the same y as others averaged "
+                       f"({stretch(found.y[1:][beside])}, z up to {1e3 * spread:.3g} um apart)")
         found = Mended(y, z, weight)
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
@@ -175,22 +180,22 @@ def at_running_circle(found, free, remarks):
     tip = np.median(y[z >= deepest])
     if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
         if deepest - z[0] < ROUND_BACK:
-            raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted are "
-                          f"{TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that include the back of the "
-                          f"flange")
+            raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
+                          f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that "
+                          "include the back of the flange")
         shift = -BACK - y[0]
         if not free:
-            remarks.append(f"the running circle is assumed {BACK:g} mm from the back of the flange; y shifted by "
-                           f"{shift:.4g} mm")
+            remarks.append(f"the running circle is assumed {BACK:g} mm from the back of the flange; y "
+                           f"shifted by {shift:.4g} mm")
         found, y = replace(found, y=found.y + shift), y + shift
     middle = np.interp(0.0, y, z)
     height = deepest - middle
     if not FLANGE[0] <= height <= FLANGE[1]:
-        raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; permitted are "
-                      f"{FLANGE[0]:g} ... {FLANGE[1]:g} mm")
+        raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; "
+                      f"permitted are {FLANGE[0]:g} ... {FLANGE[1]:g} mm")
     if z[-1] - middle > FLANGE[0]:
-        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a rail's head has; "
-                      f"permitted are {FLANGE[0]:g} mm or less")
+        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
+                      f"rail's head has; permitted are {FLANGE[0]:g} mm or less")
     if abs(middle) > OFFSET or free:
         if not free:
             remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
@@ -199,26 +204,29 @@ def at_running_circle(found, free, remarks):
 
 
 def outward(found, kind):
-    """Keep the points from the middle outwards until y turns back: without flange back, rail neck and foot."""
+    """Keep the points from the middle outwards until y turns back: without flange
+    back, rail neck and foot."""
     middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
     stop = middle + _farthest(found.y[middle:], kind)
     start = middle - _farthest(-found.y[middle::-1], kind)
     found = found.only(slice(start, stop + 1))
     width = found.y[-1] - found.y[0]
     if not WIDTHS[0] <= width <= WIDEST[kind]:
-        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... {WIDEST[kind]:g} mm "
-                      f"for a {kind}")
+        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
+                      f"{WIDEST[kind]:g} mm for a {kind}")
     top = found.y[np.argmin(found.z)]
     if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
-        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and {found.y[-1]:.4g} mm; "
-                      f"permitted are heads with {SHOULDER:g} mm or more on either side")
+        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and "
+                      f"{found.y[-1]:.4g} mm; permitted are heads with {SHOULDER:g} mm or more on either "
+                      "side")
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
 
 
 def _farthest(y, kind):
-    """Index of the largest ``y`` before it decreases by TURN for longer than a run of outliers; of a rail, the wall's foot."""
+    """Index of the largest ``y`` before it decreases by TURN for longer than a run of outliers; of a
+    rail, the wall's foot."""
     padded = np.pad(y, LONGEST_RUN, mode="edge")
     calm = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_RUN + 1), axis=1)
     turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)

@@ -24,7 +24,8 @@ class Polynomial:
         c = np.asarray(self.coefficients, dtype=float)
         first = c[1:] * np.arange(1, len(c))
         second = first[1:] * np.arange(1, len(first))
-        return tuple(np.polyval(part[::-1], u) if len(part) else np.zeros_like(u) for part in (c, first, second))
+        return tuple(np.polyval(part[::-1], u) if len(part) else np.zeros_like(u)
+                     for part in (c, first, second))
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,5 @@
-"""Patches far from each other, each group on its own grid; all grids have equal cells and press on each other."""
+"""Patches far from each other, each group on its own grid; all grids have equal cells
+and press on each other."""
 
 import math
 
@@ -25,8 +26,8 @@ def refine_blocks(gap_function, domain, groups, load, tolerance):
     error = {}
     while True:
         if len(hulls) * np.prod(_blocks(hulls, cell)[0]) > CELL_LIMIT:
-            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still {max(error.values(), default=1):.2g}"
-                                  f"; permitted are {CELL_LIMIT} cells")
+            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still "
+                                  f"{max(error.values(), default=1):.2g}; permitted are {CELL_LIMIT} cells")
         found = _solve_blocks(gap_function, domain, hulls, cell, load, previous)
         iterations += found.iterations
         wider = _outgrown(found, hulls, cell, domain)
@@ -38,7 +39,8 @@ def refine_blocks(gap_function, domain, groups, load, tolerance):
             hulls = [hull(group) for group in merged(_fitted(found, hulls, cell))]
         else:
             change = changes(previous, found, answer)
-            error = {name: estimate_error(before[name], now) if before else now for name, now in change.items()}
+            error = {name: estimate_error(before[name], now) if before else now
+                     for name, now in change.items()}
             error["area"] = max(error["area"], area_doubt(found))
             if before is not None and max(error.values()) <= tolerance:
                 return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
@@ -47,9 +49,11 @@ def refine_blocks(gap_function, domain, groups, load, tolerance):
 
 
 def _blocks(hulls, cell):
-    """Number of cells (n, m) of every grid, and the grids' first cells (b, 2): the hulls with free cells around."""
+    """Number of cells (n, m) of every grid, and the grids' first cells (b, 2): the
+    hulls with free cells around."""
     first = [[math.floor(each[k] / cell[k // 2] + 1e-9) - EDGE_PAD for k in (0, 2)] for each in hulls]
-    shape = [max(math.ceil(each[2 * k + 1] / cell[k] - 1e-9) + EDGE_PAD - start[k] for each, start in zip(hulls, first))
+    shape = [max(math.ceil(each[2 * k + 1] / cell[k] - 1e-9) + EDGE_PAD - start[k]
+                 for each, start in zip(hulls, first))
              for k in (0, 1)]
     return shape, np.array(first)
 
@@ -72,9 +76,10 @@ def _solve_blocks(gap_function, domain, hulls, cell, load, guess):
     gap = np.where(free, gap, math.inf)
     start = np.where(np.isfinite(gap), start, 0.0)
     total = None if load["force"] is None else load["force"] / area
-    pressure, clearance, delta, iterations = constrained_gradients(start, gap, deflect, total, load["penetration"],
-                                                                    load["precision"])
-    rows, columns = (np.unique(np.concatenate([start[k] + np.arange(shape[k]) for start in first])) for k in (0, 1))
+    pressure, clearance, delta, iterations = constrained_gradients(start, gap, deflect, total,
+                                                                   load["penetration"], load["precision"])
+    rows, columns = (np.unique(np.concatenate([start[k] + np.arange(shape[k]) for start in first]))
+                     for k in (0, 1))
     whole, apart = np.zeros((len(rows), len(columns))), np.full((len(rows), len(columns)), math.nan)
     for k, start in enumerate(first):
         i, j = np.searchsorted(rows, start[0]), np.searchsorted(columns, start[1])
@@ -82,7 +87,8 @@ def _solve_blocks(gap_function, domain, hulls, cell, load, guess):
         whole[here] += pressure[k]
         apart[here] = np.where(free[k], clearance[k], apart[here])
     return HalfspaceContact((rows + 0.5) * cell[0], (columns + 0.5) * cell[1], whole, apart, delta,
-                            float(whole.sum() * area), float(loaded_area(whole) * area), peak_pressure(whole), iterations)
+                            float(whole.sum() * area), float(loaded_area(whole) * area), peak_pressure(whole),
+                            iterations)
 
 
 def _owned(first, shape):
@@ -98,16 +104,19 @@ def _owned(first, shape):
 
 def _sampled(found, x, s):
     """Pressure of ``found``, linear between its cells, at x, s; zero where they lie outside."""
-    rows, columns = np.interp(x, found.x, np.arange(len(found.x))), np.interp(s, found.s, np.arange(len(found.s)))
+    rows, columns = np.interp(x, found.x, np.arange(len(found.x))), np.interp(s, found.s,
+                                                                              np.arange(len(found.s)))
     places = np.meshgrid(rows, columns, indexing="ij")
-    return np.sqrt(np.maximum(ndimage.map_coordinates(found.pressure**2, places, order=1, mode="nearest"), 0.0))
+    return np.sqrt(np.maximum(ndimage.map_coordinates(found.pressure**2, places, order=1, mode="nearest"),
+                              0.0))
 
 
 def _parts(found, hulls, cell):
     """Rows and columns (slices) of each grid within those of all."""
     shape, first = _blocks(hulls, cell)
     for start in first:
-        begin = [int(np.searchsorted(centres, (start[k] + 0.4) * cell[k])) for k, centres in enumerate((found.x, found.s))]
+        begin = [int(np.searchsorted(centres, (start[k] + 0.4) * cell[k]))
+                 for k, centres in enumerate((found.x, found.s))]
         yield tuple(slice(begin[k], begin[k] + shape[k]) for k in (0, 1))
 
 
@@ -120,4 +129,5 @@ def _outgrown(found, hulls, cell, domain):
 def _fitted(found, hulls, cell):
     """Boxes a cell larger than what is loaded on each grid; none where nothing is."""
     parts = [part for part in _parts(found, hulls, cell) if found.pressure[part].any()]
-    return [around(found.pressure[part] > 0.0, found.x[part[0]], found.s[part[1]], *cell, 1.5) for part in parts]
+    return [around(found.pressure[part] > 0.0, found.x[part[0]], found.s[part[1]], *cell, 1.5)
+            for part in parts]

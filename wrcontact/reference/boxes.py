@@ -13,7 +13,8 @@ def centres(box, counts):
 def around(marked, x, s, dx, ds, margin):
     """Box around the marked cells' centres, ``margin`` cells larger on each side."""
     rows, columns = np.flatnonzero(marked.any(axis=1)), np.flatnonzero(marked.any(axis=0))
-    return (x[rows[0]] - margin * dx, x[rows[-1]] + margin * dx, s[columns[0]] - margin * ds, s[columns[-1]] + margin * ds)
+    return (x[rows[0]] - margin * dx, x[rows[-1]] + margin * dx, s[columns[0]] - margin * ds,
+            s[columns[-1]] + margin * ds)
 
 
 def clipped(box, domain):
@@ -22,7 +23,8 @@ def clipped(box, domain):
 
 def touched_sides(pressure):
     """Whether a border of the grid is loaded: x low, x high, s low, s high."""
-    return bool(pressure[0].any()), bool(pressure[-1].any()), bool(pressure[:, 0].any()), bool(pressure[:, -1].any())
+    borders = pressure[0], pressure[-1], pressure[:, 0], pressure[:, -1]
+    return tuple(bool(border.any()) for border in borders)
 
 
 def enlarged(box, touched, domain, share):
@@ -31,8 +33,8 @@ def enlarged(box, touched, domain, share):
     for k, touch in enumerate(touched):
         if touch:
             if (sides[k] <= domain[k]) if k % 2 == 0 else (sides[k] >= domain[k]):
-                raise ArithmeticError(f"the patch reaches {'x' if k < 2 else 's'} = {domain[k]:g} m, the end of the domain; "
-                                      "permitted are patches inside")
+                raise ArithmeticError(f"the patch reaches {'x' if k < 2 else 's'} = {domain[k]:g} m, the end "
+                                      "of the domain; permitted are patches inside")
             size = box[k | 1] - box[k & 2]
             sides[k] += share * size * (1 if k % 2 else -1)
     return clipped(sides, domain)
@@ -47,10 +49,12 @@ def loaded_boxes(found):
 
 
 def merged(boxes):
-    """Groups of boxes: those that come closer to each other than a quarter of their sizes are solved on one grid."""
+    """Groups of boxes: those that come closer to each other than a quarter of their
+    sizes are solved on one grid."""
     groups = [[box] for box in boxes]
     while True:
-        pair = next(((a, b) for a in range(len(groups)) for b in range(a) if _close(hull(groups[a]), hull(groups[b]))), None)
+        pair = next(((a, b) for a in range(len(groups)) for b in range(a)
+                     if _close(hull(groups[a]), hull(groups[b]))), None)
         if pair is None:
             return groups
         groups[pair[1]] += groups.pop(pair[0])
@@ -64,4 +68,5 @@ def hull(boxes):
 
 def _close(one, other):
     spare = [0.25 * (one[k + 1] - one[k] + other[k + 1] - other[k]) for k in (0, 2)]
-    return all(one[k] - spare[k // 2] < other[k + 1] and other[k] - spare[k // 2] < one[k + 1] for k in (0, 2))
+    return all(one[k] - spare[k // 2] < other[k + 1] and other[k] - spare[k // 2] < one[k + 1]
+               for k in (0, 2))

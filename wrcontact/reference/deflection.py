@@ -1,6 +1,7 @@
 """Deflection of two elastic half-spaces under pressures that are constant on each cell of a grid.
 
-Love (1929); Johnson (1985), section 3.3; the convolution by fast Fourier transform.  Equations (H2), (H3) of docs/method.md.
+Love (1929); Johnson (1985), section 3.3; the convolution by fast Fourier transform. Equations
+(H2), (H3) of docs/method.md.
 """
 
 import math
@@ -12,13 +13,15 @@ from scipy import fft
 def corner_potential(x, s):
     """Integral of 1/r over the rectangle from (0, 0) to (x, s) [m]; odd in both, arrays broadcast.
 
-    ``x arsinh(s / x) + s arsinh(x / s)``: Love (1929), Johnson (1985) eq. (3.25) with its logarithms gathered.  (H3)
+    ``x arsinh(s / x) + s arsinh(x / s)``: Love (1929), Johnson (1985) eq. (3.25) with its
+    logarithms gathered. (H3)
     """
     return x * np.arcsinh(s / np.abs(x)) + s * np.arcsinh(x / np.abs(s))
 
 
 def influence(rows, columns, dx, ds, *, contact_modulus):
-    """Deflection [m] at 0 ... ``rows``, 0 ... ``columns`` cells' distance from a cell dx x ds [m] under 1 Pa: K.
+    """Deflection [m] at 0 ... ``rows``, 0 ... ``columns`` cells' distance from a cell
+    dx x ds [m] under 1 Pa: K.
 
     The four corners of the cell, seen from the place: Love (1929), Johnson (1985) eq. (3.25).  (H3)
     """
@@ -31,7 +34,8 @@ def influence(rows, columns, dx, ds, *, contact_modulus):
 class Deflection:
     """Pressure (n, m) [Pa] to deflection of both bodies together (n, m) [m]: the convolution (H2).
 
-    The grid is padded to twice its size, so that the periodic convolution of the Fourier transform is the plain one.
+    The grid is padded to twice its size, so that the periodic convolution of the Fourier
+    transform is the plain one.
     """
 
     def __init__(self, shape, dx, ds, contact_modulus):
@@ -61,7 +65,8 @@ class BlockDeflection:
         self.padded = tuple(fft.next_fast_len(2 * count - 1, real=True) for count in self.shape)
         places = [np.arange(size) for size in self.padded]
         places = [np.where(k < count, k, k - size) for k, count, size in zip(places, self.shape, self.padded)]
-        self.transfer = np.empty((self.count, self.count, self.padded[0], self.padded[1] // 2 + 1), dtype=complex)
+        self.transfer = np.empty((self.count, self.count, self.padded[0], self.padded[1] // 2 + 1),
+                                 dtype=complex)
         for one in range(self.count):
             for other in range(self.count):
                 away = [k + int(corners[one][axis] - corners[other][axis]) for axis, k in enumerate(places)]

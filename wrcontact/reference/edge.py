@@ -1,4 +1,5 @@
-"""What is read from a pressure field: the edge of a patch within its cells, its area, length and width, and the peak."""
+"""What is read from a pressure field: the edge of a patch within its cells, its area, length
+and width, and the peak."""
 
 import math
 
@@ -7,17 +8,20 @@ from scipy import ndimage
 
 EDGE_LAYERS = 3          # cells by which a patch's p^2 is continued to find its edge
 EDGE_PAD = EDGE_LAYERS + 1    # cells by which an edge field is larger than its pressure field, on each side
-#: The edge of a grid's patch lies this far outside [cells]: Hertz's ellipses, 0.02 (1:10) ... 0.06 (circle), 40 to 140 cells.
+#: The edge of a grid's patch lies this far outside [cells]: Hertz's ellipses, 0.02 (1:10) ... 0.06
+#: (circle), 40 to 140 cells.
 EDGE_BIAS = 0.04
 DIRECTIONS = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
 def edge_field(pressure):
-    """A field (n + 2 EDGE_PAD, m + 2 EDGE_PAD) [Pa^2] whose zero line is the edge of the loaded cells, found within the cells.
+    """A field (n + 2 EDGE_PAD, m + 2 EDGE_PAD) [Pa^2] whose zero line is the edge of the loaded
+    cells, found within the cells.
 
-    Towards the edge of a patch p^2 falls linearly (Hertz).  The outermost cells are loaded in part only and do not know;
-    so p^2 of the cells behind them is continued along rows, columns and diagonals, and where several
-    reach a cell their mean is taken.  (H6)  A patch without inner cells is left as it is, with half its p^2 outside.
+    Towards the edge of a patch p^2 falls linearly (Hertz). The outermost cells are loaded in part
+    only and do not know; so p^2 of the cells behind them is continued along rows, columns and
+    diagonals, and where several reach a cell their mean is taken. (H6) A patch without inner cells is
+    left as it is, with half its p^2 outside.
     """
     loaded = np.pad(pressure > 0.0, EDGE_PAD + 1)
     square = np.pad(pressure**2, EDGE_PAD + 1)
@@ -36,8 +40,8 @@ def edge_field(pressure):
 
 
 def _continued(square, known):
-    """``square`` continued by one cell around the ``known`` ones, and which are known then: by parabolas through three
-    cells in line, which are exact for Hertz's p^2, or straight where only two are known."""
+    """``square`` continued by one cell around the ``known`` ones, and which are known then: by parabolas
+    through three cells in line, which are exact for Hertz's p^2, or straight where only two are known."""
     total, count = np.zeros(square.shape), np.zeros(square.shape)
     for step in DIRECTIONS:
         one, two, three = (_shifted(square, step, k) for k in (1, 2, 3))
@@ -60,15 +64,16 @@ def loaded_area(pressure):
 
 
 def edge_area(values):
-    """Area in cells where ``values`` (n, m), linear on the four triangles of each square of centres, are positive, less
-    EDGE_BIAS along its edge."""
+    """Area in cells where ``values`` (n, m), linear on the four triangles of each square of centres, are
+    positive, less EDGE_BIAS along its edge."""
     corners = np.stack([values[:-1, :-1], values[1:, :-1], values[1:, 1:], values[:-1, 1:]])
     positive = (corners > 0.0).sum(axis=0)
     cut = corners[:, (positive > 0) & (positive < 4)]
     middle = cut.mean(axis=0)
     triangles = np.concatenate([np.stack([cut[k], cut[(k + 1) % 4], middle]) for k in range(4)], axis=1)
     inside = np.count_nonzero(positive == 4) + 0.25 * _positive_share(triangles).sum()
-    length = math.pi / 4 * cut.shape[1]      # of the edge: a closed line meets 4/pi squares per unit of its length
+    # of the edge: a closed line meets 4/pi squares per unit of its length
+    length = math.pi / 4 * cut.shape[1]
     return float(inside - EDGE_BIAS * length)
 
 
@@ -84,7 +89,8 @@ def _positive_share(corners):
 
 
 def peak_pressure(pressure):
-    """The highest pressure [Pa]: parabolas along x and s through the highest cell and its loaded neighbours."""
+    """The highest pressure [Pa]: parabolas along x and s through the highest cell and
+    its loaded neighbours."""
     i, j = np.unravel_index(np.argmax(pressure), pressure.shape)
     return float(pressure[i, j] + _rise(pressure[:, j], i) + _rise(pressure[i], j))
 
@@ -98,7 +104,8 @@ def _rise(row, k):
 
 
 def chords(edge):
-    """Length of the positive part along x of each column of an edge field [cells], (m,): the sum over its runs."""
+    """Length of the positive part along x of each column of an edge field [cells],
+    (m,): the sum over its runs."""
     low, high = edge[:-1], edge[1:]
     larger, smaller = np.maximum(low, high), np.minimum(low, high)
     spread = np.where(larger > smaller, larger - smaller, 1.0)
@@ -108,7 +115,8 @@ def chords(edge):
 
 
 def extent(edge):
-    """First and last place along s where an edge field is positive [cells], from the centre of the first cell."""
+    """First and last place along s where an edge field is positive [cells], from the
+    centre of the first cell."""
     start = _first_positive(edge) - EDGE_PAD
     stop = edge.shape[1] - 1 - _first_positive(edge[:, ::-1]) - EDGE_PAD
     return start + EDGE_BIAS, stop - EDGE_BIAS

@@ -1,4 +1,5 @@
-"""Frictionless contact of two elastic half-spaces: the complete theory, for any gap between the undeformed bodies.
+"""Frictionless contact of two elastic half-spaces: the complete theory, for any gap
+between the undeformed bodies.
 
 >>> import numpy as np
 >>> from wrcontact.reference import halfspace
@@ -9,11 +10,12 @@
 
 The bodies touch where the pressure p is positive; the equations (H1) ... are those of docs/method.md:
 
-    u + h - delta = 0 where p > 0,   u + h - delta >= 0 where p = 0,   sum of p dx ds = N                        (H1)
+    u + h - delta = 0 where p > 0, u + h - delta >= 0 where p = 0, sum of p dx ds = N (H1)
 
-Pressure is constant on each cell of a grid.  Its deflection u is a convolution (Love 1929; Johnson 1985, section 3.3), done
-by fast Fourier transform; the pressures follow by conjugate gradients that keep p >= 0 (Polonsky and Keer 1999, Wear 231,
-206-219).  :func:`solve` takes a grid; :func:`solve_contact` finds the patch and refines the grid until the answer stands.
+Pressure is constant on each cell of a grid. Its deflection u is a convolution (Love 1929; Johnson 1985,
+section 3.3), done by fast Fourier transform; the pressures follow by conjugate gradients that keep p >= 0
+(Polonsky and Keer 1999, Wear 231, 206-219). :func:`solve` takes a grid; :func:`solve_contact` finds the patch
+and refines the grid until the answer stands.
 
 Lengths in m, pressures in Pa, forces in N; x along the first axis of every array, s along the second.
 """
@@ -33,18 +35,20 @@ RESIDUAL_SHARE = 1e-3
 LOOK_REPEATS = 5
 
 
-def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetration=None, tolerance=TOLERANCE):
-    """The contact for any gap: finds the patches, fits a grid to them, and refines it until the answer stands.
+def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetration=None,
+                  tolerance=TOLERANCE):
+    """The contact for any gap: finds the patches, fits a grid to them, and refines it
+    until the answer stands.
 
-    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`); where they do, or patches have
-    been missed at first, each group of patches has its own grid.
+    A solution stands only if the bodies overlap nowhere else in the domain (:func:`missed`); where they do,
+    or patches have been missed at first, each group of patches has its own grid.
 
     Parameters
     ----------
-    gap_function : called with cell centres x (n,), s (m,) [m]; returns the undeformed distance (n, m) [m], infinite where
-        there is no surface.
-    domain : (x_low, x_high, s_low, s_high) [m], within which all patches lie; the look for further ones takes LOOK samples
-        of it, and along x one minimum for each s.
+    gap_function : called with cell centres x (n,), s (m,) [m]; returns the undeformed distance (n, m) [m],
+        infinite where there is no surface.
+    domain : (x_low, x_high, s_low, s_high) [m], within which all patches lie; the look for further ones takes
+        LOOK samples of it, and along x one minimum for each s.
     contact_modulus : E* [Pa].
     force, penetration : [N], [m]; exactly one of the two.
     tolerance : permitted relative error in penetration (or force), area and peak pressure, 3e-4 ... 0.1.
@@ -65,10 +69,12 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     check_number("contact_modulus", contact_modulus, "Pa", above=True)
     domain = checked_domain(domain)
     if not TOLERANCE_RANGE[0] <= tolerance <= TOLERANCE_RANGE[1]:
-        raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... {TOLERANCE_RANGE[1]:g}")
+        raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... "
+                         f"{TOLERANCE_RANGE[1]:g}")
     load = {"contact_modulus": contact_modulus, "force": force, "penetration": penetration,
             "precision": RESIDUAL_SHARE * tolerance}
-    window = find_window(gap_function, domain, contact_modulus=contact_modulus, force=force, penetration=penetration)
+    window = find_window(gap_function, domain, contact_modulus=contact_modulus, force=force,
+                         penetration=penetration)
     coarse = solve_window(gap_function, domain, window, load)
     if not coarse.pressure.any():
         return coarse
@@ -86,4 +92,5 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
         if not boxes:
             return found
         coarse = found
-    raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is none")
+    raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is "
+                          "none")

@@ -9,7 +9,8 @@ from .boxes import around, centres, clipped, touched_sides
 from .refinement import COARSE_CELLS, WINDOW_REPEATS
 from .window import dip
 
-LOOK = 25, 800           # samples along and across the domain of the look for places that a solution has missed
+# samples along and across the domain of the look for places that a solution has missed
+LOOK = 25, 800
 LOOK_SLACK = 0.25        # what a parabola along x finds below its samples is known to this share
 LOOK_LUMPS = 16          # per side, of the pressures as the look sees them
 PLACE_SAMPLES = 9        # per side, around a place
@@ -18,10 +19,11 @@ MISSED_SHARE = 1e-3      # of the penetration: less overlap than this is nothing
 
 
 def ridge(gap_function, domain):
-    """Stations s (m,), and for each the place x (m,) of the least gap, that gap (m,) and what it may be lower (m,) [m].
+    """Stations s (m,), and for each the place x (m,) of the least gap, that gap (m,) and what
+    it may be lower (m,) [m].
 
-    Along x a wheel's gap is smooth and has one minimum: the parabola through the three lowest of few samples finds it.
-    Across, samples are dense.
+    Along x a wheel's gap is smooth and has one minimum: the parabola through the three lowest of few samples
+    finds it. Across, samples are dense.
     """
     x, s = centres(domain, LOOK)
     gap = np.asarray(gap_function(x, s), dtype=float)
@@ -38,10 +40,12 @@ def ridge(gap_function, domain):
 
 
 def missed(gap_function, domain, look, found, contact_modulus):
-    """Boxes (x_low, x_high, s_low, s_high) [m] where the bodies of a solution overlap away from its loaded cells.
+    """Boxes (x_low, x_high, s_low, s_high) [m] where the bodies of a solution overlap
+    away from its loaded cells.
 
-    At each minimum along the ``look`` of the gap with the deflection under the found pressures that may lie below the
-    penetration, the gap is sampled ever more closely; where it does lie below, the overlap is boxed.  (H9)
+    At each minimum along the ``look`` of the gap with the deflection under the found
+    pressures that may lie below the penetration, the gap is sampled ever more closely; where
+    it does lie below, the overlap is boxed. (H9)
     """
     s, x, low, spare = look
     near = np.flatnonzero(low - spare < found.penetration)
@@ -55,14 +59,16 @@ def missed(gap_function, domain, look, found, contact_modulus):
     for k in places:
         box = clipped((x[k] - step_x, x[k] + step_x, s[k] - 1.5 * step_s, s[k] + 1.5 * step_s), domain)
         place, gap = _lowest_place(gap_function, box)
-        level = found.penetration - far_deflection(found, *(np.array([value]) for value in place), contact_modulus)[0]
+        level = found.penetration - far_deflection(found, *(np.array([value]) for value in place),
+                                                   contact_modulus)[0]
         if gap < level - MISSED_SHARE * found.penetration and not is_loaded(found, *place):
             boxes.append(_overlap(gap_function, domain, place, level, step_s))
     return boxes
 
 
 def far_deflection(found, x, s, contact_modulus):
-    """Deflection [m] at places x (k,), s (k,) under a solution's pressures, in lumps: sum of N / (pi E* r).  (H9)"""
+    """Deflection [m] at places x (k,), s (k,) under a solution's pressures, in lumps:
+    sum of N / (pi E* r). (H9)"""
     rows, columns = np.nonzero(found.pressure)
     forces = found.pressure[rows, columns]
     width, depth = (max(1, math.ceil((k.max() - k.min() + 1) / LOOK_LUMPS)) for k in (rows, columns))
@@ -80,7 +86,8 @@ def far_deflection(found, x, s, contact_modulus):
 def is_loaded(found, x, s):
     """Whether a cell is loaded at or next to (x, s)."""
     i, j = int(np.argmin(np.abs(found.x - x))), int(np.argmin(np.abs(found.s - s)))
-    if abs(found.x[i] - x) > 1.5 * (found.x[1] - found.x[0]) or abs(found.s[j] - s) > 1.5 * (found.s[1] - found.s[0]):
+    if (abs(found.x[i] - x) > 1.5 * (found.x[1] - found.x[0])
+        or abs(found.s[j] - s) > 1.5 * (found.s[1] - found.s[0])):
         return False
     return bool(found.pressure[max(i - 1, 0):i + 2, max(j - 1, 0):j + 2].any())
 
@@ -100,7 +107,8 @@ def _overlap(gap_function, domain, place, level, size):
     """Box around ``place`` in which the gap lies below ``level``, from one of the ``size`` [m] on."""
     half = [size, size]
     for _ in range(WINDOW_REPEATS):
-        box = clipped((place[0] - half[0], place[0] + half[0], place[1] - half[1], place[1] + half[1]), domain)
+        box = clipped((place[0] - half[0], place[0] + half[0], place[1] - half[1], place[1] + half[1]),
+                      domain)
         x, s = centres(box, (COARSE_CELLS, COARSE_CELLS))
         below, _ = ndimage.label(gap_function(x, s) < level, np.ones((3, 3)))
         here = below == below[np.argmin(np.abs(x - place[0])), np.argmin(np.abs(s - place[1]))]

@@ -12,7 +12,8 @@ from .deflection import Deflection
 from .edge import loaded_area, peak_pressure
 from .solution import HalfspaceContact
 
-#: Remaining residual of the contact condition, rms over the loaded cells, as a share of the largest deflection.
+#: Remaining residual of the contact condition, rms over the loaded cells, as a share
+#: of the largest deflection.
 PRECISION = 1e-7
 ITERATION_LIMIT = 1000
 
@@ -28,7 +29,8 @@ def solve(x, s, gap, *, contact_modulus, force=None, penetration=None, guess=Non
     force : N [N], zero or more; or
     penetration : delta [m], against the zero of ``gap``; exactly one of the two.
     guess : pressure to start from (n, m) [Pa]; changes the cost, never the answer beyond ``precision``.
-    precision : residual of the contact condition, rms over the loaded cells, as a share of the largest deflection.
+    precision : residual of the contact condition, rms over the loaded cells, as a
+    share of the largest deflection.
 
     Returns
     -------
@@ -56,7 +58,8 @@ def solve(x, s, gap, *, contact_modulus, force=None, penetration=None, guess=Non
         guess = np.sqrt(np.maximum(level - gap, 0.0))      # the shape of Hertz's pressure
     start = np.where(np.isfinite(gap), np.maximum(guess, 0.0), 0.0)
     mean = None if force is None else force / (dx * ds)
-    pressure, clearance, delta, iterations = constrained_gradients(start, gap, deflect, mean, penetration, precision)
+    pressure, clearance, delta, iterations = constrained_gradients(start, gap, deflect, mean, penetration,
+                                                                   precision)
     return HalfspaceContact(x, s, pressure, clearance, delta, float(pressure.sum() * dx * ds),
                             float(loaded_area(pressure) * dx * ds), peak_pressure(pressure), iterations)
 
@@ -64,8 +67,9 @@ def solve(x, s, gap, *, contact_modulus, force=None, penetration=None, guess=Non
 def constrained_gradients(pressure, gap, deflect, total, penetration, precision):
     """Pressure, clearance, penetration, iterations: Polonsky and Keer (1999), section 3.
 
-    ``total`` is the sum of all pressures [Pa]; None where the penetration [m] is prescribed.  Their steps: residual on the
-    loaded cells, conjugate direction, exact line search, tension cut off, overlapping cells let in, load restored.
+    ``total`` is the sum of all pressures [Pa]; None where the penetration [m] is prescribed. Their
+    steps: residual on the loaded cells, conjugate direction, exact line search, tension cut off,
+    overlapping cells let in, load restored.
     """
     pressure = _scaled(pressure, gap, deflect, total, penetration)
     bent = deflect(pressure)
@@ -100,12 +104,13 @@ def constrained_gradients(pressure, gap, deflect, total, penetration, precision)
         bent = deflect(pressure) if cut.any() or outside.any() else share * (bent - step * change)
         if not math.isfinite(share):
             break
-    raise ArithmeticError(f"the contact condition is met to {math.sqrt(square / max(residual.size, 1)):.3g} m after "
-                          f"{ITERATION_LIMIT} iterations; permitted is {allowed:.3g} m")
+    raise ArithmeticError(f"the contact condition is met to {math.sqrt(square / max(residual.size, 1)):.3g} "
+                          f"m after {ITERATION_LIMIT} iterations; permitted is {allowed:.3g} m")
 
 
 def _scaled(pressure, gap, deflect, total, penetration):
-    """``pressure`` with the right sum, or with the scale of least energy where the penetration is prescribed."""
+    """``pressure`` with the right sum, or with the scale of least energy where the
+    penetration is prescribed."""
     if total is not None:
         return pressure * (total / pressure.sum())
     loaded = pressure > 0.0
@@ -117,8 +122,8 @@ def _scaled(pressure, gap, deflect, total, penetration):
 def estimate_penetration(gap, cell, contact_modulus, force):
     """Penetration [m] at which the interpenetration's volume V and area A carry ``force`` [N].
 
-    ``N = 8 E* V / (3 sqrt(2 pi A))``, exact for a ball on a flat; right within a factor of two for other shapes.
-    ``gap`` is sampled on cells of the area ``cell`` [m^2].
+    ``N = 8 E* V / (3 sqrt(2 pi A))``, exact for a ball on a flat; right within a factor of two for other
+    shapes. ``gap`` is sampled on cells of the area ``cell`` [m^2].
     """
     heights = np.sort(gap[np.isfinite(gap)])
     count = np.arange(1, len(heights) + 1)

@@ -131,7 +131,8 @@ def resultant(plane, contact, index):
     total = np.zeros(6)
     for pressure in split_patches(contact):
         load = pressure.sum() * (contact.x[1] - contact.x[0]) * (contact.s[1] - contact.s[0])
-        x, s = pressure.sum(axis=1) @ contact.x / pressure.sum(), pressure.sum(axis=0) @ contact.s / pressure.sum()
+        x, s = (pressure.sum(axis=1) @ contact.x / pressure.sum(),
+                pressure.sum(axis=0) @ contact.s / pressure.sum())
         height, angle = plane.rail_height(np.array([s]))[0], plane.rail_angle(s)
         place = plane.origin - plane.centre + [x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
         force = load * np.array([0.0, -math.sin(angle), -math.cos(angle)])

@@ -24,31 +24,35 @@ def solve_window(gap_function, domain, window, load):
         if not any(touched):
             return found
         window = enlarged(window, touched, domain, 0.4)
-    raise ArithmeticError(f"the patch reaches beyond x = {window[0]:g} ... {window[1]:g} m, s = {window[2]:g} ... "
-                          f"{window[3]:g} m after {WINDOW_REPEATS} enlargements")
+    raise ArithmeticError(f"the patch reaches beyond x = {window[0]:g} ... {window[1]:g} m, s = "
+                          f"{window[2]:g} ... {window[3]:g} m after {WINDOW_REPEATS} enlargements")
 
 
 def refine(gap_function, domain, coarse, load, tolerance):
-    """Grids fitted to the patches of ``coarse``, with cells halved until the answer stands within ``tolerance``.  (H7)"""
+    """Grids fitted to the patches of ``coarse``, with cells halved until the answer stands
+    within ``tolerance``. (H7)"""
     window, counts = fit_window(coarse)
     answer = "force" if load["force"] is None else "penetration"
     found, iterations, before = coarse, coarse.iterations, None
     while True:
-        previous, found = found, _solve_on(gap_function, window, counts, load, _resampled(found, window, counts))
+        previous, found = found, _solve_on(gap_function, window, counts, load,
+                                           _resampled(found, window, counts))
         iterations += found.iterations
         touched = touched_sides(found.pressure)
         if any(touched):
             window, counts = _widened(window, counts, touched, domain)
             continue
         change = changes(previous, found, answer)
-        error = change if before is None else {name: estimate_error(before[name], now) for name, now in change.items()}
+        error = change if before is None else {name: estimate_error(before[name], now)
+                                               for name, now in change.items()}
         error["area"] = max(error["area"], area_doubt(found))
         if before is not None and max(error.values()) <= tolerance:
             return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
         before, counts = change, tuple(2 * n for n in counts)
         if counts[0] * counts[1] > CELL_LIMIT:
-            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still {max(error.values()):.2g} on "
-                                  f"{counts[0] // 2} x {counts[1] // 2} cells; permitted are {CELL_LIMIT} cells")
+            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still "
+                                  f"{max(error.values()):.2g} on {counts[0] // 2} x {counts[1] // 2} cells; "
+                                  f"permitted are {CELL_LIMIT} cells")
 
 
 def _widened(window, counts, touched, domain):
@@ -74,10 +78,11 @@ def _resampled(contact, window, counts):
 
 
 def estimate_error(before, now):
-    """Error that is left after halving the cells twice changed the answer by ``before`` and then by ``now``.  (H7)
+    """Error that is left after halving the cells twice changed the answer by
+    ``before`` and then by ``now``. (H7)
 
-    The changes' ratio r tells the order, which lies between the first (r = 1/2) and the second (1/4); what is left is
-    ``now r / (1 - r)``.  A chance agreement counts as two steps of second order.
+    The changes' ratio r tells the order, which lies between the first (r = 1/2) and the second (1/4); what is
+    left is ``now r / (1 - r)``. A chance agreement counts as two steps of second order.
     """
     ratio = min(max(now / before, 0.25), 0.5) if before > 0.0 else 0.5
     return max(now * ratio / (1.0 - ratio), before / 16.0)
@@ -86,18 +91,22 @@ def estimate_error(before, now):
 def area_doubt(found):
     """Share of the area that lies within EDGE_DOUBT of its edge, or that no loaded cell covers.
 
-    Where bodies graze, p^2 does not fall linearly, and what is continued from the inner cells ends outside the loaded ones.
+    Where bodies graze, p^2 does not fall linearly, and what is continued from the inner cells ends
+    outside the loaded ones.
     """
     cell = (found.x[1] - found.x[0]) * (found.s[1] - found.s[0])
-    return max(_edge_doubt(found.pressure > 0.0), found.area / (np.count_nonzero(found.pressure) * cell) - 1.0)
+    return max(_edge_doubt(found.pressure > 0.0),
+               found.area / (np.count_nonzero(found.pressure) * cell) - 1.0)
 
 
 def _edge_doubt(loaded):
     """Share of the area that lies within EDGE_DOUBT of its edge."""
-    crossings = np.count_nonzero(loaded[1:] != loaded[:-1]) + np.count_nonzero(loaded[:, 1:] != loaded[:, :-1])
+    crossings = np.count_nonzero(loaded[1:] != loaded[:-1]) + np.count_nonzero(loaded[:, 1:]
+                                                                               != loaded[:, :-1])
     return EDGE_DOUBT * math.pi / 4 * crossings / np.count_nonzero(loaded)
 
 
 def changes(before, found, answer):
     """Relative changes from ``before`` to ``found`` by name; ``answer`` is what was not prescribed."""
-    return {name: abs(getattr(before, name) / getattr(found, name) - 1.0) for name in (answer, "area", "max_pressure")}
+    return {name: abs(getattr(before, name) / getattr(found, name) - 1.0)
+            for name in (answer, "area", "max_pressure")}

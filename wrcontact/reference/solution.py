@@ -11,17 +11,19 @@ class HalfspaceContact:
 
     Attributes
     ----------
-    x, s : cell centres (n,), (m,) [m]; evenly spaced, but for jumps where patches far from each other have their own grids.
+    x, s : cell centres (n,), (m,) [m]; evenly spaced, but for jumps where patches far from
+    each other have their own grids.
     pressure : (n, m) [Pa], zero where the bodies are apart.
-    clearance : distance of the deformed bodies u + h - delta (n, m) [m], zero to the precision where they touch; NaN where
-        rows of one grid cross columns of another.
+    clearance : distance of the deformed bodies u + h - delta (n, m) [m], zero to the precision where they
+        touch; NaN where rows of one grid cross columns of another.
     penetration : delta, approach of distant points of the bodies [m].
     force : N [N].
-    area : of the loaded cells, the edge found within the cells [m^2]; see :func:`~wrcontact.reference.edge.loaded_area`.
+    area : of the loaded cells, the edge found within the cells [m^2]; see
+    :func:`~wrcontact.reference.edge.loaded_area`.
     max_pressure : [Pa], see :func:`~wrcontact.reference.edge.peak_pressure`.
     iterations : of the conjugate gradients, over all grids.
-    error : estimated relative errors of the grid by name ("penetration" or "force", "area", "max_pressure"); empty from
-        :func:`~wrcontact.reference.one_grid.solve`, which knows one grid.
+    error : estimated relative errors of the grid by name ("penetration" or "force", "area", "max_pressure");
+        empty from :func:`~wrcontact.reference.one_grid.solve`, which knows one grid.
     """
 
     x: np.ndarray

@@ -1,5 +1,5 @@
-"""A wheelset's steps with the half-space model: the kernel finds roll and rigid contacts, each loaded wheel is then solved on
-its true gap.  A step takes a few hundredths of a second."""
+"""A wheelset's steps with the half-space model: the kernel finds roll and rigid contacts, each loaded wheel
+is then solved on its true gap. A step takes a few hundredths of a second."""
 
 import math
 from functools import partial
@@ -16,7 +16,8 @@ from .true_gap import REACH_S, REACH_X, contact_plane
 
 
 def halfspace_solver(tolerance=None):
-    """What :class:`~wrcontact.Stepper` binds its arrays with; ``tolerance`` as for :class:`~wrcontact.ContactSystem`."""
+    """What :class:`~wrcontact.Stepper` binds its arrays with; ``tolerance`` as for
+    :class:`~wrcontact.ContactSystem`."""
     return partial(HalfspaceSolver, halfspace.TOLERANCE if tolerance is None else tolerance)
 
 
@@ -62,7 +63,8 @@ class HalfspaceSolver:
         return status
 
     def step_many(self, count, inputs, outputs, statuses):
-        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses`` each."""
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
+        in ``statuses`` each."""
         for row in range(count):
             self._inputs[:] = inputs[row]
             statuses[row] = self.step()
@@ -75,12 +77,16 @@ class HalfspaceSolver:
                 and np.array_equal(self._workspace[layout.WORK_INPUTS:][:layout.INPUT_COUNT], self._inputs))
 
     def _solve(self, index, side, outline):
-        """Replace the normal contact and outline of one loaded side by the half-space's; its part of the resultant (6,)."""
+        """Replace the normal contact and outline of one loaded side by the half-space's; its
+        part of the resultant (6,)."""
         plane = contact_plane(self._tables, self._rigid, self._inputs, index)
         penetration = self._tables[layout.SET_PENETRATION_LEFT + index]
-        load = {"penetration": penetration} if math.isfinite(penetration) else {"force": side[layout.SIDE_NORMAL_FORCE]}
-        contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S), tolerance=self.tolerance,
+        load = ({"penetration": penetration} if math.isfinite(penetration)
+                else {"force": side[layout.SIDE_NORMAL_FORCE]})
+        contact = halfspace.solve_contact(plane.gap, (-REACH_X, REACH_X, -REACH_S, REACH_S),
+                                          tolerance=self.tolerance,
                                           contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
         side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
-        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)
+        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL
+                   else None)
         return resultant(plane, contact, index)

@@ -1,10 +1,10 @@
 """The true gap of wheel and rail over the plane of a rigid contact.
 
-The plane is tangent to the rail at the rigid contact point: x along the track, s to the field side, heights t along its
-normal from rail to wheel.  Both surfaces are met along the normals, the wheel as the rolled and yawed surface of revolution
-that it is:
+The plane is tangent to the rail at the rigid contact point: x along the track, s to the field side, heights t
+along its normal from rail to wheel. Both surfaces are met along the normals, the wheel as the rolled and
+yawed surface of revolution that it is:
 
-    h(x, s) = t_wheel(x, s) - t_rail(s)                                                                          (H8)
+    h(x, s) = t_wheel(x, s) - t_rail(s) (H8)
 
 Everything is for a right wheel; the left one comes in mirrored (:func:`contact_plane`).
 """
@@ -23,7 +23,8 @@ from ..profiles.compiled import evaluate_table
 NEWTON_LIMIT = 15
 NEWTON_STEP = 1e-8       # [m]; the step after one this small is below 1e-14 m
 GUESSES = 600            # points of a profile from which Newton's method starts
-#: Half the extent of the domain along and across [m]: a rail head is 72 mm wide; with 4 deg of yaw a flange is 80 mm ahead.
+#: Half the extent of the domain along and across [m]: a rail head is 72 mm wide; with 4 deg of yaw a
+#: flange is 80 mm ahead.
 REACH_X, REACH_S = 0.15, 0.08
 
 
@@ -34,7 +35,8 @@ class ContactPlane:
     Attributes
     ----------
     wheel, rail : compiled profile tables.
-    radius, arm, rail_y : nominal radius, half the distance of the running circles, track coordinate of the rail [m].
+    radius, arm, rail_y : nominal radius, half the distance of the running circles, track
+    coordinate of the rail [m].
     centre : of the wheelset in the track frame (3,) [m].
     attitude : R = Rz(yaw) Rx(roll), wheelset to track (3, 3).
     origin : the rigid contact point in the track frame (3,) [m].
@@ -64,7 +66,8 @@ class ContactPlane:
         return np.array([0.0, -math.sin(self.angle), -math.cos(self.angle)])
 
     def gap(self, x, s):
-        """Distance h of the surfaces at x (n,), s (m,) [m] beyond that at the origin: (n, m) [m], infinite without one."""
+        """Distance h of the surfaces at x (n,), s (m,) [m] beyond that at the origin: (n, m) [m],
+        infinite without one."""
         rail = self.rail_height(s)
         there = np.isfinite(rail)
         gap = np.full((len(x), len(s)), math.inf)
@@ -81,7 +84,8 @@ class ContactPlane:
         """Height t of the rail at s (m,) [m], infinite (negative) where there is none."""
         y = _table_points(self.rail)
         z = evaluate_table(self.rail, y)[0]
-        t, exists = _guess(s, *self._project(np.stack([np.full(len(y), self.origin[0]), y + self.rail_y, z], axis=-1)))
+        t, exists = _guess(s, *self._project(np.stack([np.full(len(y), self.origin[0]), y + self.rail_y, z],
+                                                      axis=-1)))
         y_0, z_0 = self.origin[1] - self.rail_y + s * self.lateral[1], self.origin[2] + s * self.lateral[2]
 
         def above(t):
@@ -94,8 +98,8 @@ class ContactPlane:
     def wheel_height(self, x, s):
         """Height t of the wheel at x (n,), s (m,): (n, m) [m], infinite where there is none.
 
-        A point q in the wheelset frame lies on the wheel where its distance from the axle is the wheel's radius,
-        ``hypot(q_x, q_z) = R_0 + z(q_y)``; q is linear in x, s and t.
+        A point q in the wheelset frame lies on the wheel where its distance from the axle is the wheel's
+        radius, ``hypot(q_x, q_z) = R_0 + z(q_y)``; q is linear in x, s and t.
         """
         back = self.attitude.T
         start = back @ (self.origin - self.centre)
@@ -148,19 +152,21 @@ def contact_plane(tables, outputs, inputs, index):
         wheel=tables[int(tables[layout.SET_WHEEL]):int(tables[layout.SET_RAIL])],
         rail=tables[int(tables[layout.SET_RAIL]):int(tables[layout.SET_SCAN])],
         radius=radius, arm=tables[layout.SET_ARM], rail_y=tables[layout.SET_RAIL_Y],
-        centre=np.array([0.0, shift, outputs[layout.OUT_VERTICAL_SHIFT] - radius]), attitude=_attitude(yaw, roll),
-        origin=origin, angle=side[layout.SIDE_CONTACT_ANGLE],
+        centre=np.array([0.0, shift, outputs[layout.OUT_VERTICAL_SHIFT] - radius]),
+        attitude=_attitude(yaw, roll), origin=origin, angle=side[layout.SIDE_CONTACT_ANGLE],
         around=math.atan2(side[layout.SIDE_X_WHEEL], radius + side[layout.SIDE_Z_WHEEL]))
 
 
 def _attitude(yaw, roll):
     """R = Rz(yaw) Rx(roll) (3, 3); wrcontact/conventions.py."""
-    about_z = np.array([[math.cos(yaw), -math.sin(yaw), 0.0], [math.sin(yaw), math.cos(yaw), 0.0], [0.0, 0.0, 1.0]])
-    about_x = np.array([[1.0, 0.0, 0.0], [0.0, math.cos(roll), -math.sin(roll)], [0.0, math.sin(roll), math.cos(roll)]])
+    about_z = np.array([[math.cos(yaw), -math.sin(yaw), 0.0], [math.sin(yaw), math.cos(yaw), 0.0],
+                        [0.0, 0.0, 1.0]])
+    about_x = np.array([[1.0, 0.0, 0.0], [0.0, math.cos(roll), -math.sin(roll)],
+                        [0.0, math.sin(roll), math.cos(roll)]])
     return about_z @ about_x
 
 
-# --- heights along the normals ------------------------------------------------------------------------------------------
+# --- heights along the normals ------------------------------------------------------------------------------
 
 
 def _table_points(table):
@@ -179,7 +185,8 @@ def _inside(table, y):
 def _guess(s, stations, heights):
     """Heights (m,) at ``s`` on a curve given by points, and where it exists.
 
-    Only the run of the curve around s = 0 counts on which the station rises: beyond a fold the normals meet another run.
+    Only the run of the curve around s = 0 counts on which the station rises: beyond a fold the
+    normals meet another run.
     """
     middle = int(np.argmin(np.hypot(stations, heights)))
     falls = np.flatnonzero(np.diff(stations) <= 0.0)

@@ -21,9 +21,9 @@ MARGIN_CELLS = 2         # free cells around the patch
 def find_window(gap_function, domain, *, contact_modulus, force=None, penetration=None):
     """(x_low, x_high, s_low, s_high) [m] of what the penetration reaches, all patches together.
 
-    Bodies touch only where h < delta.  A box is sampled, and shrinks to the samples that are, or may have between them,
-    a gap below the given or estimated penetration; between samples a gap dips below them by a quarter of their second
-    differences at most, if those resolve it.
+    Bodies touch only where h < delta. A box is sampled, and shrinks to the samples that are, or may have
+    between them, a gap below the given or estimated penetration; between samples a gap dips below them by a
+    quarter of their second differences at most, if those resolve it.
     """
     box = domain
     for _ in range(ZOOM_LIMIT):
@@ -31,12 +31,13 @@ def find_window(gap_function, domain, *, contact_modulus, force=None, penetratio
         dx, ds = x[1] - x[0], s[1] - s[0]
         gap = np.asarray(gap_function(x, s), dtype=float)
         if not np.isfinite(gap).any():
-            raise ArithmeticError(f"there is no surface between x = {box[0]:g} ... {box[1]:g} m and s = {box[2]:g} ... "
-                                  f"{box[3]:g} m; permitted are domains with a finite gap")
+            raise ArithmeticError(f"there is no surface between x = {box[0]:g} ... {box[1]:g} m and s = "
+                                  f"{box[2]:g} ... {box[3]:g} m; permitted are domains with a finite gap")
         level = penetration
         if force is not None:
             lowest = float(gap.min())
-            level = lowest + WINDOW_MARGIN * (estimate_penetration(gap, dx * ds, contact_modulus, force) - lowest)
+            level = lowest + WINDOW_MARGIN * (estimate_penetration(gap, dx * ds, contact_modulus, force)
+                                              - lowest)
         near = gap - dip(gap) <= max(level, gap.min())
         shrunk = clipped(around(near, x, s, dx, ds, 1.5), domain)
         if all(shrunk[k + 1] - shrunk[k] > ZOOM_ENOUGH * (box[k + 1] - box[k]) for k in (0, 2)):
@@ -56,7 +57,8 @@ def dip(gap):
 
 
 def fit_window(contact):
-    """Window around the loaded cells and the number of cells (n, m) that gives each patch PATCH_CELLS both ways."""
+    """Window around the loaded cells and the number of cells (n, m) that gives each patch
+    PATCH_CELLS both ways."""
     x, s, loaded = contact.x, contact.s, contact.pressure > 0.0
     dx, ds = x[1] - x[0], s[1] - s[0]
     labels, _ = ndimage.label(loaded, np.ones((3, 3)))

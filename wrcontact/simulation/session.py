@@ -1,6 +1,7 @@
 """The life cycle of one simulated wheelset, independent of FMI.
 
-Set values, initialise, step, read.  Values are addressed by value reference, the index in the table of variables::
+Set values, initialise, step, read. Values are addressed by value reference, the index
+in the table of variables::
 
     session = Session()
     session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
@@ -88,7 +89,8 @@ class Session:
         if value == present:
             return
         if self.locked:
-            raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot become {value!r}")
+            raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot become "
+                          f"{value!r}")
         self.parameters[variable.name] = value
         self._stale = True
 
@@ -195,7 +197,8 @@ class Session:
             self._tell()
 
     def _tell(self):
-        self.tell(outcomes.explain(self.status, self._values[:INPUTS], self.parameters["contact_mode"] == "compliant"))
+        self.tell(outcomes.explain(self.status, self._values[:INPUTS],
+                                   self.parameters["contact_mode"] == "compliant"))
         self._told = True
 
     # --- saved states ----------------------------------------------------------------------------
@@ -211,7 +214,8 @@ class Session:
             "stale": self._stale,
             "told": self._told,
         }
-        arrays = (self._values,) if stepper is None else (self._values, stepper.inputs, stepper.outputs, stepper.state)
+        arrays = (self._values,) if stepper is None else (self._values, stepper.inputs, stepper.outputs,
+                                                          stepper.state)
         body = json.dumps(header).encode() + b"\n" + np.concatenate(arrays).astype("<f8").tobytes()
         return STATE_FORMAT + hashlib.sha256(body).digest() + body
 
@@ -219,10 +223,12 @@ class Session:
         """Restore a snapshot; :class:`Refused`, without any change, if ``saved`` is not one."""
         header, numbers = _read_snapshot(saved)
         stepper = self._stepper_for(header)
-        arrays = [self._values] if stepper is None else [self._values, stepper.inputs, stepper.outputs, stepper.state]
+        arrays = [self._values] if stepper is None else [self._values, stepper.inputs, stepper.outputs,
+                                                         stepper.state]
         expected = sum(array.size for array in arrays)
         if numbers.size != expected:
-            raise Refused(f"the saved state holds {numbers.size} numbers, expected are {expected}; the present state is kept")
+            raise Refused(f"the saved state holds {numbers.size} numbers, expected are {expected}; the "
+                          "present state is kept")
         for array in arrays:
             array[:], numbers = numbers[: array.size], numbers[array.size :]
         self.parameters, self._stepper = header["parameters"], stepper
@@ -270,5 +276,6 @@ def _read_snapshot(saved):
     line, _, numbers = saved[STATE_BODY:].partition(b"\n")
     header = json.loads(line)
     if header["build"] != BUILD:
-        raise Refused(f"the saved state comes from {header['build']}, this is {BUILD}; the present state is kept")
+        raise Refused(f"the saved state comes from {header['build']}, this is {BUILD}; the present state is "
+                      "kept")
     return header, np.frombuffer(numbers, dtype="<f8")

@@ -1,7 +1,8 @@
 """Files are written atomically: under another name in the same folder, then moved to their place.
 
-A process that is killed, interrupted or out of disk space leaves the previous file, or none.  The part that it has written
-stays behind as ``.wrcontact-*.part``; the next write to the same folder removes it, once it is ABANDONED.
+A process that is killed, interrupted or out of disk space leaves the previous file, or none. The part
+that it has written stays behind as ``.wrcontact-*.part``; the next write to the same folder removes
+it, once it is ABANDONED.
 
 Standard library only and no imports from the package, so that build tools can run this file by its path.
 """
@@ -27,10 +28,11 @@ def write_atomically(target, data):
 
 @contextlib.contextmanager
 def open_atomically(target, mode="wb", **options):
-    """An open file that becomes ``target`` when the ``with`` block ends without an error; ``mode`` and ``options`` as for open().
+    """An open file that becomes ``target`` when the ``with`` block ends without an error; ``mode`` and
+    ``options`` as for open().
 
-    A link stays a link, and an existing file keeps its permissions.  A target that is not an ordinary file, such as a pipe,
-    is written in place.  An OSError names ``target``.
+    A link stays a link, and an existing file keeps its permissions. A target that is not an ordinary file,
+    such as a pipe, is written in place. An OSError names ``target``.
     """
     try:
         with _part_of(target, mode, options) as file:
@@ -76,6 +78,7 @@ def _remove_abandoned(folder):
 
 
 def sentence_of(problem):
-    """The message of an OSError, in one sentence with the name of the file; only scratch files have no name."""
+    """The message of an OSError, in one sentence with the name of the file; only
+    scratch files have no name."""
     where = os.fsdecode(problem.filename or tempfile.tempdir or "the folder for temporary files")
     return f"{where}: {problem.strerror or problem}"

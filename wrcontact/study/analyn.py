@@ -1,7 +1,9 @@
-"""ANALYN as the source writes it, in numpy: one lateral curvature for everything, nodes at fixed distances, one patch.
+"""ANALYN as the source writes it, in numpy: one lateral curvature for everything, nodes at
+fixed distances, one patch.
 
-Source eqs. (2.19)-(2.26).  With E* of its eq. (2.9) the factor of eq. (2.25) must be 2 E*/pi; with E*/(2 pi), as printed,
-the pressure carries a quarter of the force.  Where B <= 0 the formulas have no value: such nodes drop out of the patch.
+Source eqs. (2.19)-(2.26). With E* of its eq. (2.9) the factor of eq. (2.25) must be 2 E*/pi; with
+E*/(2 pi), as printed, the pressure carries a quarter of the force. Where B <= 0 the formulas have no
+value: such nodes drop out of the patch.
 
 >>> import numpy as np
 >>> from wrcontact.study.analyn import solve_analyn
@@ -25,7 +27,8 @@ DEEPEST = 2e-3  # largest penetration [m]
 
 
 def _hertz(q):
-    """ln(B/A), 1 + alpha and n r for an ellipse with semi-axes b = q a, q <= 1; source eqs. (2.6)-(2.11), (2.21)."""
+    """ln(B/A), 1 + alpha and n r for an ellipse with semi-axes b = q a, q <= 1; source eqs.
+    (2.6)-(2.11), (2.21)."""
     m1 = q * q                                  # complementary parameter
     K, E = ellipkm1(m1), ellipe(1 - m1)
     small_over_large = (K - E) / (E / m1 - K)   # A / B
@@ -100,8 +103,8 @@ class StudyPatch:
 
 
 def corrected(B, inside, degree):
-    """``B`` with what is not positive among the nodes ``inside`` replaced by a polynomial fitted to all of them; NaN where
-    that is not positive either.
+    """``B`` with what is not positive among the nodes ``inside`` replaced by a polynomial fitted to all of
+    them; NaN where that is not positive either.
 
     The source says so of ANALYN's own code, without the degree.
     """
@@ -119,7 +122,8 @@ def solve_analyn(station, gap, A, B, *, force, modulus, correction=None):
 
     Parameters
     ----------
-    station : of the nodes, equal distances [m]; gap, A, B : g [m] and the relative curvatures [1/m] there, arrays (n,).
+    station : of the nodes, equal distances [m]; gap, A, B : g [m] and the relative curvatures
+    [1/m] there, arrays (n,).
     modulus : E* [Pa].
     correction : degree of the polynomial that replaces B <= 0 inside the interpenetration, or None.
     """
@@ -129,7 +133,8 @@ def solve_analyn(station, gap, A, B, *, force, modulus, correction=None):
         used = corrected(B, gap < depth, correction)
         with np.errstate(invalid="ignore"):
             ratio = np.clip(np.log(used / A), -RANGE, RANGE)
-            d = depth - _ONE_ALPHA(-ratio) * gap                                  # (2.26), 1 + beta by symmetry
+            # (2.26), 1 + beta by symmetry
+            d = depth - _ONE_ALPHA(-ratio) * gap
             d = np.where(d > 0, d, 0.0)                                           # NaN > 0 is False
             a = np.nan_to_num(np.sqrt(d / (_ONE_ALPHA(ratio) * A)))               # (2.23)
             line = np.nan_to_num(modulus * d / _NR(ratio))                        # pi/2 a p0, (2.24), (2.25)

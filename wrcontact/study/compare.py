@@ -2,8 +2,8 @@
 
     python -m wrcontact.study.compare [--quick]
 
-prints Markdown.  Errors are against the exact search (wrcontact/kernel/search/search.py), which a brute-force search confirms.  The
-unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
+prints Markdown. Errors are against the exact search (wrcontact/kernel/search/search.py), which a brute-force
+search confirms. The unit of cost is ``np.sqrt`` of 2000 doubles, as in the benchmarks.
 """
 
 import argparse
@@ -29,15 +29,19 @@ QUICK_SHIFTS, QUICK_YAWS = (1, 5, 6.2, 6.5), (0, 2)
 
 #: A contact further than this from the exact one, on the wheel profile [m], is in another minimum.
 ELSEWHERE = 1e-3
-#: y_wheel that parts contacts in the flange root of S1002 (to -34.4 mm) from those on its flange (from -38.4 mm) [m].
+#: y_wheel that parts contacts in the flange root of S1002 (to -34.4 mm) from those on its
+#: flange (from -38.4 mm) [m].
 FLANGE = -36.5e-3
 GAINS = (0.5, 0.8, 1.0, 1.2, 1.5, 1.9, 2.0, 3.0)
 GAIN_SHIFTS = (3, 6, 6.3, 6.5, 8)   # [mm]
 
 #: A method at one pose; errors of roll [rad], y_wheel and x_wheel [m], of the worse side.
 Trial = namedtuple("Trial", "shift yaw roll y x result units seconds")
-#: A method over poses with or without yaw: medians and largest values of the poses that did not fail, and the failed trials.
-Row = namedtuple("Row", "method yawed poses failed roll roll_worst y y_worst x x_worst steps evaluations units seconds")
+#: A method over poses with or without yaw: medians and largest values of the poses that did not fail,
+#: and the failed trials.
+Row = namedtuple("Row",
+                 "method yawed poses failed roll roll_worst y y_worst x x_worst steps evaluations units "
+                 "seconds")
 
 
 class FromPlane:
@@ -48,7 +52,8 @@ class FromPlane:
 
     def solve(self, lateral_shift, yaw):
         first = self.plane.solve(lateral_shift)
-        return self.equations.solve(lateral_shift, yaw, start=(first.roll, first.left.y_wheel, first.right.y_wheel))
+        return self.equations.solve(lateral_shift, yaw,
+                                    start=(first.roll, first.left.y_wheel, first.right.y_wheel))
 
 
 class FromLevel:
@@ -87,13 +92,16 @@ def methods(system, quick=False):
 
 
 def trials(system, search, poses, timed=2):
-    """A :class:`Trial` of ``search`` at each of ``poses``, (shift [m], yaw [rad]); the time is the smallest of ``timed``."""
+    """A :class:`Trial` of ``search`` at each of ``poses``, (shift [m], yaw [rad]); the time is the
+    smallest of ``timed``."""
     one = unit()
     for shift, yaw in poses:
         exact = exact_result(system, shift, yaw)
         found = search.solve(shift, yaw)
-        seconds = min(timeit.repeat(lambda: search.solve(shift, yaw), number=1, repeat=timed)) if timed else math.nan
-        y, x = (max(abs(getattr(getattr(found, side), name) - getattr(getattr(exact, side), name)) for side in SIDES)
+        seconds = min(timeit.repeat(lambda: search.solve(shift, yaw), number=1,
+                                    repeat=timed)) if timed else math.nan
+        y, x = (max(abs(getattr(getattr(found, side), name) - getattr(getattr(exact, side), name))
+                    for side in SIDES)
                 for name in ("y_wheel", "x_wheel"))
         yield Trial(shift, yaw, abs(found.roll - exact.roll), y, x, found, seconds / one, seconds)
 
@@ -110,7 +118,8 @@ def comparison(system=None, quick=False):
     rows = []
     for name, search, groups in methods(system, quick):
         for yawed in groups:
-            poses = [(shift * MM, math.radians(yaw)) for yaw in yaws for shift in shifts if (yaw != 0) == yawed]
+            poses = [(shift * MM, math.radians(yaw)) for yaw in yaws for shift in shifts
+                     if (yaw != 0) == yawed]
             rows.append(summary(name, yawed, list(trials(system, search, poses))))
     return rows
 
@@ -126,14 +135,17 @@ def summary(name, yawed, done):
     def worst(values):
         return max(values, default=math.nan)
 
-    errors = [of(getattr(trial, name) for trial in good) for name in ("roll", "y", "x") for of in (middle, worst)]
+    errors = [of(getattr(trial, name) for trial in good) for name in ("roll", "y", "x")
+              for of in (middle, worst)]
     return Row(name, yawed, len(done), [trial for trial in done if has_failed(trial)], *errors,
-               middle(trial.result.steps for trial in done), middle(trial.result.gap_evaluations for trial in done),
-               middle(trial.units for trial in done), middle(trial.seconds for trial in done))
+               middle(trial.result.steps for trial in done),
+               middle(trial.result.gap_evaluations for trial in done), middle(trial.units for trial in done),
+               middle(trial.seconds for trial in done))
 
 
 def gain_rows(system=None, spacing=1e-4):
-    """Steps of the 2-D search at :data:`GAIN_SHIFTS`, None where it does not converge: K of :data:`GAINS`, and the steps."""
+    """Steps of the 2-D search at :data:`GAIN_SHIFTS`, None where it does not converge: K of
+    :data:`GAINS`, and the steps."""
     system = system or ContactSystem()
     rows = []
     for gain in GAINS:
@@ -144,20 +156,24 @@ def gain_rows(system=None, spacing=1e-4):
 
 
 def lever_share(system, shift):
-    """What the difference of the distances changes with roll, as a share of what source eq. (4.6) takes, y_R - y_L; no yaw.
+    """What the difference of the distances changes with roll, as a share of what source eq. (4.6)
+    takes, y_R - y_L; no yaw.
 
-    By the envelope theorem it is the sum of y - z tan(delta) over both wheels, the contact at (y, z) from the wheelset's
-    centre (docs/method.md, eq. 4.2); a step of eq. (4.6) multiplies the error that is left by 1 - K times the share.
+    By the envelope theorem it is the sum of y - z tan(delta) over both wheels, the contact at (y, z)
+    from the wheelset's centre (docs/method.md, eq. 4.2); a step of eq. (4.6) multiplies the error
+    that is left by 1 - K times the share.
     """
     state = system.evaluate(lateral_shift=shift, normal_force=0.0, outputs="geometry")
     arms = [abs(side.contact.y_track - shift) for side in (state.left, state.right)]
     centre = state.vertical_shift - system.parameters["nominal_radius"]
-    lost = [(side.contact.z_track - centre) * math.tan(side.contact_angle) for side in (state.left, state.right)]
+    lost = [(side.contact.z_track - centre) * math.tan(side.contact_angle)
+            for side in (state.left, state.right)]
     return 1.0 - sum(lost) / sum(arms)
 
 
 def limit_rows(system=None):
-    """Where the right wheel touches, and how far the source looks: shift [m], yaw [rad], x_wheel [m], limit [m]."""
+    """Where the right wheel touches, and how far the source looks: shift [m], yaw [rad],
+    x_wheel [m], limit [m]."""
     system = system or ContactSystem()
     search = Search2D(system)
     rows = []
@@ -166,7 +182,8 @@ def limit_rows(system=None):
         height, slope = search.surfaces.wheel(np.array(plane.right.y_wheel))
         for yaw in map(math.radians, YAWS[1:]):
             pose = Pose(shift, yaw, plane.roll)
-            limit = longitudinal_limit(search.surfaces.radius + float(height), -float(slope), roll=pose.roll, yaw=yaw)
+            limit = longitudinal_limit(search.surfaces.radius + float(height), -float(slope), roll=pose.roll,
+                                       yaw=yaw)
             rows.append((shift, yaw, exact_result(system, shift, yaw).right.x_wheel, limit))
     return rows
 
@@ -180,7 +197,8 @@ def jump_rows(system=None):
 
 
 def jump_to_flange(solve, low=5e-3, high=6.6e-3):
-    """Smallest lateral shift [m] within 1 um at which ``solve(shift)`` has the right contact on the flange."""
+    """Smallest lateral shift [m] within 1 um at which ``solve(shift)`` has the right
+    contact on the flange."""
     while high - low > 1e-6:
         middle = 0.5 * (low + high)
         low, high = (low, middle) if solve(middle).right.y_wheel < FLANGE else (middle, high)
@@ -190,13 +208,16 @@ def jump_to_flange(solve, low=5e-3, high=6.6e-3):
 def search_rows(quick=False):
     """Rows for the benchmarks: name, work to be timed, number of wheelsets in it, and its error in words."""
     system = ContactSystem()
-    poses = [(shift * MM, math.radians(yaw)) for yaw in QUICK_YAWS for shift in (QUICK_SHIFTS if quick else SHIFTS)]
+    poses = [(shift * MM, math.radians(yaw)) for yaw in QUICK_YAWS
+             for shift in (QUICK_SHIFTS if quick else SHIFTS)]
     rows = []
     for name, search, _ in methods(system, quick=quick):
         done = list(trials(system, search, poses, timed=0))
         row = summary(name, None, done)
-        error = f"roll {row.roll_worst:.1g} rad, y {row.y_worst / MM:.2g} mm, fails at {len(row.failed)} of {len(done)}"
-        rows.append((f"study: {name}", lambda search=search: [search.solve(*pose) for pose in poses], len(poses), error))
+        error = (f"roll {row.roll_worst:.1g} rad, y {row.y_worst / MM:.2g} mm, fails at {len(row.failed)} of "
+                 f"{len(done)}")
+        rows.append((f"study: {name}", lambda search=search: [search.solve(*pose) for pose in poses],
+                     len(poses), error))
     return rows
 
 
@@ -212,29 +233,38 @@ def main(quick=False):
     rows = comparison(system, quick)
     _print_errors(rows)
     _print_failures(rows)
-    print("\n| K | " + " | ".join(f"steps at {shift} mm" for shift in GAIN_SHIFTS) + " |\n" + "|---" * 6 + "|")
+    print("\n| K | " + " | ".join(f"steps at {shift} mm" for shift in GAIN_SHIFTS) + " |\n" + "|---" * 6
+          + "|")
     for gain, *steps in gain_rows(system):
-        print(f"| {gain} | " + " | ".join("does not converge" if count is None else str(count) for count in steps) + " |")
-    print("| true lever / assumed | " + " | ".join(f"{lever_share(system, shift * MM):.2f}" for shift in GAIN_SHIFTS) + " |")
-    print("\n| lateral shift [mm] | yaw [deg] | the right wheel touches at x [mm] | limit of source eq. (5.8) [mm] |")
+        print(f"| {gain} | "
+              + " | ".join("does not converge" if count is None else str(count) for count in steps) + " |")
+    print("| true lever / assumed | "
+          + " | ".join(f"{lever_share(system, shift * MM):.2f}" for shift in GAIN_SHIFTS) + " |")
+    print("\n| lateral shift [mm] | yaw [deg] | the right wheel touches at x [mm] | limit of source eq. "
+          "(5.8) [mm] |")
     print("|---|---|---|---|")
     for shift, yaw, x, limit in limit_rows(system):
         print(f"| {shift / MM:g} | {math.degrees(yaw):.0f} | {x / MM:.2f} | {limit / MM:.2f} |")
-    print("\n| yaw [deg] | flange contact from lateral shift [mm], exact | by the 3-D search |\n|---|---|---|")
+    print("\n| yaw [deg] | flange contact from lateral shift [mm], exact | by the 3-D search "
+          "|\n|---|---|---|")
     for yaw, exact, found in jump_rows(system):
         print(f"| {math.degrees(yaw):.0f} | {exact / MM:.3f} | {found / MM:.3f} |")
-    seconds = min(timeit.repeat(lambda: [exact_result(system, 6e-3, yaw) for yaw in (0.0, 0.01, 0.02)], number=10)) / 30
-    print(f"\nunit: np.sqrt of 2000 doubles, {unit() * 1e6:.2f} µs here; the exact search from Python, alternating between "
+    seconds = min(timeit.repeat(lambda: [exact_result(system, 6e-3, yaw) for yaw in (0.0, 0.01, 0.02)],
+                                number=10)) / 30
+    print(f"\nunit: np.sqrt of 2000 doubles, {unit() * 1e6:.2f} µs here; the exact search from Python, "
+          f"alternating between "
           f"yaws: {seconds / unit():.0f} units")
 
 
 def _print_errors(rows):
-    print("| search | yaw | fails | roll error [rad] | y error [mm] | x error [mm] | steps | gaps taken | units |")
+    print("| search | yaw | fails | roll error [rad] | y error [mm] | x error [mm] | steps | gaps taken | "
+          "units |")
     print("|---|---|---|---|---|---|---|---|---|")
     for row in rows:
-        print(f"| {row.method} | {'1 ... 3 deg' if row.yawed else 'none'} | {len(row.failed)} of {row.poses} | "
-              f"{row.roll:.1e} / {row.roll_worst:.1e} | {row.y / MM:.3f} / {row.y_worst / MM:.3f} | "
-              f"{row.x / MM:.3f} / {row.x_worst / MM:.3f} | {row.steps:.0f} | {row.evaluations:.1e} | {row.units:.0f} |")
+        print(f"| {row.method} | {'1 ... 3 deg' if row.yawed else 'none'} | {len(row.failed)} of {row.poses} "
+              f"| {row.roll:.1e} / {row.roll_worst:.1e} | {row.y / MM:.3f} / {row.y_worst / MM:.3f} | "
+              f"{row.x / MM:.3f} / {row.x_worst / MM:.3f} | {row.steps:.0f} | {row.evaluations:.1e} | "
+              f"{row.units:.0f} |")
     print("\nErrors: median / largest of the poses that do not fail; steps, gaps and units: median of all.")
 
 
@@ -242,7 +272,8 @@ def _print_failures(rows):
     print("\n| fails | at (lateral shift [mm], yaw [deg]): how far off y_wheel [mm], roll [rad] |\n|---|---|")
     for row in rows:
         if row.failed and not (row.yawed and row.method.startswith("2-D")):
-            elsewhere = [f"({trial.shift / MM:g}, {math.degrees(trial.yaw):.0f}): {trial.y / MM:.1f}, {trial.roll:.1e}"
+            elsewhere = [f"({trial.shift / MM:g}, {math.degrees(trial.yaw):.0f}): {trial.y / MM:.1f}, "
+                         f"{trial.roll:.1e}"
                          for trial in row.failed if trial.result.converged]
             unsolved = Counter(trial.result.remark for trial in row.failed if not trial.result.converged)
             cells = elsewhere + [f"{remark}: {count} poses" for remark, count in unsolved.items()]

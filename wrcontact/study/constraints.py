@@ -1,9 +1,10 @@
-"""Contact as nonlinear equations, the approach of De Pater and of Yang that the source describes in its section 2.1.
+"""Contact as nonlinear equations, the approach of De Pater and of Yang that the source
+describes in its section 2.1.
 
-Of each wheel a point has to coincide with one of the rail and the normals there to be parallel; lateral shift and yaw are
-given, and both wheels are solved at once.  (The source's authors give roll and yaw and ask for the lateral shift.)  Yang's
-third condition, that nothing penetrates, is not an equation: what a solver finds is a stationary point of the gap, and is
-looked at afterwards.
+Of each wheel a point has to coincide with one of the rail and the normals there to be parallel; lateral shift
+and yaw are given, and both wheels are solved at once. (The source's authors give roll and yaw and ask for the
+lateral shift.) Yang's third condition, that nothing penetrates, is not an equation: what a solver finds is a
+stationary point of the gap, and is looked at afterwards.
 """
 
 import math
@@ -25,8 +26,9 @@ DEPTH = 1e-6
 class ConstraintSearch:
     """Roll, vertical shift and both contacts from eight equations, by ``scipy.optimize.root``.
 
-    The unknowns are roll and vertical shift, and for each wheel the angle phi around the wheel, y_wheel and y_rail.  With
-    the wheel point P = R (r sin phi, b + y, r cos phi) + centre and its normal n = R (sin phi, -r', cos phi):
+    The unknowns are roll and vertical shift, and for each wheel the angle phi around the wheel,
+    y_wheel and y_rail. With the wheel point P = R (r sin phi, b + y, r cos phi) + centre and its
+    normal n = R (sin phi, -r', cos phi):
 
         P_y = y_rail,   P_z = z_rail(y_rail),   n_x = 0,   n_y + z_rail' n_z = 0.
 
@@ -49,8 +51,8 @@ class ConstraintSearch:
 
         Parameters
         ----------
-        start : where the solver begins: roll [rad], and y_wheel [m] of the left and of the right wheel; the angle around
-            the wheel begins where the normal's n_x is about zero, y_rail below the wheel point.
+        start : where the solver begins: roll [rad], and y_wheel [m] of the left and of the right wheel; the
+            angle around the wheel begins where the normal's n_x is about zero, y_rail below the wheel point.
         """
         evaluations = 0
 
@@ -70,13 +72,15 @@ class ConstraintSearch:
 
     def _contact(self, unknowns):
         phi, y, y_rail = map(float, unknowns)
-        return Contact((self.surfaces.radius + float(self.surfaces.wheel(np.array(y))[0])) * math.sin(phi), y, y_rail)
+        return Contact((self.surfaces.radius + float(self.surfaces.wheel(np.array(y))[0])) * math.sin(phi), y,
+                       y_rail)
 
     def _first(self, pose, places):
         values = [pose.roll, 0.0]
         for side, y in zip(SIDES, places):
             here = pose.of(side)
-            phi = -math.tan(here.yaw) * float(self.surfaces.wheel(np.array(y))[1])      # where n_x is about zero
+            # where n_x is about zero
+            phi = -math.tan(here.yaw) * float(self.surfaces.wheel(np.array(y))[1])
             values += [phi, y, self._wheel_point(here, phi, y)[0][1] - self.surfaces.rail_y]
         return np.array(values)
 
@@ -85,7 +89,8 @@ class ConstraintSearch:
         z, slope = self.surfaces.wheel(np.array(y))
         r, s, c = self.surfaces.radius + z, math.sin(phi), math.cos(phi)
         point = turned(pose, r * s, self.surfaces.arm + y, r * c)
-        return (point[0], point[1] + pose.lateral_shift, point[2] - self.surfaces.radius), turned(pose, s, -slope, c)
+        return (point[0], point[1] + pose.lateral_shift,
+                point[2] - self.surfaces.radius), turned(pose, s, -slope, c)
 
     def _residuals(self, values, lateral_shift, yaw):
         """Residuals (8,): lengths in mm, normals in 1e-3."""
@@ -98,16 +103,19 @@ class ConstraintSearch:
         return np.array(residuals, dtype=float) / MM
 
     def _fault(self, values, lateral_shift, yaw):
-        """What is wrong with a solution of the equations, "" if nothing: beside the profiles, or a wheel in its rail."""
+        """What is wrong with a solution of the equations, "" if nothing: beside the profiles,
+        or a wheel in its rail."""
         for phi_y in (values[2:5], values[5:]):
             for place, ends in zip(phi_y[1:], (self.surfaces.wheel_ends, self.surfaces.rail_ends)):
                 if not ends[0] <= place <= ends[1]:
                     return "a solution beside the profiles"
         reach = self.surfaces.reach(yaw) if yaw else 0.0
-        matrix = ProfileMatrix(self.surfaces, self._rail, np.unique(np.linspace(-reach, reach, 161)), self._nodes)
+        matrix = ProfileMatrix(self.surfaces, self._rail, np.unique(np.linspace(-reach, reach, 161)),
+                               self._nodes)
         pose = Pose(lateral_shift, yaw, values[0])
         depth = max(values[1] - matrix.lowest(pose.of(side)).gap for side in SIDES)
-        return f"another stationary point: a wheel is {depth / MM:.3g} mm in its rail" if depth > DEPTH else ""
+        return (f"another stationary point: a wheel is {depth / MM:.3g} mm in its rail" if depth > DEPTH
+                else "")
 
 
 def turned(pose, x, y, z):

@@ -1,4 +1,5 @@
-"""A figure of the source as we find it, the wheelset in the variants that the figures need, and tables of columns.
+"""A figure of the source as we find it, the wheelset in the variants that the figures
+need, and tables of columns.
 
 Everything in a :class:`SourceFigure` is in the units that people read: mm, deg, kN, MPa, 1/m.
 """
@@ -30,7 +31,8 @@ class SourceFigure:
     verdict : of the claim: "holds", "partly" or "fails".
     key : the number to remember, with its unit, in a few words.
     numbers : what the finding rests on, by name with unit.
-    columns : the table, by name with unit; arrays or lists (n,), of numbers or of words. NaN is an empty cell.
+    columns : the table, by name with unit; arrays or lists (n,), of numbers or of
+    words. NaN is an empty cell.
     """
 
     number: str
@@ -48,7 +50,8 @@ class SourceFigure:
         with open_atomically(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.columns)
-            writer.writerows([_cell(value) for value in row] for row in zip(*self.columns.values(), strict=True))
+            writer.writerows([_cell(value) for value in row]
+                             for row in zip(*self.columns.values(), strict=True))
 
     @property
     def stem(self):
@@ -83,7 +86,8 @@ class Study:
     @cache
     def right(self, shift, yaw=0.0, **parameters):
         """The right wheel's contact under the load, at a lateral shift [mm] and yaw [deg]."""
-        return self.system(**parameters).evaluate(lateral_shift=shift / 1e3, yaw=math.radians(yaw), normal_force=FORCE).right
+        return self.system(**parameters).evaluate(lateral_shift=shift / 1e3, yaw=math.radians(yaw),
+                                                  normal_force=FORCE).right
 
     def complete(self, shift, yaw=0.0):
         """The same by the complete theory."""
@@ -91,7 +95,8 @@ class Study:
 
 
 def stacked(*tables):
-    """One table (dict of columns) from several: rows below each other, empty cells where a column is missing."""
+    """One table (dict of columns) from several: rows below each other, empty cells
+    where a column is missing."""
     names = list(dict.fromkeys(name for table in tables for name in table))
     columns = {name: [] for name in names}
     for table in tables:

@@ -5,7 +5,7 @@
 ::
 
     curves and patches  ->  columns (the CSV)  ->  numbers, one sentence        figures_*.py
-    columns             ->  picture                                             wrcontact/plots/source_figures.py
+    columns -> picture wrcontact/plots/source_figures.py
 
 >>> from wrcontact.study.figures import Study, compute
 >>> figure = compute("7.10", Study())
@@ -33,7 +33,8 @@ def known():
 
 
 def chosen(words):
-    """Numbers of the figures that ``words`` name ("7.2", "fig_7_2", "7.2,7.4"), in the source's order; all for none.
+    """Numbers of the figures that ``words`` name ("7.2", "fig_7_2", "7.2,7.4"), in the
+    source's order; all for none.
 
     Raises
     ------
@@ -57,7 +58,8 @@ def table(figures):
     """Chapter 2 of docs/source_study.md: a row in Markdown for each figure."""
     rows = [f"| {figure.number} | {figure.claim} | {figure.verdict} | {figure.finding} | {figure.key} |"
             for figure in figures]
-    return "\n".join(["| figure | the source says | | we find | the number |", "|---|---|---|---|---|", *rows])
+    return "\n".join(["| figure | the source says | | we find | the number |", "|---|---|---|---|---|",
+                      *rows])
 
 
 if __name__ == "__main__":

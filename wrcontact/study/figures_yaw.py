@@ -10,7 +10,8 @@ def yaw_patches(number, shift, where):
     def make(study):
         numbers, tables = {}, []
         for yaw in (0, 1, 2):
-            name, side, complete = f"yaw {yaw} deg", study.right(shift, float(yaw)), study.complete(shift, float(yaw))
+            name, side = f"yaw {yaw} deg", study.right(shift, float(yaw))
+            complete = study.complete(shift, float(yaw))
             numbers |= {f"{name}: y_wheel [mm]": side.contact.y_wheel * 1e3,
                         f"{name}: x_wheel [mm]": side.contact.x_wheel * 1e3,
                         f"{name}: longitudinal radius [m]": 1 / side.curvature_x,
@@ -20,9 +21,10 @@ def yaw_patches(number, shift, where):
         if where == "tread":
             narrow = study.right(shift, running_circle_distance=1.5 * math.cos(math.radians(2)))
             numbers |= sizes("no yaw, wheelset narrower by cos(2 deg)", narrow)
-        return SourceFigure(number, f"Patch at {shift:g} mm, {where}, for yaw 0, 1, 2 deg", f"yaw, patches at {shift:g} mm",
-                            "Yaw changes the patch, without a clear pattern.", *_yaw_words(numbers, where), numbers,
-                            stacked(*tables))
+        return SourceFigure(number, f"Patch at {shift:g} mm, {where}, for yaw 0, 1, 2 deg",
+                            f"yaw, patches at {shift:g} mm",
+                            "Yaw changes the patch, without a clear pattern.", *_yaw_words(numbers, where),
+                            numbers, stacked(*tables))
 
     return make
 
@@ -35,16 +37,19 @@ def _yaw_words(numbers, where):
     key = f"area {listed(area, 1)} mm2"
     if where == "tread":
         narrow = numbers["no yaw, wheelset narrower by cos(2 deg): area [mm2]"]
-        return (f"There is one here: area {listed(area, 0)} mm2, largest pressure {listed(pressure, 0)} MPa. Yaw acts as a "
-                f"narrower wheelset: one narrower by cos(2 deg) has {narrow:.0f} mm2 without yaw.", FAILS, key)
+        return (f"There is one here: area {listed(area, 0)} mm2, largest pressure {listed(pressure, 0)} MPa. "
+                f"Yaw acts as a narrower wheelset: one narrower by cos(2 deg) has {narrow:.0f} mm2 without "
+                "yaw.", FAILS,
+                key)
     if where == "flange root":
         return (f"0 and 1 deg are alike ({listed(area[:2], 1)} mm2); at 2 deg the wheel is on its flange, "
-                f"{numbers['yaw 2 deg: x_wheel [mm]']:.0f} mm ahead, as the jump is at 5.878 mm: {area[2]:.1f} mm2 and "
-                f"{pressure[2] / pressure[0]:.1f} times the pressure. Patches of two places are compared; that hides "
-                "the pattern.",
+                f"{numbers['yaw 2 deg: x_wheel [mm]']:.0f} mm ahead, as the jump is at 5.878 mm: "
+                f"{area[2]:.1f} mm2 and {pressure[2] / pressure[0]:.1f} times the pressure. Patches of two "
+                "places are compared; that hides the pattern.",
                 PARTLY, key)
-    return (f"There is one: the patch becomes shorter ({listed(length, 1)} mm) and wider ({listed(width, 2)} mm), as the "
-            f"longitudinal radius falls ({listed(radius, 2)} m).", FAILS, f"length {listed(length, 1)} mm")
+    return (f"There is one: the patch becomes shorter ({listed(length, 1)} mm) and wider ({listed(width, 2)} "
+            f"mm), as the longitudinal radius falls ({listed(radius, 2)} "
+            "m).", FAILS, f"length {listed(length, 1)} mm")
 
 
 FIGURES = {

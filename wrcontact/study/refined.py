@@ -1,8 +1,10 @@
-"""The source's two proposals for a cheaper 3-D search, its chapter 9: a dx that adapts, and denser nodes near the contact.
+"""The source's two proposals for a cheaper 3-D search, its chapter 9: a dx that adapts, and
+denser nodes near the contact.
 
-Both begin with coarse nodes on all of the wheel that yaw can bring to the rail, ahead and behind, so that neither Wang's
-limit nor a 2-D search is needed.  Then they add finer nodes around the contact just found and roll on from there, level
-after level.  The coarse nodes stay, so another minimum is still seen, up to what the coarse nodes can hide.
+Both begin with coarse nodes on all of the wheel that yaw can bring to the rail, ahead and behind, so
+that neither Wang's limit nor a 2-D search is needed. Then they add finer nodes around the contact
+just found and roll on from there, level after level. The coarse nodes stay, so another minimum is
+still seen, up to what the coarse nodes can hide.
 """
 
 import math
@@ -20,7 +22,8 @@ WINDOW = 2
 
 
 class AdaptiveSearch:
-    """3-D search with a dx that adapts: from ``coarse_dx`` to ``dx`` [m] in steps of ``factor``, all nodes in y.
+    """3-D search with a dx that adapts: from ``coarse_dx`` to ``dx`` [m] in steps of
+    ``factor``, all nodes in y.
 
     ``spacing``, ``gain``, ``tolerance`` as for :class:`~wrcontact.study.search.Search3D`.
     """
@@ -32,7 +35,8 @@ class AdaptiveSearch:
         self._rail = rail_polyline(self.surfaces, spacing)
 
     def solve(self, lateral_shift=0.0, yaw=0.0):
-        """:class:`~wrcontact.study.search.Result` at ``lateral_shift`` [m] and ``yaw`` [rad]; counts are of all levels."""
+        """:class:`~wrcontact.study.search.Result` at ``lateral_shift`` [m] and ``yaw`` [rad];
+        counts are of all levels."""
         pose, steps, evaluations = Pose(lateral_shift, yaw), 0, 0
         base = {side: [self._matrix(self._all_rows(pose), self._all_nodes())] for side in SIDES}
         finer, level, repeats = {side: [] for side in SIDES}, 0, 0
@@ -40,8 +44,10 @@ class AdaptiveSearch:
             found = balance({side: base[side] + finer[side] for side in SIDES}, pose, gain=self.gain,
                             tolerance=self.tolerance)
             steps, evaluations = steps + found.steps, evaluations + found.gap_evaluations
-            settled = level == 0 or repeats == REPEATS or all(inside(finer[side][0], getattr(found, side)) for side in SIDES)
-            remark = found.remark or ("" if settled and repeats < REPEATS else "the contact moves between the levels")
+            settled = (level == 0 or repeats == REPEATS
+                       or all(inside(finer[side][0], getattr(found, side)) for side in SIDES))
+            remark = (found.remark
+                      or ("" if settled and repeats < REPEATS else "the contact moves between the levels"))
             level, repeats = (level + 1, 0) if settled else (level, repeats + 1)
             if not found.converged or level == len(self.levels):
                 return Result(found.roll, found.vertical_shift, found.left, found.right, steps, evaluations,
@@ -71,8 +77,8 @@ class AdaptiveSearch:
 
 
 class DenserSearch(AdaptiveSearch):
-    """3-D search with denser nodes near the contact, in both directions: from (``coarse_dx``, ``coarse_spacing``) to
-    (``dx``, ``spacing``) [m] in steps of ``factor``."""
+    """3-D search with denser nodes near the contact, in both directions: from (``coarse_dx``,
+    ``coarse_spacing``) to (``dx``, ``spacing``) [m] in steps of ``factor``."""
 
     def __init__(self, system, dx=1e-5, spacing=1e-5, coarse_dx=2e-3, coarse_spacing=5e-4, factor=6, gain=1.2,
                  tolerance=1e-7):
@@ -91,7 +97,8 @@ class DenserSearch(AdaptiveSearch):
 
 
 def spacings(coarse, fine, factor):
-    """Falling distances from ``coarse`` to ``fine`` [m], each at most ``factor`` times the next one, in equal ratios."""
+    """Falling distances from ``coarse`` to ``fine`` [m], each at most ``factor`` times the
+    next one, in equal ratios."""
     count = max(0, math.ceil(math.log(coarse / fine) / math.log(factor) - 1e-9))
     return [coarse * (fine / coarse)**(k / max(count, 1)) for k in range(count + 1)]
 

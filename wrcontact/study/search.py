@@ -2,9 +2,8 @@
 
 Both roll the wheelset until the smallest vertical distances of the two wheels are equal::
 
-    wheel and rail as nodes  ->  smallest distance of each wheel     ProfileMatrix.lowest, source eqs. (4.2), (4.3)
-    equal                    ->  roll, by steps of eq. (4.6)          balance
-    distance                 ->  vertical shift
+    wheel and rail as nodes -> smallest distance of each wheel ProfileMatrix.lowest, source eqs. (4.2), (4.3)
+    equal -> roll, by steps of eq. (4.6) balance distance -> vertical shift
 """
 
 import math
@@ -23,7 +22,8 @@ STEP_LIMIT = 400
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a wheel touches [m]: ahead of the principal profile, on the wheel profile, on the rail profile."""
+    """Where a wheel touches [m]: ahead of the principal profile, on the wheel
+    profile, on the rail profile."""
 
     x_wheel: float = math.nan
     y_wheel: float = math.nan
@@ -57,8 +57,9 @@ class Result:
 def balance(matrices, pose, *, gain, tolerance, mapping=1.0, step_limit=STEP_LIMIT):
     """Roll at which both wheels' smallest distances differ by less than ``tolerance`` [m]; a :class:`Result`.
 
-    ``Delta theta = K atan((mindist_L - mindist_R) / (y_minL - y_minR))``, source eqs. (4.5)-(4.7) and (5.15).  It prints a
-    minus in front of K; with the roll counted from y to z that turns the wheelset away from the answer.
+    ``Delta theta = K atan((mindist_L - mindist_R) / (y_minL - y_minR))``, source eqs.
+    (4.5)-(4.7) and (5.15). It prints a minus in front of K; with the roll counted from y to z
+    that turns the wheelset away from the answer.
 
     Parameters
     ----------
@@ -70,7 +71,8 @@ def balance(matrices, pose, *, gain, tolerance, mapping=1.0, step_limit=STEP_LIM
     evaluations, roll, remark = 0, pose.roll, f"no convergence in {step_limit} steps"
     for step in range(1, step_limit + 1):
         here = Pose(pose.lateral_shift, pose.yaw, roll)
-        left, right = (min((matrix.lowest(here.of(side), mapping) for matrix in matrices[side]), key=lambda found: found.gap)
+        left, right = (min((matrix.lowest(here.of(side), mapping) for matrix in matrices[side]),
+                           key=lambda found: found.gap)
                        for side in SIDES)
         evaluations += sum(matrix.heights.size for side in SIDES for matrix in matrices[side])
         if not (math.isfinite(left.gap) and math.isfinite(right.gap)):
@@ -110,15 +112,18 @@ class Search2D:
         self._matrices = {side: (matrix,) for side in SIDES}
 
     def solve(self, lateral_shift=0.0, yaw=0.0, roll=0.0):
-        """:class:`Result` at ``lateral_shift`` [m]; ``yaw`` is not seen, ``roll`` [rad] is where the steps begin."""
-        return balance(self._matrices, Pose(lateral_shift, 0.0, roll), gain=self.gain, tolerance=self.tolerance)
+        """:class:`Result` at ``lateral_shift`` [m]; ``yaw`` is not seen, ``roll`` [rad] is
+        where the steps begin."""
+        return balance(self._matrices, Pose(lateral_shift, 0.0, roll), gain=self.gain,
+                       tolerance=self.tolerance)
 
 
 class Search3D:
     """The source's search with yaw, its chapter 5: a matrix of profiles on each side.
 
-    The 2-D search gives the roll to begin with, and contact angle and radius for Wang's shift, which is how far along the
-    wheel the profiles reach (source eqs. (5.8), (5.9)): to one side only, ahead on the right wheel for a positive yaw.
+    The 2-D search gives the roll to begin with, and contact angle and radius for Wang's shift, which is how
+    far along the wheel the profiles reach (source eqs. (5.8), (5.9)): to one side only, ahead on the right
+    wheel for a positive yaw.
 
     Parameters
     ----------
@@ -127,11 +132,12 @@ class Search3D:
     spacing : of the nodes on wheel and rail [m]; not told in the source.
     gain, tolerance : as for :class:`Search2D`; source eqs. (5.15), (4.5).
     profiles : so many of them on each side (201 is the source's example), or None for Wang's limit.
-    as_printed : take source eq. (5.12) as printed, Z_r(s / cos psi), for the section of a yawed plane with the rail; right
-        is Z_r(s cos psi), s from the top of the rail along the section.
+    as_printed : take source eq. (5.12) as printed, Z_r(s / cos psi), for the section of a yawed plane with
+        the rail; right is Z_r(s cos psi), s from the top of the rail along the section.
     """
 
-    def __init__(self, system, dx=1e-4, spacing=1e-4, gain=1.2, tolerance=1e-7, profiles=None, as_printed=False):
+    def __init__(self, system, dx=1e-4, spacing=1e-4, gain=1.2, tolerance=1e-7, profiles=None,
+                 as_printed=False):
         self.surfaces = Surfaces(system)
         self.dx, self.gain, self.tolerance = dx, gain, tolerance
         self.profiles, self.as_printed = profiles, as_printed
@@ -144,22 +150,27 @@ class Search3D:
         plane = self._plane.solve(lateral_shift)
         pose = Pose(lateral_shift, yaw, plane.roll if plane.converged else 0.0)
         rows = {side: self._rows(pose.of(side), getattr(plane, side)) for side in SIDES}
-        matrices = {side: (ProfileMatrix(self.surfaces, self._rail, rows[side], self._nodes),) for side in SIDES}
+        matrices = {side: (ProfileMatrix(self.surfaces, self._rail, rows[side], self._nodes),)
+                    for side in SIDES}
         mapping = math.cos(yaw)**-2 if self.as_printed else 1.0
         found = balance(matrices, pose, gain=self.gain, tolerance=self.tolerance, mapping=mapping)
-        at_end = [side for side in SIDES if len(rows[side]) > 1 and getattr(found, side).x_wheel == rows[side][-1]]
-        remark = found.remark or (f"smallest gap in the last profile ({' and '.join(at_end)})" if at_end else "")
+        at_end = [side for side in SIDES if len(rows[side]) > 1
+                  and getattr(found, side).x_wheel == rows[side][-1]]
+        remark = (found.remark
+                  or (f"smallest gap in the last profile ({' and '.join(at_end)})" if at_end else ""))
         return Result(found.roll, found.vertical_shift, found.left, found.right, plane.steps + found.steps,
                       plane.gap_evaluations + found.gap_evaluations, found.converged, remark)
 
     def _rows(self, pose, estimate):
-        """Where the profiles of a right wheel at ``pose`` are cut [m], by the 2-D ``estimate`` of its contact."""
+        """Where the profiles of a right wheel at ``pose`` are cut [m], by the 2-D
+        ``estimate`` of its contact."""
         if pose.yaw == 0.0 or not math.isfinite(estimate.y_wheel):
             return np.zeros(1)
         count = self.profiles
         if count is None:
             height, slope = self.surfaces.wheel(np.array(estimate.y_wheel))
-            limit = longitudinal_limit(self.surfaces.radius + float(height), -float(slope), roll=pose.roll, yaw=pose.yaw)
+            limit = longitudinal_limit(self.surfaces.radius + float(height), -float(slope), roll=pose.roll,
+                                       yaw=pose.yaw)
             count = math.ceil(limit / self.dx) + 1
         return math.copysign(self.dx, pose.yaw) * np.arange(count)
 

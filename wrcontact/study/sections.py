@@ -1,11 +1,12 @@
-"""What the source feeds to ANALYN, its chapter 6: separations and curvatures along wheel and rail, without yaw.
+"""What the source feeds to ANALYN, its chapter 6: separations and curvatures along
+wheel and rail, without yaw.
 
-A right wheel and its rail are two curves that touch.  From the contact point, nodes are laid along both, and what lies
-between two nodes of a pair is the separation::
+A right wheel and its rail are two curves that touch. From the contact point, nodes are laid along both, and
+what lies between two nodes of a pair is the separation::
 
     same y             vertical distance                                  Section.vertical
-    same arc length    distance of the pair                               Section.equidistant (arcs, or chords as the source)
-    same station       distance along the contact normal, as the kernel   Section.normal
+    same arc length distance of the pair Section.equidistant (arcs, or chords as the source) same station
+    distance along the contact normal, as the kernel Section.normal
 
 Plain numpy on the profiles' own formulas: nothing of the kernel but the rigid pose.
 """
@@ -18,13 +19,15 @@ from scipy.interpolate import CubicHermiteSpline
 
 from ..profiles.placement import place_rail, readable_wheel
 
-#: Points of a profile between which abscissae are interpolated, 0.01 mm apart on a rail head, before Newton's method.
+#: Points of a profile between which abscissae are interpolated, 0.01 mm apart on a rail head,
+#: before Newton's method.
 DENSE = 8001
 NEWTON_STEPS = 4
 
 
 class Curve:
-    """A profile on the track: ``point(t)`` at the profile's abscissa t [m], from the contact point at ``origin``.
+    """A profile on the track: ``point(t)`` at the profile's abscissa t [m], from the
+    contact point at ``origin``.
 
     Axes as in the track frame, y to the field side and z down; ``angle`` [rad] turns from y to z.
     """
@@ -64,21 +67,25 @@ class Curve:
         return CubicHermiteSpline(self._arc, self._t, slope, extrapolate=False)(s)
 
     def at_distance(self, direction, distance):
-        """Abscissa [m] at ``distance`` (n,) [m] from the contact point along the unit vector ``direction``; NaN beyond.
+        """Abscissa [m] at ``distance`` (n,) [m] from the contact point along the unit vector
+        ``direction``; NaN beyond.
 
-        Where the curve comes back (steeper than the direction's normal) only the run around the contact point counts.
+        Where the curve comes back (steeper than the direction's normal) only the run around
+        the contact point counts.
         """
         along = direction @ self._points
         run = _rising_run(along, np.searchsorted(self._t, self.origin))
         t = np.interp(distance, along[run], self._t[run], left=np.nan, right=np.nan)
         for _ in range(NEWTON_STEPS):
             angle = self.direction(t)
-            rate = (direction[0] * np.cos(angle) + direction[1] * np.sin(angle)) * np.hypot(1.0, self.profile.slope(t))
+            rate = (direction[0] * np.cos(angle)
+                    + direction[1] * np.sin(angle)) * np.hypot(1.0, self.profile.slope(t))
             t = np.clip(t - (direction @ self.point(t) - distance) / rate, *self.ends)
         return t
 
     def at_chords(self, length, count):
-        """Abscissae [m] of up to ``count`` nodes to either side, each ``length`` [m] from the one before; rising.
+        """Abscissae [m] of up to ``count`` nodes to either side, each ``length`` [m]
+        from the one before; rising.
 
         Source section 6.1: the intersection of the curve with a half circle about the last node.
         """
@@ -110,9 +117,11 @@ def _rising_run(values, start):
 
 @dataclass(frozen=True)
 class Separation:
-    """Nodes in pairs: station [m], gap [m], and abscissae of the pair on wheel and rail [m], four arrays (n,).
+    """Nodes in pairs: station [m], gap [m], and abscissae of the pair on wheel and
+    rail [m], four arrays (n,).
 
-    ``stretch`` is the length along the contact plane per station: 1, or 1 / cos(contact angle) where stations are y.
+    ``stretch`` is the length along the contact plane per station: 1, or 1 / cos(contact
+    angle) where stations are y.
     """
 
     station: np.ndarray
@@ -128,7 +137,8 @@ class Separation:
 
 
 class Section:
-    """Wheel and rail of the right side in the plane of the principal profile, at a lateral shift [m] and without yaw."""
+    """Wheel and rail of the right side in the plane of the principal profile, at a lateral
+    shift [m] and without yaw."""
 
     def __init__(self, system, lateral_shift):
         chosen = system.parameters
@@ -152,11 +162,13 @@ class Section:
     def equidistant(self, ds, count=400, chords=False):
         """Distance of nodes at the same arc length, ``ds`` [m] apart, or as many chords of that length."""
         s = ds * np.arange(-count, count + 1)
-        wheel, rail = ((curve.at_chords(ds, count) if chords else curve.at_arc(s)) for curve in (self.wheel, self.rail))
+        wheel, rail = ((curve.at_chords(ds, count) if chords else curve.at_arc(s))
+                       for curve in (self.wheel, self.rail))
         return _known(s, np.hypot(*(self.rail.point(rail) - self.wheel.point(wheel))), wheel, rail)
 
     def normal(self, ds, count=400):
-        """Distance along the contact normal at the same station in the contact plane, nodes ``ds`` [m] apart."""
+        """Distance along the contact normal at the same station in the contact plane,
+        nodes ``ds`` [m] apart."""
         s = ds * np.arange(-count, count + 1)
         across, normal = self.axes()
         wheel, rail = self.wheel.at_distance(across, s), self.rail.at_distance(across, s)
@@ -170,7 +182,8 @@ class Section:
     # --- curvatures, source sections 6.2 and 6.3 ---
 
     def longitudinal(self, wheel, effective=True):
-        """A [1/m] at abscissae ``wheel``: ``1 / 2R``, or with ``R_eff = R / cos(delta)``, source eqs. (6.1), (6.2).
+        """A [1/m] at abscissae ``wheel``: ``1 / 2R``, or with ``R_eff = R / cos(delta)``,
+        source eqs. (6.1), (6.2).
 
         delta counts from the axle, which the wheel is round about; counted from the track it lacks the roll.
         """
@@ -182,13 +195,15 @@ class Section:
         return 0.5 * (self.rail.curvature(nodes.rail) - self.wheel.curvature(nodes.wheel))
 
     def rough_lateral(self, nodes, printed=False):
-        """B [1/m] from three nodes of wheel and rail, source eqs. (6.3)-(6.5); see :func:`rough_curvature`."""
+        """B [1/m] from three nodes of wheel and rail, source eqs. (6.3)-(6.5); see
+        :func:`rough_curvature`."""
         rail, wheel = (rough_curvature(curve.point(t), printed) for curve, t in
                        ((self.rail, nodes.rail), (self.wheel, nodes.wheel)))
         return 0.5 * (rail - wheel)
 
     def smooth_lateral(self, nodes, reach):
-        """B [1/m] from circles through the profiles within ``reach`` [m] to both sides: ANALYN's own way in the source."""
+        """B [1/m] from circles through the profiles within ``reach`` [m] to both sides:
+        ANALYN's own way in the source."""
         curves = (self.rail, nodes.rail), (self.wheel, nodes.wheel)
         rail, wheel = (circle_curvature(curve, t, reach) for curve, t in curves)
         return 0.5 * (rail - wheel)
@@ -201,9 +216,11 @@ def _known(station, gap, wheel, rail, stretch=1.0):
 
 
 def rough_curvature(points, printed=False):
-    """Change of the inclination from chord to chord over their length [1/m] at ``points`` (2, n); the ends repeat the next.
+    """Change of the inclination from chord to chord over their length [1/m] at ``points`` (2,
+    n); the ends repeat the next.
 
-    It belongs to the middle one of three nodes.  Source eq. (6.3) as ``printed`` gives it to the first one, a node early.
+    It belongs to the middle one of three nodes. Source eq. (6.3) as ``printed`` gives it to
+    the first one, a node early.
     """
     step = np.diff(points, axis=1)
     inclination = np.unwrap(np.arctan2(step[1], step[0]))
@@ -214,10 +231,11 @@ def rough_curvature(points, printed=False):
 
 
 def circle_curvature(curve, t, reach, count=31):
-    """Curvature [1/m] of circles fitted by least squares to ``count`` points within ``reach`` [m] of abscissae ``t`` (n,).
+    """Curvature [1/m] of circles fitted by least squares to ``count`` points within ``reach``
+    [m] of abscissae ``t`` (n,).
 
-    In axes along the chord, ``v = a + b u + k (u^2 + v^2) / 2`` is a circle of curvature ``k / sqrt(1 + b^2 - 2 a k)`` and
-    linear in (a, b, k).
+    In axes along the chord, ``v = a + b u + k (u^2 + v^2) / 2`` is a circle of curvature ``k / sqrt(1 + b^2 -
+    2 a k)`` and linear in (a, b, k).
     """
     places = np.clip(t[:, None] + reach * np.linspace(-1, 1, count), *curve.ends)
     y, z = curve.point(places) - curve.point(t)[:, :, None]

@@ -1,7 +1,7 @@
 """Wheel and rail surfaces of a ContactSystem as the searches read them, in numpy.
 
-Everything is written for a right wheel; the left one comes in mirrored (conventions.MIRROR).  The profiles are the kernel's
-own tables, so a search can differ from the exact one by its method only.
+Everything is written for a right wheel; the left one comes in mirrored (conventions.MIRROR). The profiles are
+the kernel's own tables, so a search can differ from the exact one by its method only.
 """
 
 import math
@@ -52,7 +52,8 @@ class Surfaces:
         return evaluate_table(self._rail, y)[:2]
 
     def reach(self, yaw):
-        """How far ahead of or behind its principal profile the wheel can touch at ``yaw``, whatever the contact [m]."""
+        """How far ahead of or behind its principal profile the wheel can touch at ``yaw``,
+        whatever the contact [m]."""
         y = np.linspace(*self.wheel_ends, 2001)
         return self.radius * min(1.0, abs(math.tan(yaw)) * 1.05 * np.abs(self.wheel(y)[1][20:-20]).max())
 
@@ -65,7 +66,8 @@ def profile_nodes(ends, spacing):
 
 @dataclass(frozen=True)
 class Lowest:
-    """The smallest gap [m] of a wheel, where it is (x_wheel, y_wheel, y_rail, y_axle) [m], and the gaps taken for it.
+    """The smallest gap [m] of a wheel, where it is (x_wheel, y_wheel, y_rail, y_axle) [m],
+    and the gaps taken for it.
 
     ``y_axle`` is its distance from the wheelset's centre along the yawed, unrolled axle.
     """
@@ -79,7 +81,8 @@ class Lowest:
 
 
 class ProfileMatrix:
-    """The wheel cut by planes across its axle at x (n,), each a profile at y (m,): source eqs. (5.10), (5.11).
+    """The wheel cut by planes across its axle at x (n,), each a profile at y (m,):
+    source eqs. (5.10), (5.11).
 
     ``R_n(y) = R_0(y) cos(alpha_n)``, ``sin(alpha_n) = x_n / R_0(y)``; the 2-D search has x = 0 alone.
     """
@@ -95,8 +98,9 @@ class ProfileMatrix:
     def lowest(self, pose, mapping=1.0):
         """The smallest of source eq. (5.13)'s distances at ``pose``, as (5.14) asks for; a :class:`Lowest`.
 
-        The matrix is rolled about the axle's centre; the rail, a polyline (2, k), is read below each node.  ``mapping``
-        stretches the rail's abscissa about its top, for source eq. (5.12) as printed.  The gap is infinite beside the rail.
+        The matrix is rolled about the axle's centre; the rail, a polyline (2, k), is read below each node.
+        ``mapping`` stretches the rail's abscissa about its top, for source eq. (5.12) as printed. The gap is
+        infinite beside the rail.
         """
         best = Lowest(math.inf, math.nan, math.nan, math.nan, math.nan, self.heights.size)
         rows = max(1, self.CHUNK // len(self.y))

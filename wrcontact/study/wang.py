@@ -1,8 +1,8 @@
 """Wang's shift of a yawed wheel's contact from its principal profile, source eqs. (5.1)-(5.7).
 
-The source's roll counts from z to y.  With ours (right wheel down positive) sin(roll) changes sign, and the shift, which it
-takes from the contact to the principal profile in y and z but the other way round in x, is from the principal profile to the
-contact here.  Two corrections of eq. (5.3), which the search does not use:
+The source's roll counts from z to y. With ours (right wheel down positive) sin(roll) changes sign, and the
+shift, which it takes from the contact to the principal profile in y and z but the other way round in x, is
+from the principal profile to the contact here. Two corrections of eq. (5.3), which the search does not use:
 
 * printed ``l_x^2 l_y tan(delta)``, right is ``l_x^2 l_z tan(delta)``;
 * the sign in front of the fraction; as printed the shift of a wheel without yaw would be 2 R.
@@ -12,7 +12,8 @@ from math import cos, hypot, sin, sqrt
 
 
 def wang_shift(radius, tan_angle, *, roll, yaw):
-    """Shift (x, y, z) [m] in the track frame from the principal profile's lowest point to the contact, of a right wheel.
+    """Shift (x, y, z) [m] in the track frame from the principal profile's lowest point to the
+    contact, of a right wheel.
 
     Parameters
     ----------
@@ -30,6 +31,7 @@ def wang_shift(radius, tan_angle, *, roll, yaw):
 
 
 def longitudinal_limit(radius, tan_angle, *, roll, yaw):
-    """How far along the wheel the source searches [m], source eqs. (5.8), (5.9): the shift's length in plan."""
+    """How far along the wheel the source searches [m], source eqs. (5.8), (5.9): the
+    shift's length in plan."""
     x, y, _ = wang_shift(radius, tan_angle, roll=roll, yaw=yaw)
     return hypot(x, y)

@@ -7,14 +7,17 @@ import hashlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parents[1]
-#: The rooms of the kernel, from upstream to downstream; a module imports from its own room and from those before it.
+#: The rooms of the kernel, from upstream to downstream; a module imports from its own room
+#: and from those before it.
 ROOMS = ("layout", "surface", "search", "contact", "patch", "normal", "wheelset", "prepare", "tangent")
 HANDLE_VERSION = 4      # raise when the functions or the handle in native/*.h change
 
 
 def kernel_modules(folder=HERE):
-    """Paths of the modules that are translated, sorted by room and name; the records of the room layout are one of them."""
-    return [path for path in kernel_sources(folder) if (path.parent.name == "layout") == (path.name == "__init__.py")]
+    """Paths of the modules that are translated, sorted by room and name; the records of the room
+    layout are one of them."""
+    return [path for path in kernel_sources(folder)
+            if (path.parent.name == "layout") == (path.name == "__init__.py")]
 
 
 def kernel_sources(folder=HERE):
@@ -27,8 +30,8 @@ def fingerprint(folder, layout):
 
     ``layout`` is the digest of the room layout, whose records follow from the table in wrcontact/interface.
 
-    It is written into the generated C and answered by ``wrcontact_abi()``, so a library compiled from other sources than
-    the ones beside it is recognised.  Line ends do not count: a checkout may change them.
+    It is written into the generated C and answered by ``wrcontact_abi()``, so a library compiled from other
+    sources than the ones beside it is recognised. Line ends do not count: a checkout may change them.
     """
     digest = hashlib.sha256(b"handle %d, layout %s" % (HANDLE_VERSION, layout.encode()))
     for path in kernel_sources(folder):

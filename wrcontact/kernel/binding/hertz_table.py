@@ -1,7 +1,8 @@
 """The kernel's table of Hertz coefficients from elliptic integrals; its record is HertzTable.
 
 numpy alone, because an FMU makes this table on a machine that may have nothing else: K and E come from the
-arithmetic-geometric mean, which gives K - E and E - q^2 K without cancellation.  Witness in tests: scipy.special.
+arithmetic-geometric mean, which gives K - E and E - q^2 K without cancellation.
+Witness in tests: scipy.special.
 """
 
 from functools import lru_cache
@@ -10,13 +11,15 @@ import numpy as np
 
 from .. import layout
 
-LIMIT = 18.0  #: table range of |ln(B/A)|; curvatures that differ more than 6e7-fold count as differing by that
+#: table range of |ln(B/A)|; curvatures that differ more than 6e7-fold count as differing by that
+LIMIT = 18.0
 CELLS_PER_UNIT = 8
 DEGREE = 5
 
 
 def elliptic_parts(q):
-    """K, E, (K - E) and (E - q^2 K) for the modulus sqrt(1 - q^2), 0 < q <= 1 (n,); Abramowitz & Stegun 17.6."""
+    """K, E, (K - E) and (E - q^2 K) for the modulus sqrt(1 - q^2), 0 < q <= 1 (n,);
+    Abramowitz & Stegun 17.6."""
     q = np.asarray(q, dtype=float)
     a, b = np.ones_like(q), q.copy()
     first, rest, weight = 0.5 * (1 - q) * (1 + q), np.zeros_like(q), 0.5
@@ -29,7 +32,8 @@ def elliptic_parts(q):
 
 
 def axis_ratio(curvature_ratio):
-    """Short over long semi-axis for small over large relative curvature, (K - E) / (E / q^2 - K) = ratio (n,)."""
+    """Short over long semi-axis for small over large relative curvature, (K - E) / (E
+    / q^2 - K) = ratio (n,)."""
     target = np.log(np.asarray(curvature_ratio, dtype=float))
     low, high = np.full_like(target, -20.0), np.zeros_like(target)
     for _ in range(80):
@@ -52,7 +56,8 @@ def coefficients(log_ratio):
 
 
 def basis(nodes):
-    """Coefficients of 1, t, t^2, ... of the polynomials that are 1 at one of the nodes and 0 at the others (node, power)."""
+    """Coefficients of 1, t, t^2, ... of the polynomials that are 1 at one of the nodes and 0 at the
+    others (node, power)."""
     rows = []
     for node in nodes:
         row = np.eye(1, len(nodes))[0]
@@ -64,7 +69,8 @@ def basis(nodes):
 
 @lru_cache(maxsize=1)
 def hertz_table():
-    """The table as the kernel reads it (n,): without products of matrices, whose last bits depend on the processor."""
+    """The table as the kernel reads it (n,): without products of matrices, whose last bits
+    depend on the processor."""
     count = int(2 * LIMIT * CELLS_PER_UNIT)
     nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
     cells = -LIMIT + (np.arange(count)[:, None] + nodes) / CELLS_PER_UNIT

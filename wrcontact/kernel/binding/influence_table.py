@@ -1,12 +1,14 @@
-"""How a strip of contact pressure pushes the half-space down beside it: the table that the strip correction reads.
+"""How a strip of contact pressure pushes the half-space down beside it: the table
+that the strip correction reads.
 
-A line load along x with the profile sqrt(1 - (x/a)^2), |x| < a, displaces the surface at x = 0 and the distance eta by a
-factor times
+A line load along x with the profile sqrt(1 - (x/a)^2), |x| < a, displaces the surface at x = 0 and the
+distance eta by a factor times
 
     Phi(t) = integral from -1 to 1 of sqrt(1 - u^2) / sqrt(u^2 + t^2) du = 2 sqrt(1 + t^2) [K(m) - E(m)]
 
-with t = eta / a, m = 1 / (1 + t^2), and K, E the complete elliptic integrals of parameter m.  Numpy alone, because an FMU
-makes this table on a machine that may have nothing else.  Witness in tests: the integral itself.
+with t = eta / a, m = 1 / (1 + t^2), and K, E the complete elliptic integrals of parameter m.
+Numpy alone, because an FMU makes this table on a machine that may have nothing else. Witness
+in tests: the integral itself.
 """
 
 from functools import lru_cache

@@ -1,13 +1,15 @@
-"""The kernel as Python calls it: compiled where it can be, the Python source otherwise, with the same bits either way.
+"""The kernel as Python calls it: compiled where it can be, the Python source otherwise, with
+the same bits either way.
 
     kernel = default_kernel()
     bound = kernel.bind(tables, state, workspace, inputs, outputs)      # once
     inputs[:] = 1e-3, 0.0, 0.0, 78.5e3, 0.0
     status = bound.step()                                               # writes outputs and state
 
-The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.2 us a call, during which other
-threads run.  The environment variable ``WRCONTACT_KERNEL`` chooses: ``auto`` (default: the library, or a warning and the
-source), ``compiled`` (the library or an error), ``python`` (the source: for a debugger, and as the library's witness).
+The compiled library is called through ctypes with one handle that is filled at ``bind``: 0.2 us a call,
+during which other threads run. The environment variable ``WRCONTACT_KERNEL`` chooses: ``auto`` (default: the
+library, or a warning and the source), ``compiled`` (the library or an error), ``python`` (the source: for a
+debugger, and as the library's witness).
 """
 
 import ctypes
@@ -22,8 +24,8 @@ import numpy as np
 from . import files
 from .files import HERE
 from .. import layout
-from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE, WORK_SIZE, Inputs, Setup,
-                      State, Tables, Work)
+from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE,
+                      WORK_SIZE, Inputs, Setup, State, Tables, Work)
 from ..patch.outline import row_size
 from .platforms import LIBRARY_NAME
 from ..prepare.tables import REPORT_COUNT, REPORT_SIZE, TABLES_FULL
@@ -40,7 +42,8 @@ class LibraryUnusable(Exception):
 
 @lru_cache(maxsize=None)
 def default_kernel():
-    """The kernel of this process, as ``WRCONTACT_KERNEL`` chooses; warns once where the library should be and is not."""
+    """The kernel of this process, as ``WRCONTACT_KERNEL`` chooses; warns once where the library
+    should be and is not."""
     choice = os.environ.get("WRCONTACT_KERNEL") or "auto"
     if choice not in CHOICES:
         raise ValueError(f"WRCONTACT_KERNEL is {choice!r}; it may be {', '.join(CHOICES)}")
@@ -51,7 +54,8 @@ def default_kernel():
     except LibraryUnusable as reason:
         if choice == "compiled":
             raise
-        warnings.warn(f"The contact kernel runs uncompiled, about 100 times slower: {reason}.", RuntimeWarning, stacklevel=2)
+        warnings.warn(f"The contact kernel runs uncompiled, about 100 times slower: {reason}.",
+                      RuntimeWarning, stacklevel=2)
         return Kernel()
 
 
@@ -68,12 +72,14 @@ class Kernel:
     def bind(self, tables, state, workspace, inputs, outputs):
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
         arrays = (checked("tables", tables, SETTING_COUNT), checked("state", state, STATE_SIZE, written=True),
-                  checked("workspace", workspace, WORK_SIZE, written=True), checked("inputs", inputs, INPUT_COUNT),
+                  checked("workspace", workspace, WORK_SIZE, written=True),
+                  checked("inputs", inputs, INPUT_COUNT),
                   checked("outputs", outputs, row_size(Tables.at(tables)), written=True))
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, hertz, influence):
-        """Outcome, tables and report of prepare_tables.py for these arrays: a setup, two definitions, two tables."""
+        """Outcome, tables and report of prepare_tables.py for these arrays: a setup, two
+        definitions, two tables."""
         given = [checked(name, array) for name, array in (("setup", setup), ("wheel", wheel), ("rail", rail),
                                                           ("hertz", hertz), ("influence", influence))]
         outcome, room = TABLES_FULL, TABLE_ROOM
@@ -101,7 +107,8 @@ class Kernel:
 def fill_starts(source, tables):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
-    state, workspace, inputs, outputs = (np.zeros(size) for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
+    state, workspace, inputs, outputs = (np.zeros(size)
+                                         for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
     for row in range(START_COUNT):
         Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
         status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
@@ -117,23 +124,29 @@ class CompiledKernel:
     def __init__(self, library, arrays):
         self._library, self._size = library, row_size(Tables.at(arrays[0]))
         handle = Handle(*map(span, arrays))
-        handle.arrays = arrays                      # it holds bare addresses: they live as long as it, or a bare ``step``, does
+        # it holds bare addresses: they live as long as it, or a bare ``step``, does
+        handle.arrays = arrays
         self._handle = ctypes.byref(handle)
         self._room = None
-        self.step = partial(library.wrcontact_step, self._handle)       # no method: a third of the cost is the look-up
+        # no method: a third of the cost is the look-up
+        self.step = partial(library.wrcontact_step, self._handle)
 
     def step_many(self, count, inputs, outputs, statuses):
-        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float in ``statuses`` each."""
+        """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
+        in ``statuses`` each."""
         blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._library.wrcontact_step_many(self._handle, count, *(block.ctypes.data for block in blocks))
+        return self._library.wrcontact_step_many(self._handle, count,
+                                                 *(block.ctypes.data for block in blocks))
 
     def tangent(self, seed):
-        """Status of the step at the inputs, and how its outputs move where the inputs move at the rates in ``seed``."""
+        """Status of the step at the inputs, and how its outputs move where the inputs move at
+        the rates in ``seed``."""
         if self._room is None:
             self._room = np.empty(self._library.wrcontact_tangent_room())
         rates = np.empty(self._size)
         seed = checked("seed", seed, INPUT_COUNT)
-        status = self._library.wrcontact_tangent(self._handle, seed.ctypes.data, rates.ctypes.data, self._room.ctypes.data)
+        status = self._library.wrcontact_tangent(self._handle, seed.ctypes.data, rates.ctypes.data,
+                                                 self._room.ctypes.data)
         return status, rates
 
 
@@ -164,7 +177,8 @@ class Span(ctypes.Structure):
 class Preparation(ctypes.Structure):
     """wrcontact_preparation in native/wrcontact_prepare.h."""
 
-    _fields_ = [(name, Span) for name in ("setup", "wheel", "rail", "hertz", "influence", "tables", "work", "report")]
+    _fields_ = [(name, Span)
+                for name in ("setup", "wheel", "rail", "hertz", "influence", "tables", "work", "report")]
 
 
 class Handle(ctypes.Structure):
@@ -211,7 +225,8 @@ def span(array):
 
 
 def view(array):
-    """The memory of the flat ``array`` as the Python source reads and writes it: faster than numpy, and plain floats."""
+    """The memory of the flat ``array`` as the Python source reads and writes it: faster than
+    numpy, and plain floats."""
     return memoryview(array)
 
 
@@ -219,7 +234,8 @@ def checked_blocks(count, size, inputs, outputs, statuses):
     """The flat arrays of ``count`` steps that give ``size`` numbers each."""
     if count < 0:
         raise ValueError(f"count is {count}; it cannot be negative")
-    return (checked("inputs", inputs, count * INPUT_COUNT), checked("outputs", outputs, count * size, written=True),
+    return (checked("inputs", inputs, count * INPUT_COUNT),
+            checked("outputs", outputs, count * size, written=True),
             checked("statuses", statuses, count, written=True))
 
 

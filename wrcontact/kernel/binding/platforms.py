@@ -28,10 +28,11 @@ class Platform(NamedTuple):
 PLATFORMS = {
     place.name: place
     for place in (
-        Platform("x86_64-linux", "linux64", "manylinux_2_17_x86_64.manylinux2014_x86_64", "x86_64-linux-gnu.2.17", ".so"),
+        Platform("x86_64-linux", "linux64", "manylinux_2_17_x86_64.manylinux2014_x86_64",
+                 "x86_64-linux-gnu.2.17", ".so"),
         Platform("x86_64-windows", "win64", "win_amd64", "x86_64-windows-gnu", ".dll"),
-        Platform("aarch64-linux", "aarch64-linux", "manylinux_2_17_aarch64.manylinux2014_aarch64", "aarch64-linux-gnu.2.17",
-                 ".so"),
+        Platform("aarch64-linux", "aarch64-linux", "manylinux_2_17_aarch64.manylinux2014_aarch64",
+                 "aarch64-linux-gnu.2.17", ".so"),
         Platform("aarch64-darwin", "aarch64-darwin", "macosx_11_0_arm64", "aarch64-macos.11.0", ".dylib"),
         Platform("x86_64-darwin", "darwin64", "macosx_10_15_x86_64", "x86_64-macos.10.15", ".dylib"),
     )
@@ -49,7 +50,8 @@ def host_platform():
 def library_name(name):
     """File name of the kernel's library for the platform of this name."""
     system = name.rpartition("-")[2]
-    return f"_wrcontact_kernel-{name}" + {"windows": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(system, ".so")
+    return f"_wrcontact_kernel-{name}" + {"windows": ".dll", "cygwin": ".dll",
+                                          "darwin": ".dylib"}.get(system, ".so")
 
 
 #: Of the library that this Python loads.

@@ -1,7 +1,7 @@
 """What is fixed during a simulation, prepared once into the one array that the kernel reads.
 
-The kernel's own preparation (kernel/prepare/tables.py) lays it out from the profiles' definitions, in Python and in a native
-FMU alike.
+The kernel's own preparation (kernel/prepare/tables.py) lays it out from the profiles' definitions, in Python
+and in a native FMU alike.
 """
 
 import numpy as np
@@ -30,7 +30,8 @@ def setup_of(parameters, methods):
 
 
 def prepare_tables_of(wheel, rail, *, parameters, methods):
-    """Settings and tables (n,) for the upright profiles ``wheel`` and ``rail``; the rest as for :func:`setup_of`.
+    """Settings and tables (n,) for the upright profiles ``wheel`` and ``rail``; the
+    rest as for :func:`setup_of`.
 
     Raises
     ------
@@ -38,8 +39,8 @@ def prepare_tables_of(wheel, rail, *, parameters, methods):
         where profiles and parameters do not fit each other, in a sentence.
     """
     setup = setup_of(parameters, methods)
-    outcome, tables, report = default_kernel().prepare(setup, wheel.definition(), rail.definition(), hertz_table(),
-                                                       influence_table())
+    outcome, tables, report = default_kernel().prepare(setup, wheel.definition(), rail.definition(),
+                                                       hertz_table(), influence_table())
     if outcome == prepare_tables.PREPARED:
         return tables
     raise ValueError(refusal(outcome, report, wheel.name, rail.name))
@@ -48,13 +49,14 @@ def prepare_tables_of(wheel, rail, *, parameters, methods):
 def refusal(outcome, report, wheel, rail):
     """Why the tables could not be prepared, in a sentence."""
     if outcome == prepare_tables.GAUGE_TOO_DEEP:
-        return (f"gauge_depth reaches {report[prepare_tables.REPORT_DEPTH]:.6g} m, but the inner side of the rail profile {rail} "
-                f"ends at {report[prepare_tables.REPORT_DEEPEST]:.6g} m; permitted are smaller depths")
+        return (f"gauge_depth reaches {report[prepare_tables.REPORT_DEPTH]:.6g} m, but the inner side of the "
+                f"rail profile {rail} ends at {report[prepare_tables.REPORT_DEEPEST]:.6g} m; permitted are "
+                "smaller depths")
     if outcome == prepare_tables.WHEEL_TOO_WIDE:
-        return (f"the wheel profile is {report[prepare_tables.REPORT_WIDTH]:.4g} m wide; permitted are at most "
-                f"{layout.SCAN_LIMIT * FINE_STEP:.4g} m")
+        return (f"the wheel profile is {report[prepare_tables.REPORT_WIDTH]:.4g} m wide; permitted are at "
+                f"most {layout.SCAN_LIMIT * FINE_STEP:.4g} m")
     if outcome == prepare_tables.WITHOUT_HEAD:
-        return (f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the rail's highest point; "
-                "permitted are profiles with less slope there")
-    return (f"the profiles {wheel} and {rail} have too many points for the kernel's tables; permitted are profiles with fewer "
-            "points")
+        return (f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the "
+                "rail's highest point; permitted are profiles with less slope there")
+    return (f"the profiles {wheel} and {rail} have too many points for the kernel's tables; permitted are "
+            "profiles with fewer points")

@@ -2,9 +2,10 @@
  *
  * How far the gap can fall: bounds of its second derivative between nodes of the raster.
  *
- * Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for its share, and the
- * gap changes by that slope times the outline's stretch 1 +- w.  Both second derivatives are bounded in the tables over stretches
- * of 2^k cells.  The shares are compared with dense sampling in tests/search/test_rigid.py.
+ * Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for
+ * its share, and the gap changes by that slope times the outline's stretch 1 +- w. Both second derivatives are
+ * bounded in the tables over stretches of 2^k cells. The shares are compared with dense sampling in
+ * tests/search/test_rigid.py.
  */
 
 #include "bounds.h"
@@ -31,9 +32,9 @@ static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, d
     return (int64_t)(u);
 }
 
-/* By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m] together, that begin
- * with node ``first``, and the share by which the outline is stretched there [-]; the first is no bound where the second is not
- * below WIDEST.
+/* By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m]
+ * together, that begin with node ``first``, and the share by which the outline is stretched there [-]; the
+ * first is no bound where the second is not below WIDEST.
  *
  * u : place in the raster of the rail where they begin, in cells.
  */
@@ -70,8 +71,8 @@ static inline int64_t bounds__least_bend(double* bend, double* stretch, array_do
     return 0;
 }
 
-/* Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over them [1/m] and the share
- * of the outline's stretch [-], which is WIDEST where the raster ends before.
+/* Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over
+ * them [1/m] and the share of the outline's stretch [-], which is WIDEST where the raster ends before.
  *
  * u : place of the node in the raster of the rail, in cells.
  */
@@ -102,8 +103,9 @@ static inline int64_t bounds__stretch_bend(double* length, double* bend, double*
     return 0;
 }
 
-/* How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
- * than ``bend`` [1/m], on a wheel that is stretched by no more than the share ``stretch``.
+/* How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with
+ * ``slope`` and rises by no less than ``bend`` [1/m], on a wheel that is stretched by no more than
+ * the share ``stretch``.
  */
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch)
 {
@@ -127,8 +129,8 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
     return fall;
 }
 
-/* The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than ``excess`` [m] over the
- * 2^exponent cells from ``node`` on; -1 if there is none.
+/* The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than
+ * ``excess`` [m] over the 2^exponent cells from ``node`` on; -1 if there is none.
  *
  * abscissa : of the node on the rail [m].
  * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
@@ -179,7 +181,8 @@ static inline int64_t bounds__rising_exponent(array_double_1d tables, array_doub
     return exponent;
 }
 
-/* ``clear_exponent`` from a minimum of the gap at ``y``, at ``abscissa`` on the rail [m], on: where the gap only rises.
+/* ``clear_exponent`` from a minimum of the gap at ``y``, at ``abscissa`` on the rail [m], on:
+ * where the gap only rises.
  *
  * The stretch is counted from the far node of the minimum's cell, so that it covers the whole cell.
  */
@@ -203,8 +206,8 @@ static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_
     return result;
 }
 
-/* Bounds [1/m] of the gap's second derivative between the nodes ``cell`` and ``cell`` + 1, the first of them above
- * the rail's ``abscissa`` [m]: rail minus wheel.
+/* Bounds [1/m] of the gap's second derivative between the nodes ``cell`` and ``cell`` + 1, the first of
+ * them above the rail's ``abscissa`` [m]: rail minus wheel.
  */
 static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa)
 {
@@ -238,8 +241,8 @@ static inline int64_t bounds__bend_bounds(double* least, double* most, array_dou
     return 0;
 }
 
-/* 1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
- * than ``least`` and no more than ``most`` [1/m], else 0.
+/* 1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference
+ * rises by no less than ``least`` and no more than ``most`` [1/m], else 0.
  */
 static inline int64_t bounds__only_rises_or_falls(double least, double most, double width, double mismatch_low, double mismatch_high)
 {
@@ -256,8 +259,9 @@ static inline int64_t bounds__only_rises_or_falls(double least, double most, dou
     return steady;
 }
 
-/* The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
- * no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet.
+/* The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last``
+ * at its ends, where it rises by no less than ``least`` and no more than ``most`` [1/m]:
+ * where the lines from both ends meet.
  */
 static inline double bounds__least_slope(double least, double most, double width, double first, double last)
 {

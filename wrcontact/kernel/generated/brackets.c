@@ -1,16 +1,19 @@
 /* Generated from wheelset/brackets.py by tools/transpile_kernel.py; change that one.
  *
- * Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
+ * Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the
+ * flatter wheel carries its load.
  *
- * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the height of the other
- * wheel its load has one value at every roll.  So the flatter wheel gives the height of each roll, and the steeper one the
- * residual that changes its sign at the roll in equilibrium.  Where that jumps, since a region comes or goes, the roll of the jump is
- * taken.
+ * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+ * height of the other wheel its load has one value at every roll. So the flatter wheel gives the height of each
+ * roll, and the steeper one the residual that changes its sign at the roll in equilibrium. Where that jumps,
+ * since a region comes or goes, the roll of the jump is taken.
  */
 
 #include "brackets.h"
 
-/* Where to look next for a root in a bracket: on the chord between both values, and every other time half way. */
+/* Where to look next for a root in a bracket: on the chord between both values,
+ * and every other time half way.
+ */
 static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_t bracket, int64_t i)
 {
     double low;
@@ -62,11 +65,11 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
     return total;
 }
 
-/* How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are there [m]; 1 if they can
- * carry it, else 0; and the outcome.
+/* How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are
+ * there [m]; 1 if they can carry it, else 0; and the outcome.
  *
- * The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry at ``height``
- * shows whether that is too low or too high, and the residual counts as the whole approach.
+ * The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
+ * at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
  */
 static OUT_OF_LINE int64_t brackets__height_residual(double* residual, int64_t* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
 {
@@ -96,11 +99,13 @@ static OUT_OF_LINE int64_t brackets__height_residual(double* residual, int64_t* 
     return 0;
 }
 
-/* Find the height at which a side carries ``force`` [N] with regions and nodes as they are just there; the outcome.
+/* Find the height at which a side carries ``force`` [N] with regions and nodes as they
+ * are just there; the outcome.
  *
- * The residual is positive where the side is too high, negative where it is too low.  Where its load jumps past the force as it
- * comes down, since a region comes or goes, the height of the jump is taken, with the regions just below it, or just above
- * where those cannot carry the force.  Where DEEPEST is too high the height is what it would be with regions as they are there.
+ * The residual is positive where the side is too high, negative where it is too low. Where its load jumps
+ * past the force as it comes down, since a region comes or goes, the height of the jump is taken, with the
+ * regions just below it, or just above where those cannot carry the force. Where DEEPEST is too high the
+ * height is what it would be with regions as they are there.
  */
 static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force)
 {
@@ -178,7 +183,9 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
     return status;
 }
 
-/* The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal. */
+/* The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one
+ * where they are equal.
+ */
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
 {
     int64_t flat;
@@ -190,8 +197,9 @@ static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
     return flat;
 }
 
-/* Let side ``flat`` carry its load at ``roll``, and move the other one to this height; how much lower the right one
- * carries its load than the left one [m], 1 if both can carry their loads, else 0, and the outcome.
+/* Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
+ * how much lower the right one carries its load than the left one [m], 1 if both can carry
+ * their loads, else 0, and the outcome.
  */
 static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
 {
@@ -238,8 +246,8 @@ static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, int64_t* sa
     return 0;
 }
 
-/* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome, NOT_CONVERGED if there is
- * none within ROLL_LIMIT.
+/* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
+ * NOT_CONVERGED if there is none within ROLL_LIMIT.
  */
 static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right, int64_t flat)
 {
@@ -289,7 +297,9 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
     return status;
 }
 
-/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from the rigid ``roll``. */
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
+ * from the rigid ``roll``.
+ */
 static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
     int64_t flat;

@@ -1,11 +1,12 @@
 /* Generated from wheelset/brackets.py by tools/transpile_kernel.py; change that one.
  *
- * Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
+ * Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the
+ * flatter wheel carries its load.
  *
- * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the height of the other
- * wheel its load has one value at every roll.  So the flatter wheel gives the height of each roll, and the steeper one the
- * residual that changes its sign at the roll in equilibrium.  Where that jumps, since a region comes or goes, the roll of the jump is
- * taken.
+ * A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+ * height of the other wheel its load has one value at every roll. So the flatter wheel gives the height of each
+ * roll, and the steeper one the residual that changes its sign at the roll in equilibrium. Where that jumps,
+ * since a region comes or goes, the roll of the jump is taken.
  */
 
 #ifndef WRCONTACT_KERNEL_BRACKETS_H

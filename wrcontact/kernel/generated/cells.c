@@ -2,10 +2,10 @@
  *
  * Local minima of the gap inside one cell of the raster, or inside the part of it that is above the rail.
  *
- * A cell that could hold a minimum is halved until that is settled.  The gap between both ends lies above its chord by no less
- * than -M h^2 / 8, where M bounds its second derivative from above.  Two loops do this, since they ask for different things:
- * ``search_cell`` for any value below the smallest gap, which narrows as it goes, also at ends; ``list_cell`` for all minima
- * below a fixed reach, in their order, each of them once.
+ * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
+ * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
+ * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
+ * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
  */
 
 #include "cells.h"
@@ -22,8 +22,9 @@ static inline int64_t cells__write_cell(array_double_1d work, int64_t cell, doub
     return INT64_C(0);
 }
 
-/* Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve while a smaller one is
- * possible, refine where the slope turns.  ``least`` and ``most`` bound the second derivative [1/m].
+/* Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
+ * while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
+ * second derivative [1/m].
  */
 static inline int64_t cells__search_cell(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double least, double most, double first, double last)
 {
@@ -94,7 +95,8 @@ static inline int64_t cells__search_cell(array_double_1d work, array_double_1d t
     return INT64_C(0);
 }
 
-/* List the local minima below ``side.reach`` in the first cell of the stack, which lies between ``node`` and the next one.
+/* List the local minima below ``side.reach`` in the first cell of the stack, which lies between
+ * ``node`` and the next one.
  *
  * abscissa : of its lower end on the rail [m].
  */
@@ -186,7 +188,9 @@ static inline int64_t cells__list_cell(array_double_1d work, array_double_1d tab
     return INT64_C(0);
 }
 
-/* Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` = 1, else at the beginning. */
+/* Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` =
+ * 1, else at the beginning.
+ */
 static inline int64_t cells__list_minimum(array_double_1d work, int64_t side, double y, double abscissa, int64_t direction)
 {
     int64_t entry;
@@ -213,7 +217,9 @@ static inline int64_t cells__list_minimum(array_double_1d work, int64_t side, do
     return INT64_C(0);
 }
 
-/* Keep (y, gap) if it is the side's smallest so far, by more than rounding: a node beside a contact is none. */
+/* Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
+ * node beside a contact is none.
+ */
 static inline int64_t cells__keep_smaller(array_double_1d work, int64_t side, double y, double gap)
 {
     if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - cells__ROUNDING)
@@ -224,8 +230,8 @@ static inline int64_t cells__keep_smaller(array_double_1d work, int64_t side, do
     return INT64_C(0);
 }
 
-/* Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within ``width`` [m] that has the
- * same gap but for the last bits.
+/* Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
+ * ``width`` [m] that has the same gap but for the last bits.
  */
 static inline int64_t cells__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
 {
@@ -243,7 +249,9 @@ static inline int64_t cells__keep_refined(array_double_1d work, int64_t side, do
     return INT64_C(0);
 }
 
-/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell: bracketed Newton's method. */
+/* Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell:
+ * bracketed Newton's method.
+ */
 static inline int64_t cells__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp)
 {
     double low;

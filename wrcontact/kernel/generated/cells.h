@@ -2,10 +2,10 @@
  *
  * Local minima of the gap inside one cell of the raster, or inside the part of it that is above the rail.
  *
- * A cell that could hold a minimum is halved until that is settled.  The gap between both ends lies above its chord by no less
- * than -M h^2 / 8, where M bounds its second derivative from above.  Two loops do this, since they ask for different things:
- * ``search_cell`` for any value below the smallest gap, which narrows as it goes, also at ends; ``list_cell`` for all minima
- * below a fixed reach, in their order, each of them once.
+ * A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
+ * chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
+ * they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
+ * also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
  */
 
 #ifndef WRCONTACT_KERNEL_CELLS_H

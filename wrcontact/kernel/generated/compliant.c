@@ -1,6 +1,7 @@
 /* Generated from wheelset/compliant.py by tools/transpile_kernel.py; change that one.
  *
- * Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep it is in its rail.
+ * Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from
+ * how deep it is in its rail.
  */
 
 #include "compliant.h"
@@ -34,7 +35,9 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     return status;
 }
 
-/* The load of a side whose wheelset has the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted. */
+/* The load of a side whose wheelset has the vertical shift ``height`` [m]; its
+ * outcome, UNLOADED if lifted.
+ */
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double height)
 {
     double approach;

@@ -1,6 +1,7 @@
 /* Generated from wheelset/compliant.py by tools/transpile_kernel.py; change that one.
  *
- * Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep it is in its rail.
+ * Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from
+ * how deep it is in its rail.
  */
 
 #ifndef WRCONTACT_KERNEL_COMPLIANT_H

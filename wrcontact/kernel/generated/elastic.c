@@ -2,22 +2,24 @@
  *
  * Elastic equilibrium: the height and roll at which both wheels carry their loads.
  *
- * The wheels are pressed into their rails.  At a given roll each side has one height at which it carries its load; where these
- * heights are equal the wheelset is in equilibrium.  Their difference D(roll) = height_right - height_left falls as that of the
- * rigid gaps does (:mod:`roll`), and a small load leaves the gaps themselves.  How a side's height follows the roll,
+ * The wheels are pressed into their rails. At a given roll each side has one height at which it carries its
+ * load; where these heights are equal the wheelset is in equilibrium. Their difference D(roll) = height_right -
+ * height_left falls as that of the rigid gaps does (:mod:`roll`), and a small load leaves the gaps themselves.
+ * How a side's height follows the roll,
  *
  *     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
  *
- * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope, by the
- * envelope theorem (docs/method.md, section 11).
+ * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
+ * slope, by the envelope theorem (docs/method.md, section 11).
  *
- * Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds nothing, by brackets (brackets.py).
+ * Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds
+ * nothing, by brackets (brackets.py).
  */
 
 #include "elastic.h"
 
-/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
- * sides.  Starts at the rigid ``roll``, whose smallest gaps are known.
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
+ * are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known.
  */
 static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double left, double right)
 {
@@ -55,7 +57,9 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
     return 0;
 }
 
-/* Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches its rail as far as estimated. */
+/* Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
+ * its rail as far as estimated.
+ */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work)
 {
     int64_t right;
@@ -75,8 +79,8 @@ static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move,
     return 0;
 }
 
-/* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome; NOT_CONVERGED where it finds
- * nothing.
+/* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
+ * NOT_CONVERGED where it finds nothing.
  */
 static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d state, double roll, double height, double left, double right)
 {
@@ -146,7 +150,9 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
     return INT64_C(0);
 }
 
-/* The residuals of a trial at ``height`` [m], and the derivatives that the last move has shown (Broyden 1965). */
+/* The residuals of a trial at ``height`` [m], and the derivatives that the last move has
+ * shown (Broyden 1965).
+ */
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height)
 {
     double before_left;

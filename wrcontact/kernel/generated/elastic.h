@@ -2,16 +2,18 @@
  *
  * Elastic equilibrium: the height and roll at which both wheels carry their loads.
  *
- * The wheels are pressed into their rails.  At a given roll each side has one height at which it carries its load; where these
- * heights are equal the wheelset is in equilibrium.  Their difference D(roll) = height_right - height_left falls as that of the
- * rigid gaps does (:mod:`roll`), and a small load leaves the gaps themselves.  How a side's height follows the roll,
+ * The wheels are pressed into their rails. At a given roll each side has one height at which it carries its
+ * load; where these heights are equal the wheelset is in equilibrium. Their difference D(roll) = height_right -
+ * height_left falls as that of the rigid gaps does (:mod:`roll`), and a small load leaves the gaps themselves.
+ * How a side's height follows the roll,
  *
  *     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
  *
- * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope, by the
- * envelope theorem (docs/method.md, section 11).
+ * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
+ * slope, by the envelope theorem (docs/method.md, section 11).
  *
- * Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds nothing, by brackets (brackets.py).
+ * Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds
+ * nothing, by brackets (brackets.py).
  */
 
 #ifndef WRCONTACT_KERNEL_ELASTIC_H

@@ -2,22 +2,24 @@
  *
  * Which roll of several: the first root of the difference of both gaps, starting from zero roll.
  *
- * While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls and has one root.  A large
- * wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has
- * three.  The roll is then the first root on the way from zero roll to the side on which the sign of D(0) says that there is
- * one: it depends on nothing but the pose, and D falls through it.
+ * While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls
+ * and has one root. A large wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges
+ * on the rails, lets D rise in between, and it has three. The roll is then the first root on the way
+ * from zero roll to the side on which the sign of D(0) says that there is one: it depends on nothing but
+ * the pose, and D falls through it.
  *
- * That no root lies before a known one is certified.  On that way the contact of the wheel that rises moves towards its flange and
- * the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts
- * at both ends of the way.  Where this does not settle it, the way is halved.
+ * That no root lies before a known one is certified. On that way the contact of the wheel that rises
+ * moves towards its flange and the other's away from it, since rails are convex; so D' is bounded by the
+ * steepest places of the wheels between their contacts at both ends of the way. Where this does not
+ * settle it, the way is halved.
  */
 
 #include "first_root.h"
 
 /* Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
  *
- * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.  A start from which there is no roll does not decide
- * that.
+ * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
+ * no roll does not decide that.
  */
 static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, array_double_1d state, double guess, int64_t warm)
 {
@@ -67,8 +69,8 @@ static inline double first_root__lever_per_roll(double steep, double radius, dou
     return first_root__TURNED_SHARE * ((1.0 + steep * steep) * radius + steep * arm + radius);
 }
 
-/* The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to ``roll`` [rad] and the
- * yaw whose sine is given.
+/* The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to
+ * ``roll`` [rad] and the yaw whose sine is given.
  */
 static inline double first_root__largest_lever_beyond(array_double_1d tables, double y, double roll, double sine)
 {
@@ -87,7 +89,9 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, do
     return lever + first_root__lever_per_roll(steep, radius, arm) * fabs(roll) + yawed;
 }
 
-/* 1 if all places of a wheel whose levers are not below -``known`` [m] are beside the rail at zero roll, else 0. */
+/* 1 if all places of a wheel whose levers are not below -``known`` [m] are beside the
+ * rail at zero roll, else 0.
+ */
 static inline int64_t first_root__is_beside_rail(array_double_1d work, array_double_1d tables, int64_t at, double known, double roll, double sine)
 {
     int64_t scan;
@@ -125,10 +129,12 @@ static inline int64_t first_root__is_beside_rail(array_double_1d work, array_dou
     return beside;
 }
 
-/* 1 if D falls all the way from zero roll to its root at ``roll``, as far as the steepest places tell, else 0.
+/* 1 if D falls all the way from zero roll to its root at ``roll``, as far as the
+ * steepest places tell, else 0.
  *
- * The contact of the wheel that stands higher is known there.  Of the other wheel count the places that are not beside the
- * rail at zero roll; or those beyond its contact at zero roll, for which that one is searched.
+ * The contact of the wheel that stands higher is known there. Of the other wheel count the
+ * places that are not beside the rail at zero roll; or those beyond its contact at zero
+ * roll, for which that one is searched.
  */
 static inline int64_t first_root__is_certainly_first(array_double_1d work, array_double_1d tables, array_double_1d state, double roll)
 {
@@ -174,7 +180,9 @@ static inline int64_t first_root__is_certainly_first(array_double_1d work, array
     return certain;
 }
 
-/* How the gap at ``y`` [m] would change with the roll if the rail there were parallel to the wheel [m]. */
+/* How the gap at ``y`` [m] would change with the roll if the rail there were
+ * parallel to the wheel [m].
+ */
 static inline double first_root__lever_at(array_double_1d work, array_double_1d tables, int64_t at, double y)
 {
     double z;
@@ -273,8 +281,8 @@ static inline int64_t first_root__copy_trial(array_double_1d work, int64_t trial
     return INT64_C(0);
 }
 
-/* 1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign`` or, at ``far``, is
- * zero; else 0.
+/* 1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign``
+ * or, at ``far``, is zero; else 0.
  */
 static inline int64_t first_root__has_no_root(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t near, int64_t far, double sign)
 {
@@ -409,8 +417,8 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     return 0;
 }
 
-/* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where it has not; and the
- * outcome.
+/* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
+ * it has not; and the outcome.
  */
 static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, double near, double middle, double sign)
 {

@@ -2,14 +2,16 @@
  *
  * Which roll of several: the first root of the difference of both gaps, starting from zero roll.
  *
- * While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls and has one root.  A large
- * wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has
- * three.  The roll is then the first root on the way from zero roll to the side on which the sign of D(0) says that there is
- * one: it depends on nothing but the pose, and D falls through it.
+ * While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls
+ * and has one root. A large wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges
+ * on the rails, lets D rise in between, and it has three. The roll is then the first root on the way
+ * from zero roll to the side on which the sign of D(0) says that there is one: it depends on nothing but
+ * the pose, and D falls through it.
  *
- * That no root lies before a known one is certified.  On that way the contact of the wheel that rises moves towards its flange and
- * the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts
- * at both ends of the way.  Where this does not settle it, the way is halved.
+ * That no root lies before a known one is certified. On that way the contact of the wheel that rises
+ * moves towards its flange and the other's away from it, since rails are convex; so D' is bounded by the
+ * steepest places of the wheels between their contacts at both ends of the way. Where this does not
+ * settle it, the way is halved.
  */
 
 #ifndef WRCONTACT_KERNEL_FIRST_ROOT_H

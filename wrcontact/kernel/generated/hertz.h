@@ -5,7 +5,8 @@
  * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
  * - q^2),
  *
- *     A > B (long across):  m = L q, n = L, r = 2 K / (pi L);   A < B: m = L, n = L q, r the same;   L^3 = 2 E / (pi q^2)
+ *     A > B (long across): m = L q, n = L, r = 2 K / (pi L); A < B: m = L, n = L q, r
+ *     the same; L^3 = 2 E / (pi q^2)
  *
  * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
  *

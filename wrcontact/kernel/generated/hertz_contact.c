@@ -5,7 +5,9 @@
 
 #include "hertz_contact.h"
 
-/* Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and 1: the force is satisfied. */
+/* Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and
+ * 1: the force is satisfied.
+ */
 static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, int64_t* result_2, array_double_1d tables, array_double_1d work, int64_t point, double force, double prescribed)
 {
     planes__locate_along_track(work, tables, INT64_C(1));

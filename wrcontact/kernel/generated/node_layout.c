@@ -76,7 +76,9 @@ static inline int64_t node_layout__prepare_regions(array_double_1d tables, array
     return INT64_C(0);
 }
 
-/* Nodes and coefficients of a region whose frame is open, up to its local penetration times ``enlarge``. */
+/* Nodes and coefficients of a region whose frame is open, up to its local
+ * penetration times ``enlarge``.
+ */
 static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
 {
     int64_t yawed;

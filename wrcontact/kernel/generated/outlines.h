@@ -1,6 +1,7 @@
 /* Generated from wheelset/outlines.py by tools/transpile_kernel.py; change that one.
  *
- * Where the outline of each side is: among its outputs, or behind those of both sides for another number of stations.
+ * Where the outline of each side is: among its outputs, or behind those of both sides for
+ * another number of stations.
  */
 
 #ifndef WRCONTACT_KERNEL_OUTLINES_H

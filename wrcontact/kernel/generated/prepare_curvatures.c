@@ -2,14 +2,16 @@
  *
  * Lateral curvature of a profile all along it, as the source takes it.
  *
- * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
- * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.
- * The table is the record CurvatureTable.
+ * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the
+ * table has them positive where the profile bulges towards the other body, which is this sign on a rail and the
+ * other one on a wheel. The table is the record CurvatureTable.
  */
 
 #include "prepare_curvatures.h"
 
-/* Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by symmetric elimination. */
+/* Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
+ * symmetric elimination.
+ */
 static inline double prepare_curvatures__circle_curvature(double n00, double n01, double n02, double n11, double n12, double n22, double r0, double r1, double r2)
 {
     double l01;
@@ -139,7 +141,9 @@ static inline double prepare_curvatures__arc_panel(array_double_1d tables, int64
     return half * total;
 }
 
-/* Gauss's formula and the arc length at the start of each piece and at the end of all into scratch; the end's [m]. */
+/* Gauss's formula and the arc length at the start of each piece and at the end of all into
+ * scratch; the end's [m].
+ */
 static inline double prepare_curvatures__write_lengths(array_double_1d tables, int64_t profile, array_double_1d work, int64_t scratch)
 {
     int64_t first;
@@ -241,8 +245,8 @@ static inline double prepare_curvatures__place_at_length(array_double_1d tables,
     return y;
 }
 
-/* Change of the profile's angle per arc length [1/m] from chord to chord between nodes ``step`` [m] before ``y`` [m], at it
- * and after it; ``total`` is the whole arc length [m].
+/* Change of the profile's angle per arc length [1/m] from chord to chord between nodes ``step`` [m]
+ * before ``y`` [m], at it and after it; ``total`` is the whole arc length [m].
  */
 static inline double prepare_curvatures__turned_curvature(array_double_1d tables, int64_t profile, double y, double step, double total, array_double_1d work, int64_t scratch)
 {

@@ -2,9 +2,9 @@
  *
  * Lateral curvature of a profile all along it, as the source takes it.
  *
- * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
- * positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.
- * The table is the record CurvatureTable.
+ * Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the
+ * table has them positive where the profile bulges towards the other body, which is this sign on a rail and the
+ * other one on a wheel. The table is the record CurvatureTable.
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_CURVATURES_H

@@ -2,15 +2,17 @@
  *
  * From a definition to the table of quintic pieces, the record Profile.
  *
- * Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
- * pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
- * (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over REPAIR_WIDTH.
- * Otherwise the contact would stay at an edge that no real wheel has.
+ * Each piece has the height, slope and second derivative of the exact definition at both ends. Joints of zones
+ * are ends of pieces, so a jump of the curvature stays where the standard has it. Where the printed coefficients
+ * leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to
+ * their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
  */
 
 #include "prepare_pieces.h"
 
-/* The quintic with given height, slope and second derivative at both ends, into the piece at ``at`` [mm]. */
+/* The quintic with given height, slope and second derivative at both ends, into
+ * the piece at ``at`` [mm].
+ */
 static inline int64_t prepare_pieces__write_quintic(array_double_1d tables, int64_t at, double low, double high, double z_low, double slope_low, double bend_low, double z_high, double slope_high, double bend_high)
 {
     double h;
@@ -81,7 +83,9 @@ static inline int64_t prepare_pieces__follows_zone(array_double_1d tables, int64
     return good;
 }
 
-/* Pieces between ``start`` and ``stop`` [mm], halved until they follow the zone; the offset after them, or FULL. */
+/* Pieces between ``start`` and ``stop`` [mm], halved until they follow the zone; the
+ * offset after them, or FULL.
+ */
 static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double start, double stop, array_double_1d work, int64_t scratch)
 {
     double low;
@@ -141,8 +145,8 @@ static inline int64_t prepare_pieces__steps(array_double_1d zones, int64_t befor
     return different;
 }
 
-/* A piece that leads from the mean of two zones into the second, or from the first into the mean; the offset after it,
- * or FULL.
+/* A piece that leads from the mean of two zones into the second, or from the first into the mean; the
+ * offset after it, or FULL.
  */
 static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double low, double high)
 {

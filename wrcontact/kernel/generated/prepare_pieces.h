@@ -2,10 +2,10 @@
  *
  * From a definition to the table of quintic pieces, the record Profile.
  *
- * Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
- * pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
- * (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over REPAIR_WIDTH.
- * Otherwise the contact would stay at an edge that no real wheel has.
+ * Each piece has the height, slope and second derivative of the exact definition at both ends. Joints of zones
+ * are ends of pieces, so a jump of the curvature stays where the standard has it. Where the printed coefficients
+ * leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to
+ * their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_PIECES_H

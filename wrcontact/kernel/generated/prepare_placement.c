@@ -17,7 +17,9 @@ static inline double prepare_placement__turned_slope(array_double_1d zones, int6
     return sin(angle) + cos(angle) * slope;
 }
 
-/* Where in a zone the turned slope rises through zero [mm], to the last bit; its start if that is nowhere. */
+/* Where in a zone the turned slope rises through zero [mm], to the last bit; its
+ * start if that is nowhere.
+ */
 static inline double prepare_placement__level_place(array_double_1d zones, int64_t row, double angle)
 {
     double low;
@@ -73,7 +75,9 @@ static inline int64_t prepare_placement__highest_point(double* y_top, double* z_
     return 0;
 }
 
-/* Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm] deep, to the last bit. */
+/* Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
+ * deep, to the last bit.
+ */
 static inline double prepare_placement__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth)
 {
     double low;
@@ -101,8 +105,8 @@ static inline double prepare_placement__place_at_depth(array_double_1d zones, in
     return y;
 }
 
-/* Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height reached, which is
- * less where the side ends before.
+/* Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
+ * reached, which is less where the side ends before.
  */
 static inline int64_t prepare_placement__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth)
 {
@@ -218,7 +222,9 @@ static inline int64_t prepare_placement__turn_polynomial(array_double_1d zones, 
     return INT64_C(1);
 }
 
-/* Turn [rad] and shift [mm] a whole definition in place, without its steep parts; how many zones are left. */
+/* Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
+ * how many zones are left.
+ */
 static inline int64_t prepare_placement__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift)
 {
     int64_t size;

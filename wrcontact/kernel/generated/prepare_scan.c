@@ -2,8 +2,8 @@
  *
  * The search's raster over the wheel, with the bounds that certify it.
  *
- * The table is the record Scan.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
- * largest absolute slope of its samples.
+ * The table is the record Scan. Scratch holds, for each piece of the profile at work, the smallest and largest
+ * second derivative and the largest absolute slope of its samples.
  */
 
 #include "prepare_scan.h"
@@ -56,7 +56,9 @@ static inline int64_t prepare_scan__slope_bend(double* slope, double* bend, arra
     return 0;
 }
 
-/* Smallest and largest second derivative and largest absolute slope of a piece's samples between ``low`` and ``high``. */
+/* Smallest and largest second derivative and largest absolute slope of a piece's samples between
+ * ``low`` and ``high``.
+ */
 static inline int64_t prepare_scan__piece_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t at, double width, double low, double high)
 {
     int64_t k;
@@ -103,8 +105,9 @@ static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_
     return INT64_C(0);
 }
 
-/* Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and ``high`` [m], clipped to
- * the profile; every piece counts with both its ends, so that a jump of curvature counts with both its sides.
+/* Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and
+ * ``high`` [m], clipped to the profile; every piece counts with both its ends, so that a jump of curvature
+ * counts with both its sides.
  */
 static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high)
 {
@@ -181,9 +184,9 @@ static inline double prepare_scan__raster_place(double start, double stop, int64
     return y;
 }
 
-/* Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where it
- * is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
- * or TOO_WIDE or FULL.
+/* Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other,
+ * half as much where it is not nearly straight; the number of the first node in each coarse step goes to
+ * ``work`` at ``firsts``. How many nodes, or TOO_WIDE or FULL.
  */
 static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts)
 {
@@ -233,7 +236,8 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
 
 /* Height, slope and bounds of the nodes; stretches end with the table.
  *
- * Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
+ * Stretches that are steeper than the search's bounds allow get a second derivative with
+ * which they are not skipped.
  */
 static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t scan, int64_t count, array_double_1d work, int64_t scratch)
 {
@@ -278,8 +282,8 @@ static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, i
     return INT64_C(0);
 }
 
-/* The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a wheelset at
- * zero roll, if wheel and rail were parallel there.
+/* The largest lever of each node and all beyond it: by how much the gap there would change with the roll
+ * of a wheelset at zero roll, if wheel and rail were parallel there.
  */
 static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t scan, int64_t count)
 {
@@ -313,7 +317,8 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
 
 /* Bounds of the rail's raster.
  *
- * A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
+ * A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the
+ * wheel, stretched by WIDEST.
  */
 static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t scan, array_double_1d work, int64_t scratch)
 {
@@ -349,7 +354,9 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
     return INT64_C(0);
 }
 
-/* The raster over wheel and rail, where the settings say that it begins; the offset after it, or TOO_WIDE or FULL. */
+/* The raster over wheel and rail, where the settings say that it begins; the offset after
+ * it, or TOO_WIDE or FULL.
+ */
 static inline int64_t prepare_scan__write_scan(array_double_1d tables, array_double_1d work, int64_t scratch)
 {
     int64_t scan;

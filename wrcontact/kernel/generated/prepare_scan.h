@@ -2,8 +2,8 @@
  *
  * The search's raster over the wheel, with the bounds that certify it.
  *
- * The table is the record Scan.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
- * largest absolute slope of its samples.
+ * The table is the record Scan. Scratch holds, for each piece of the profile at work, the smallest and largest
+ * second derivative and the largest absolute slope of its samples.
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_SCAN_H

@@ -1,10 +1,11 @@
 /* Generated from prepare/tables.py by tools/transpile_kernel.py; change that one.
  *
- * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
- * do at the start, outside the hot unit.
+ * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
+ * and the native FMU do at the start, outside the hot unit.
  *
- * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then the kernel itself fills
- * the table of starts (``start_shift`` and ``keep_start``), and last come the methods (``write_methods``).
+ * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then
+ * the kernel itself fills the table of starts (``start_shift`` and ``keep_start``), and last come the
+ * methods (``write_methods``).
  */
 
 #include "prepare_tables.h"
@@ -22,7 +23,9 @@ static inline int64_t prepare_tables__copy_definition(array_double_1d definition
     return at + size;
 }
 
-/* Cut the wheel's and place the rail's definition in the workspace, and note where the rail stands; the outcome. */
+/* Cut the wheel's and place the rail's definition in the workspace, and note where the
+ * rail stands; the outcome.
+ */
 static inline int64_t prepare_tables__place_zones(array_double_1d setup, array_double_1d work, int64_t wheel, int64_t rail, array_double_1d tables, array_double_1d report)
 {
     double angle;
@@ -109,7 +112,9 @@ static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at,
     return at + size;
 }
 
-/* A table of starts at ``at``, which counts as empty until ``open_starts``; the offset after it, or FULL. */
+/* A table of starts at ``at``, which counts as empty until ``open_starts``; the
+ * offset after it, or FULL.
+ */
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at)
 {
     int64_t i;
@@ -129,8 +134,8 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
     return at + layout__STARTS_SIZE;
 }
 
-/* Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
- * as the tables.
+/* Everything but starts and methods into ``tables``; the outcome. The workspace holds both definitions
+ * and as much again as the tables.
  */
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report)
 {

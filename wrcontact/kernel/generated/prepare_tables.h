@@ -1,10 +1,11 @@
 /* Generated from prepare/tables.py by tools/transpile_kernel.py; change that one.
  *
- * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
- * do at the start, outside the hot unit.
+ * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
+ * and the native FMU do at the start, outside the hot unit.
  *
- * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then the kernel itself fills
- * the table of starts (``start_shift`` and ``keep_start``), and last come the methods (``write_methods``).
+ * The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then
+ * the kernel itself fills the table of starts (``start_shift`` and ``keep_start``), and last come the
+ * methods (``write_methods``).
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_TABLES_H

@@ -1,14 +1,18 @@
 /* Generated from prepare/zones.py by tools/transpile_kernel.py; change that one.
  *
- * The zones that a profile is defined with, as numbers: polynomials and circular arcs, upright or turned; in millimetres.
+ * The zones that a profile is defined with, as numbers: polynomials and circular arcs,
+ * upright or turned; in millimetres.
  *
- * A definition is one array: how many zones, the length of their rows, then the rows.  wrcontact/profiles/zones.py has the same
- * zones as objects, and wrcontact/profiles/definition.py turns one into the other.
+ * A definition is one array: how many zones, the length of their rows, then the rows.
+ * wrcontact/profiles/zones.py has the same zones as objects, and
+ * wrcontact/profiles/definition.py turns one into the other.
  */
 
 #include "prepare_zones.h"
 
-/* Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm], each by Horner's scheme. */
+/* Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm],
+ * each by Horner's scheme.
+ */
 static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t)
 {
     double u;
@@ -94,7 +98,9 @@ static inline double prepare_zones__within(double x, double low, double high)
     return double_min(2, double_max(2, x, low), high);
 }
 
-/* Height, slope and second derivative of a turned polynomial at its own abscissa ``y`` [mm], by Newton's method. */
+/* Height, slope and second derivative of a turned polynomial at its own abscissa ``y``
+ * [mm], by Newton's method.
+ */
 static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y)
 {
     double c;

@@ -1,9 +1,11 @@
 /* Generated from prepare/zones.py by tools/transpile_kernel.py; change that one.
  *
- * The zones that a profile is defined with, as numbers: polynomials and circular arcs, upright or turned; in millimetres.
+ * The zones that a profile is defined with, as numbers: polynomials and circular arcs,
+ * upright or turned; in millimetres.
  *
- * A definition is one array: how many zones, the length of their rows, then the rows.  wrcontact/profiles/zones.py has the same
- * zones as objects, and wrcontact/profiles/definition.py turns one into the other.
+ * A definition is one array: how many zones, the length of their rows, then the rows.
+ * wrcontact/profiles/zones.py has the same zones as objects, and
+ * wrcontact/profiles/definition.py turns one into the other.
  */
 
 #ifndef WRCONTACT_KERNEL_PREPARE_ZONES_H

@@ -60,10 +60,11 @@ static inline double raster__rail_below(array_double_1d work, array_double_1d ta
     return result;
 }
 
-/* 1 if the outline, beside the rail at node ``node``, does not come back above it further in ``direction``, else 0.
+/* 1 if the outline, beside the rail at node ``node``, does not come back above it further
+ * in ``direction``, else 0.
  *
- * Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can reach over a
- * rail that ends below the flange root.
+ * Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
+ * reach over a rail that ends below the flange root.
  */
 static inline int64_t raster__leaves_rail(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t direction, double abscissa)
 {
@@ -96,8 +97,8 @@ static inline int64_t raster__leaves_rail(array_double_1d work, array_double_1d 
     return leaves;
 }
 
-/* Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the next one
- * ``outward`` (1 or -1).
+/* Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the
+ * next one ``outward`` (1 or -1).
  */
 static inline double raster__above_rail_end(array_double_1d work, array_double_1d tables, int64_t at, int64_t node, int64_t outward)
 {

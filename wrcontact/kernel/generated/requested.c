@@ -1,11 +1,14 @@
 /* Generated from wheelset/requested.py by tools/transpile_kernel.py; change that one.
  *
- * What is asked of a step: whether its inputs can be evaluated, each side's force, and which outputs are requested.
+ * What is asked of a step: whether its inputs can be evaluated, each side's force, and which
+ * outputs are requested.
  */
 
 #include "requested.h"
 
-/* VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the range of the profiles. */
+/* VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the
+ * range of the profiles.
+ */
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables)
 {
     int64_t i;

@@ -1,6 +1,7 @@
 /* Generated from wheelset/requested.py by tools/transpile_kernel.py; change that one.
  *
- * What is asked of a step: whether its inputs can be evaluated, each side's force, and which outputs are requested.
+ * What is asked of a step: whether its inputs can be evaluated, each side's force, and which
+ * outputs are requested.
  */
 
 #ifndef WRCONTACT_KERNEL_REQUESTED_H

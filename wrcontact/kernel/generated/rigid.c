@@ -5,8 +5,8 @@
 
 #include "rigid.h"
 
-/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has moved little,
- * or at those known near its lateral shift.
+/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
+ * moved little, or at those known near its lateral shift.
  */
 static inline int64_t rigid__find_roll(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state)
 {

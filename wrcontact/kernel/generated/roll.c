@@ -2,13 +2,13 @@
  *
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
  *
- * D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg for
- * 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail.  Where it has several roots,
- * first_root.py decides which is the roll.
+ * D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg
+ * for 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail. Where it
+ * has several roots, first_root.py decides which is the roll.
  *
- * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
- * roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
- * take over, within a bracket that every search narrows.
+ * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
+ * one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
+ * smaller minima take over, within a bracket that every search narrows.
  */
 
 #include "roll.h"
@@ -98,9 +98,9 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
 
 /* Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
  *
- * Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
- * It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
- * a minimum can run away or vanish.
+ * Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel
+ * and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
+ * Between nearly conformal profiles a minimum can run away or vanish.
  */
 static inline int64_t roll__equalize_minima(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, array_double_1d state, double roll, double low, double high)
 {
@@ -211,8 +211,8 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
     return INT64_C(0);
 }
 
-/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; both gaps are known
- * at it.  D has to be positive at ``first`` and negative at ``last``.
+/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
+ * both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
  */

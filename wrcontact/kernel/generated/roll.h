@@ -2,13 +2,13 @@
  *
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
  *
- * D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg for
- * 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail.  Where it has several roots,
- * first_root.py decides which is the roll.
+ * D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg
+ * for 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail. Where it
+ * has several roots, first_root.py decides which is the roll.
  *
- * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
- * roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
- * take over, within a bracket that every search narrows.
+ * Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
+ * one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
+ * smaller minima take over, within a bracket that every search narrows.
  */
 
 #ifndef WRCONTACT_KERNEL_ROLL_H

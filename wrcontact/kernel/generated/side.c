@@ -1,6 +1,7 @@
 /* Generated from wheelset/side.py by tools/transpile_kernel.py; change that one.
  *
- * One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its share of the resultant.
+ * One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its
+ * share of the resultant.
  */
 
 #include "side.h"
@@ -19,7 +20,9 @@ static inline int64_t side__clear_side(array_double_1d tables, array_double_1d w
     return INT64_C(0);
 }
 
-/* Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome. */
+/* Normal contact of the side whose frame is open, and its part of the resultant; number
+ * of its regions and outcome.
+ */
 static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double prescribed)
 {
     int64_t out;
@@ -49,7 +52,9 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     return 0;
 }
 
-/* Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED. */
+/* Describe the side whose wheel just touches, with the vertical shift of its smallest
+ * gap; its outcome, UNLOADED.
+ */
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index)
 {
     int64_t side;
@@ -93,7 +98,9 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
     return status;
 }
 
-/* Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its rail most; its outcome. */
+/* Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
+ * rail most; its outcome.
+ */
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double approach)
 {
     int64_t side;
@@ -117,7 +124,9 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
     return layout__VALID;
 }
 
-/* How the height at which a side carries its load follows the roll [m], from its regions' levers and stiffnesses. */
+/* How the height at which a side carries its load follows the roll [m], from its regions'
+ * levers and stiffnesses.
+ */
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count)
 {
     int64_t at;

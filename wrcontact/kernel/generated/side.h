@@ -1,6 +1,7 @@
 /* Generated from wheelset/side.py by tools/transpile_kernel.py; change that one.
  *
- * One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its share of the resultant.
+ * One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its
+ * share of the resultant.
  */
 
 #ifndef WRCONTACT_KERNEL_SIDE_H

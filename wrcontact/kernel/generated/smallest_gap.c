@@ -2,17 +2,18 @@
  *
  * The smallest vertical gap of one side, and the further local minima of the gap.
  *
- * The gap has up to three local minima (tread, flange root, flange) that exchange rank.  From a known place, or the best of a few
- * nodes, the search walks outwards over the raster of the wheel.  Whatever it leaves out cannot hold a smaller gap, by the
- * bounds of the gap's second derivative: so the global minimum is bounded and not assumed.
+ * The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known
+ * place, or the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it
+ * leaves out cannot hold a smaller gap, by the bounds of the gap's second derivative: so the global
+ * minimum is bounded and not assumed.
  */
 
 #include "smallest_gap.h"
 
 /* Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; 1 if there is one, else 0.
  *
- * With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a smaller one is
- * looked for.
+ * With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
+ * smaller one is looked for.
  */
 static inline int64_t smallest_gap__search_side(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t known)
 {
@@ -64,8 +65,8 @@ static inline int64_t smallest_gap__search_side(array_double_1d work, array_doub
     return INT64_C(1);
 }
 
-/* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best known; -1 if
- * there is none.
+/* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
+ * known; -1 if there is none.
  */
 static inline int64_t smallest_gap__best_node(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t stride)
 {
@@ -102,8 +103,8 @@ static inline int64_t smallest_gap__best_node(array_double_1d work, array_double
     return found;
 }
 
-/* List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
- * the rail [m]: the candidates ``first`` ... ``last`` of the side.
+/* List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at
+ * ``abscissa`` on the rail [m]: the candidates ``first`` ... ``last`` of the side.
  */
 static inline int64_t smallest_gap__list_minima(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, double reach, double abscissa)
 {

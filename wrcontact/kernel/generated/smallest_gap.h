@@ -2,9 +2,10 @@
  *
  * The smallest vertical gap of one side, and the further local minima of the gap.
  *
- * The gap has up to three local minima (tread, flange root, flange) that exchange rank.  From a known place, or the best of a few
- * nodes, the search walks outwards over the raster of the wheel.  Whatever it leaves out cannot hold a smaller gap, by the
- * bounds of the gap's second derivative: so the global minimum is bounded and not assumed.
+ * The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known
+ * place, or the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it
+ * leaves out cannot hold a smaller gap, by the bounds of the gap's second derivative: so the global
+ * minimum is bounded and not assumed.
  */
 
 #ifndef WRCONTACT_KERNEL_SMALLEST_GAP_H

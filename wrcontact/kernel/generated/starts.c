@@ -1,6 +1,7 @@
 /* Generated from search/starts.py by tools/transpile_kernel.py; change that one.
  *
- * Where the roll search starts without a near pose before: contacts without yaw, known for a row of lateral shifts.
+ * Where the roll search starts without a near pose before: contacts without yaw,
+ * known for a row of lateral shifts.
  *
  * A start sets the cost and never the answer, which is certified.
  */

@@ -2,8 +2,9 @@
  *
  * One step of a wheelset: from pose and load to contact positions, roll and patches.
  *
- * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and solve its normal contact;
- * for an elastic wheelset, find the height and roll at which both wheels carry their loads; add up the forces.
+ * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
+ * solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
+ * their loads; add up the forces.
  */
 
 #include "step.h"
@@ -58,7 +59,9 @@ static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_dou
     return status;
 }
 
-/* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status.  Inputs as before are not evaluated again. */
+/* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
+ * before are not evaluated again.
+ */
 static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
 {
     int64_t changed;
@@ -99,8 +102,8 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
 
 /* Evaluate one wheelset at ``inputs`` into ``outputs``; the status.
  *
- * Outputs keep their values unless the status is VALID or UNLOADED.  ``state`` holds where the next roll search
- * starts; it never changes an answer.
+ * Outputs keep their values unless the status is VALID or UNLOADED. ``state`` holds where the next roll
+ * search starts; it never changes an answer.
  */
 static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
 {

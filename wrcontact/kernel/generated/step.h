@@ -2,8 +2,9 @@
  *
  * One step of a wheelset: from pose and load to contact positions, roll and patches.
  *
- * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and solve its normal contact;
- * for an elastic wheelset, find the height and roll at which both wheels carry their loads; add up the forces.
+ * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
+ * solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
+ * their loads; add up the forces.
  */
 
 #ifndef WRCONTACT_KERNEL_STEP_H

@@ -5,8 +5,8 @@
 
 #include "strip_contact.h"
 
-/* Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1 when the
- * force is satisfied, else 0.
+/* Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1
+ * when the force is satisfied, else 0.
  */
 static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
 {

@@ -2,8 +2,9 @@
  *
  * One trial of an elastic wheelset: both wheels pressed into their rails at one height and roll.
  *
- * Regions and nodes are placed where the wheel is at the height of the trial.  With them the height follows at which the side
- * carries its force; the residual, how much lower than the trial that is, vanishes in equilibrium.
+ * Regions and nodes are placed where the wheel is at the height of the trial. With them the height
+ * follows at which the side carries its force; the residual, how much lower than the trial that is,
+ * vanishes in equilibrium.
  */
 
 #include "trial.h"
@@ -27,7 +28,9 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
     return status;
 }
 
-/* How far a wheel at ``height`` is below its smallest gap [m], within the range in which it is pressed. */
+/* How far a wheel at ``height`` is below its smallest gap [m], within the range
+ * in which it is pressed.
+ */
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height)
 {
     double approach;
@@ -43,8 +46,8 @@ static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_
     return approach;
 }
 
-/* Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height`` [m]; its
- * outcome.  Outputs are those of the side under this force.
+/* Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
+ * [m]; its outcome. Outputs are those of the side under this force.
  */
 static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t index, double force, double height)
 {
@@ -93,7 +96,9 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_dou
     return status;
 }
 
-/* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are above their rails, else 0. */
+/* Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are
+ * above their rails, else 0.
+ */
 static OUT_OF_LINE int64_t trial__turn_to(array_double_1d tables, array_double_1d work, array_double_1d state, double roll)
 {
     int64_t known;
@@ -108,7 +113,9 @@ static OUT_OF_LINE int64_t trial__turn_to(array_double_1d tables, array_double_1
     return result;
 }
 
-/* ``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the compliant form refuses too. */
+/* ``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
+ * compliant form refuses too.
+ */
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status)
 {
     int64_t index;

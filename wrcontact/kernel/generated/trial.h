@@ -2,8 +2,9 @@
  *
  * One trial of an elastic wheelset: both wheels pressed into their rails at one height and roll.
  *
- * Regions and nodes are placed where the wheel is at the height of the trial.  With them the height follows at which the side
- * carries its force; the residual, how much lower than the trial that is, vanishes in equilibrium.
+ * Regions and nodes are placed where the wheel is at the height of the trial. With them the height
+ * follows at which the side carries its force; the residual, how much lower than the trial that is,
+ * vanishes in equilibrium.
  */
 
 #ifndef WRCONTACT_KERNEL_TRIAL_H

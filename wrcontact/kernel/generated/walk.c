@@ -1,13 +1,15 @@
 /* Generated from search/walk.py by tools/transpile_kernel.py; change that one.
  *
- * Walk over the raster of the wheel from a node outwards, and search the cells that may hold a minimum of the gap.
+ * Walk over the raster of the wheel from a node outwards, and search the cells that
+ * may hold a minimum of the gap.
  *
- * Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of interest; that
- * stretch, of up to 32 cells, is skipped.  Where not even one cell can be skipped, the cell itself is searched.  One walk serves
- * two questions: the smallest gap (``listing`` = 0) and all local minima below ``side.reach`` (``listing`` = 1).
+ * Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of
+ * interest; that stretch, of up to 32 cells, is skipped. Where not even one cell can be skipped, the cell itself
+ * is searched. One walk serves two questions: the smallest gap (``listing`` = 0) and all local minima below
+ * ``side.reach`` (``listing`` = 1).
  *
- * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the nodes, does
- * not look between them, and ends at the first node beside the rail.
+ * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
+ * nodes, does not look between them, and ends at the first node beside the rail.
  */
 
 #include "walk.h"
@@ -107,7 +109,8 @@ static inline int64_t walk__walk(array_double_1d work, array_double_1d tables, i
     return INT64_C(0);
 }
 
-/* Search the first cell of the stack, which lies between ``node`` and the next one, if it can hold what is asked for.
+/* Search the first cell of the stack, which lies between ``node`` and the next one, if it
+ * can hold what is asked for.
  *
  * abscissa : of ``node`` on the rail [m].
  */
@@ -134,7 +137,9 @@ static inline int64_t walk__search_between(array_double_1d work, array_double_1d
     return INT64_C(0);
 }
 
-/* Search between ``node``, above the rail, and the end of the rail, which lies before the next node ``outward`` (1 or -1). */
+/* Search between ``node``, above the rail, and the end of the rail, which lies before the next node
+ * ``outward`` (1 or -1).
+ */
 static inline int64_t walk__search_end(array_double_1d work, array_double_1d tables, int64_t side, array_double_1d state, int64_t node, int64_t outward, int64_t direction, int64_t listing)
 {
     int64_t at;

@@ -1,4 +1,5 @@
-"""What can be wanted of a step, by number, and its outcome; the numbers of the methods are in interface.py."""
+"""What can be wanted of a step, by number, and its outcome; the numbers of the
+methods are in interface.py."""
 
 from typing import Final
 

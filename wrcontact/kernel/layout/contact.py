@@ -84,7 +84,8 @@ class Region:
     spacing: float                  # of its nodes [m]
     first: int                      # first and last node
     last: int
-    local_penetration: float        # share of the total, less own gap and the displacement by other regions [m]
+    # share of the total, less own gap and the displacement by other regions [m]
+    local_penetration: float
     load: float                     # [N]
     stiffness: float                # rate of the load over it [N/m]
     bend: float                     # second derivative of the gap at the minimum [1/m]

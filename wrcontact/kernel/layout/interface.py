@@ -1,6 +1,7 @@
 """Records and constants that follow from the rows of inputs, parameters and outputs (wrcontact/interface).
 
-The order of the fields is that of the rows.  A field has the name of its row, or the part of it behind the dot.
+The order of the fields is that of the rows. A field has the name of its row, or the
+part of it behind the dot.
 """
 
 from ...interface import inputs as _inputs
@@ -24,13 +25,15 @@ def _fields_of(rows, blocks):
     """{field: type} of rows of inputs or outputs; ``blocks`` are the classes of their blocks by name."""
     kinds = {_rows.Vector: Float * len(_rows.AXES), _rows.Run: Float * STATION_COUNT}
     return {row.name if isinstance(row, _rows.Blocks) else row.field:
-            blocks[row.name] * row.count if isinstance(row, _rows.Blocks) else kinds.get(type(row), float) for row in rows}
+            blocks[row.name] * row.count if isinstance(row, _rows.Blocks) else kinds.get(type(row), float)
+            for row in rows}
 
 
 Inputs = _record_of("Inputs", _fields_of(_inputs.INPUTS, {}), "What moves.")
 Patch = _record_of("Patch", _fields_of(_outputs.PATCH, {}), "Outputs of one patch.")
 SideOutputs = _record_of("SideOutputs", _fields_of(_outputs.SIDE, {"patch": Patch}), "Outputs of one wheel.")
-Outputs = _record_of("Outputs", _fields_of(_outputs.WHEELSET, {}) | {"left": SideOutputs * 2}, "Outputs of a wheelset.")
+Outputs = _record_of("Outputs", _fields_of(_outputs.WHEELSET, {}) | {"left": SideOutputs * 2},
+                     "Outputs of a wheelset.")
 Parameters = _record_of("Parameters", {name: float for name in KERNEL_PARAMETERS},
                        "All parameters, methods by their numbers.")
 Resolution = _record_of("Resolution", {name: float for name in _Resolution._fields}, "Nodes and strips.")

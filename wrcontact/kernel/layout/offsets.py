@@ -1,4 +1,5 @@
-"""Places of the records' fields as numbers, for what still reads the arrays by index; computed from the records."""
+"""Places of the records' fields as numbers, for what still reads the arrays by index;
+computed from the records."""
 
 from .interface import Inputs, Outputs, Parameters, Patch, SideOutputs
 from .record import size
@@ -9,7 +10,8 @@ from .work import Work
 
 def _offsets(prefix, kind):
     """{constant: place} of the fields of a record class."""
-    return {f"{prefix}_{name.lstrip('_').upper()}": getattr(kind, name).offset // 8 for name, _ in kind._fields_}
+    return {f"{prefix}_{name.lstrip('_').upper()}": getattr(kind, name).offset // 8
+            for name, _ in kind._fields_}
 
 
 globals().update(_offsets("IN", Inputs))

@@ -1,4 +1,5 @@
-"""Records: named numbers in one block of memory, for Python.  (C never sees this file: tools/lower_records.py.)
+"""Records: named numbers in one block of memory, for Python. (C never sees this file:
+tools/lower_records.py.)
 
     @record
     class Region:
@@ -9,8 +10,8 @@
         patches: Patch * 3             # records, likewise
         place: Place                   # one record inside another
 
-A record is where its memory is: ``Region.at(array, offset)`` copies nothing, a record handed on or kept under another name is
-the same memory, and what Python writes the compiled kernel reads.
+A record is where its memory is: ``Region.at(array, offset)`` copies nothing, a record handed on or kept under
+another name is the same memory, and what Python writes the compiled kernel reads.
 """
 
 import ctypes
@@ -40,7 +41,8 @@ class Record(ctypes.Structure):
         else:
             found = cls.from_buffer(array, WIDTH * offset)
         if cls.array:
-            found.raw = memoryview(array)       # the whole of the array whose head this is; faster than numpy, plain floats
+            # the whole of the array whose head this is; faster than numpy, plain floats
+            found.raw = memoryview(array)
         return found
 
     def __getitem__(self, index):
@@ -59,19 +61,22 @@ def record(cls):
     kinds = cls.__annotations__
     targets = {name: kind.kind for name, kind in kinds.items() if isinstance(kind, To)}
     scalars = {name: kind for name, kind in kinds.items() if kind in (float, int, bool)}
-    fields = [("_" + name if kind in READ or name in targets else name, Float if name in scalars or name in targets else kind)
+    fields = [("_" + name if kind in READ or name in targets else name, Float if name in scalars
+               or name in targets else kind)
               for name, kind in kinds.items()]
     names = {name: converted("_" + name, READ[kind]) for name, kind in scalars.items() if kind in READ}
     names |= {name: pointed("_" + name, kind) for name, kind in targets.items()}
     ends = [kind for _, kind in fields[-1:]]
-    return type(cls.__name__, (Record,), {"__slots__": ("raw",) if hasattr(cls, "array") else (), "__doc__": cls.__doc__,
-                                          "__module__": cls.__module__, "array": getattr(cls, "array", None),
-                                          "scalars": scalars, "targets": targets, "_fields_": fields, **names,
-                                          "open_ended": any(getattr(kind, "_length_", 0) >= OPEN for kind in ends)})
+    return type(cls.__name__, (Record,),
+                {"__slots__": ("raw",) if hasattr(cls, "array") else (), "__doc__": cls.__doc__,
+                 "__module__": cls.__module__, "array": getattr(cls, "array", None),
+                 "scalars": scalars, "targets": targets, "_fields_": fields, **names,
+                 "open_ended": any(getattr(kind, "_length_", 0) >= OPEN for kind in ends)})
 
 
 class To:
-    """The type of a field that says how far from the beginning of its own record another, of ``kind``, begins."""
+    """The type of a field that says how far from the beginning of its own record
+    another, of ``kind``, begins."""
 
     def __init__(self, kind):
         self.kind = kind
@@ -80,7 +85,9 @@ class To:
 def pointed(name, kind):
     """A field that reads as the record at the offset that it holds, and is written as an offset."""
     return property(lambda self: kind.from_address(ctypes.addressof(self) + WIDTH * int(getattr(self, name))),
-                    lambda self, value: setattr(self, name, float(offset(value, self) if isinstance(value, Record) else value)))
+                    lambda self, value: setattr(self, name,
+                                                float(offset(value, self) if isinstance(value, Record)
+                                                      else value)))
 
 
 def run(length):
@@ -89,16 +96,19 @@ def run(length):
 
 
 def centred(length, middle):
-    """The type of ``length`` numbers that are counted from the one in their ``middle``: -1 is the one before it."""
+    """The type of ``length`` numbers that are counted from the one in their
+    ``middle``: -1 is the one before it."""
     base = ctypes.Array
     return type("Centred", (base,), {"_type_": Float, "_length_": length, "middle": middle,
                                      "__getitem__": lambda self, k: base.__getitem__(self, middle + k),
-                                     "__setitem__": lambda self, k, value: base.__setitem__(self, middle + k, value)})
+                                     "__setitem__": lambda self, k,
+                                     value: base.__setitem__(self, middle + k, value)})
 
 
 def converted(name, read):
     """A field that reads as another type than the float that it is kept as."""
-    return property(lambda self: read(getattr(self, name)), lambda self, value: setattr(self, name, float(value)))
+    return property(lambda self: read(getattr(self, name)), lambda self,
+                    value: setattr(self, name, float(value)))
 
 
 def size(kind):

@@ -1,4 +1,5 @@
-"""Records of the room search: the raster over wheel and rail, what is known of a side, rolls that were tried, and starts."""
+"""Records of the room search: the raster over wheel and rail, what is known of a side, rolls that
+were tried, and starts."""
 
 from typing import Final
 
@@ -7,8 +8,10 @@ from .surface import Place
 
 SCAN_LIMIT: Final[int] = 400         # nodes of the raster over a wheel
 EXPONENTS: Final[int] = 6            # bounds are known over stretches of 2^0, 2^1 ... 2^5 cells of the raster
-CANDIDATES: Final[int] = 16          # further minima that are listed to either side of the smallest gap; two or three occur
-STACK_LIMIT: Final[int] = 52         # parts of a cell that wait to be searched; 1 mm is halved down to 2 um 9 times
+# further minima that are listed to either side of the smallest gap; two or three occur
+CANDIDATES: Final[int] = 16
+# parts of a cell that wait to be searched; 1 mm is halved down to 2 um 9 times
+STACK_LIMIT: Final[int] = 52
 TRIAL_LIMIT: Final[int] = 60   # rolls kept at a time on the way to the first root
 START_COUNT: Final[int] = 61         # lateral shifts for which a start is kept
 
@@ -23,7 +26,8 @@ class ScanNode:
     least_bend: float                # smallest second derivative up to the next node [1/m]
     most_bends: Float * EXPONENTS    # largest one up to the node 2^k further on [1/m]
     steepest_bends: Float * EXPONENTS        # largest absolute value, likewise [1/m]
-    lever: float                     # largest change of the gap with the roll, here and at all nodes beyond [m]
+    # largest change of the gap with the roll, here and at all nodes beyond [m]
+    lever: float
 
 
 @record
@@ -32,7 +36,8 @@ class RailCell:
 
     least_bend: float                # smallest and largest second derivative around it [1/m]
     most_bend: float
-    least_bends: Float * (EXPONENTS + 1)     # smallest one along a wheel's stretch of 2^k fine cells that starts in it [1/m]
+    # smallest one along a wheel's stretch of 2^k fine cells that starts in it [1/m]
+    least_bends: Float * (EXPONENTS + 1)
 
 
 SCAN_NODE_SIZE: Final[int] = size(ScanNode)
@@ -112,7 +117,8 @@ class RollTrials:
     """The way from zero roll to a root."""
 
     near: RollTrial                  # up to here there is no root
-    far: RollTrial * TRIAL_LIMIT       # the known root, then the ends of stretches still to be examined, the nearest last
+    # the known root, then the ends of stretches still to be examined, the nearest last
+    far: RollTrial * TRIAL_LIMIT
 
 
 @record

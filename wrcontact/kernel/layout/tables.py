@@ -1,4 +1,5 @@
-"""The arrays ``setup``, from which the tables are prepared, and ``tables``: what is fixed during a simulation.
+"""The arrays ``setup``, from which the tables are prepared, and ``tables``: what is
+fixed during a simulation.
 
 Settings are at the head of the tables, then come the tables that they point to.
 """

@@ -25,9 +25,11 @@ Supports = Support * 2
 
 @record
 class Broyden:
-    """Broyden's method for the height and roll of an elastic wheelset; rolls count in metres at the wheels."""
+    """Broyden's method for the height and roll of an elastic wheelset; rolls count in
+    metres at the wheels."""
 
-    left: float                     # residuals: how much lower each side carries its load than where it is [m]
+    # residuals: how much lower each side carries its load than where it is [m]
+    left: float
     right: float
     left_height: float              # their derivatives with respect to height and roll [-]
     left_roll: float

@@ -16,7 +16,8 @@ class Work:
     known: bool                     # whether the outputs are those of the inputs, and with which status
     status: int
     outputs: Outputs
-    outlines: Outline * 2           # with another number of stations than STATION_COUNT; one right after the other
+    # with another number of stations than STATION_COUNT; one right after the other
+    outlines: Outline * 2
     sides: Sides
     frame: Frame
     regions: Regions

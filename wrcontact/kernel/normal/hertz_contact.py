@@ -10,7 +10,8 @@ from .node_coefficients import FLOOR
 
 
 def hertz_contact(tables: Tables, work: Work, point: SideOutputs, force: float, prescribed: float):
-    """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and 1: the force is satisfied."""
+    """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and
+    1: the force is satisfied."""
     locate_along_track(tables, work.frame, work.regions, 1)
     penetration = solve_hertz(tables, point, work.regions[0], work.solved, force, prescribed)
     return penetration, 1, 1

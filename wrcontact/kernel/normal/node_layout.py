@@ -86,7 +86,8 @@ def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarg
 
 
 def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, enlarge: float):
-    """Nodes and coefficients of a region whose frame is open, up to its local penetration times ``enlarge``."""
+    """Nodes and coefficients of a region whose frame is open, up to its local
+    penetration times ``enlarge``."""
     yawed = is_yawed(work.frame)
     reach = region.local_penetration * enlarge
     A = 0.5 * region.curvature

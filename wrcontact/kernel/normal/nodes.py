@@ -88,11 +88,13 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
     """
     start_traces(work.frame, region.station, region.rail, region.wheel)
     open_origin(tables, work.frame, work.origin, region, region.spacing)
-    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, region.station, trace_tolerance(region.spacing))
+    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, region.station,
+                                            trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
     if tables.lateral != LATERAL_ADAPTIVE:
-        nodes.B[0] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa, work.frame.traces[RAIL].abscissa)
+        nodes.B[0] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa,
+                                        work.frame.traces[RAIL].abscissa)
     before = lay_side_nodes(tables, work, state, region, nodes, -1, low_reach, rate)
     region.first = -before
     after = lay_side_nodes(tables, work, state, region, nodes, 1, high_reach, rate)
@@ -104,12 +106,14 @@ def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: 
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
     [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, station, trace_tolerance(region.spacing))
+    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, station,
+                                            trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
         if tables.lateral != LATERAL_ADAPTIVE:
-            nodes.B[at] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa, work.frame.traces[RAIL].abscissa)
+            nodes.B[at] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa,
+                                             work.frame.traces[RAIL].abscissa)
     return gap, rate
 
 

@@ -11,9 +11,10 @@ from .strip_surfaces import describe_strips
 from .strips import solve_strips
 
 
-def strip_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
-    """Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1 when the
-    force is satisfied, else 0."""
+def strip_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float,
+                  prescribed: float):
+    """Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1
+    when the force is satisfied, else 0."""
     by_penetration = 0
     if isfinite(prescribed):
         by_penetration = 1
@@ -23,8 +24,8 @@ def strip_contact(tables: Tables, work: Work, state: State, side: SideSearch, fo
         problem = work.strip_problem
         place_strips(problem, work.regions, work.nodes, count, tables.strips, penetration)
         describe_strips(problem, work.regions, work.nodes)
-        penetration, satisfied = solve_strips(problem, work.regions, work.nodes, work.equations, tables, state, force,
-                                              by_penetration)
+        penetration, satisfied = solve_strips(problem, work.regions, work.nodes, work.equations, tables,
+                                              state, force, by_penetration)
         if satisfied == 1:
             fill_from_strips(problem, work.regions, work.solved)
     return penetration, count, satisfied

@@ -1,8 +1,8 @@
 """Lateral curvature of a profile all along it, as the source takes it.
 
-Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the table has them
-positive where the profile bulges towards the other body, which is this sign on a rail and the other one on a wheel.
-The table is the record CurvatureTable.
+Curvatures here are d(angle)/d(arc length) with z down, positive where the profile is hollow upwards; the
+table has them positive where the profile bulges towards the other body, which is this sign on a rail and the
+other one on a wheel. The table is the record CurvatureTable.
 """
 
 from math import atan2, ceil, fabs, sqrt
@@ -13,7 +13,8 @@ from ..surface.profile_table import height_slope
 from .pieces import FULL
 from .scan import first_piece, piece_count, piece_width
 
-RASTER_SHARE: Final[float] = 0.25    # distance of the values: this share of what they are averaged over, between these [m]
+# distance of the values: this share of what they are averaged over, between these [m]
+RASTER_SHARE: Final[float] = 0.25
 FINEST: Final[float] = 0.01e-3
 COARSEST: Final[float] = 0.05e-3
 SAMPLES: Final[int] = 61             # points of a profile that a circle is fitted to
@@ -22,8 +23,10 @@ ARC_ITERATIONS: Final[int] = 30
 ARC_SHARP: Final[float] = 1e-15      # last Newton step to a node [m]
 
 
-def circle_curvature(n00: float, n01: float, n02: float, n11: float, n12: float, n22: float, r0: float, r1: float, r2: float):
-    """Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by symmetric elimination."""
+def circle_curvature(n00: float, n01: float, n02: float, n11: float, n12: float, n22: float, r0: float,
+                     r1: float, r2: float):
+    """Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
+    symmetric elimination."""
     l01 = n01 / n00
     l02 = n02 / n00
     m11 = n11 - l01 * n01
@@ -101,7 +104,8 @@ def arc_panel(tables: 'float[:]', profile: int, low: float, high: float, work: '
 
 
 def write_lengths(tables: 'float[:]', profile: int, work: 'float[:]', scratch: int):
-    """Gauss's formula and the arc length at the start of each piece and at the end of all into scratch; the end's [m]."""
+    """Gauss's formula and the arc length at the start of each piece and at the end of all into
+    scratch; the end's [m]."""
     write_gauss(work, scratch)
     total = 0.0
     first = first_piece(tables, profile)
@@ -109,7 +113,8 @@ def write_lengths(tables: 'float[:]', profile: int, work: 'float[:]', scratch: i
     work[lengths] = 0.0
     for i in range(piece_count(tables, profile)):
         at = first + PIECE_SIZE * i
-        total += arc_panel(tables, profile, tables[at], tables[at] + piece_width(tables, profile, at), work, scratch)
+        total += arc_panel(tables, profile, tables[at], tables[at] + piece_width(tables, profile, at), work,
+                           scratch)
         work[lengths + i + 1] = total
     return total
 
@@ -157,9 +162,10 @@ def place_at_length(tables: 'float[:]', profile: int, length: float, work: 'floa
     return y
 
 
-def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, total: float, work: 'float[:]', scratch: int):
-    """Change of the profile's angle per arc length [1/m] from chord to chord between nodes ``step`` [m] before ``y`` [m], at it
-    and after it; ``total`` is the whole arc length [m]."""
+def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, total: float, work: 'float[:]',
+                     scratch: int):
+    """Change of the profile's angle per arc length [1/m] from chord to chord between nodes ``step`` [m]
+    before ``y`` [m], at it and after it; ``total`` is the whole arc length [m]."""
     step = min(step, 0.5 * total)
     middle = min(max(arc_length(tables, profile, y, work, scratch), step), total - step)
     y_0 = place_at_length(tables, profile, middle - step, work, scratch)
@@ -171,8 +177,8 @@ def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, to
     return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step
 
 
-def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, kind: int, step: float, reach: float,
-                     work: 'float[:]', scratch: int):
+def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, kind: int, step: float,
+                     reach: float, work: 'float[:]', scratch: int):
     """What the lateral curvature ``kind`` reads of a profile, at ``base``; the offset after it, or FULL."""
     if kind != LATERAL_SMOOTH and kind != LATERAL_ROUGH:
         return base

@@ -1,9 +1,9 @@
 """From a definition to the table of quintic pieces, the record Profile.
 
-Each piece has the height, slope and second derivative of the exact definition at both ends.  Joints of zones are ends of
-pieces, so a jump of the curvature stays where the standard has it.  Where the printed coefficients leave a step in height
-(S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to their mean over REPAIR_WIDTH.
-Otherwise the contact would stay at an edge that no real wheel has.
+Each piece has the height, slope and second derivative of the exact definition at both ends. Joints of zones
+are ends of pieces, so a jump of the curvature stays where the standard has it. Where the printed coefficients
+leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to
+their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
 """
 
 from math import ceil, fabs
@@ -12,14 +12,16 @@ from typing import Final
 from ..layout import PIECE_SIZE, Profile, offset
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
 
-#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad required of the roll.
+#: Permitted height error of a piece between its ends [mm]; it is small against the 1e-9 rad
+#: required of the roll.
 PIECE_ERROR: Final[float] = 1e-9
 #: Permitted error of the second derivative between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
 PIECE_BEND_ERROR: Final[float] = 1e-7
 LONGEST_PIECE: Final[float] = 1.0         # [mm]
 SHORTEST_PIECE: Final[float] = 1e-3       # [mm]; measured profiles have knots this close
-#: Distance from a joint over which a height step of the published coefficients is smoothed [mm].  On UIC60 1:40 the step at
-#: y = -35 mm would hold the contact for 1 um of lateral shift.  Half a millimetre changes the curvature by at most 2 %.
+#: Distance from a joint over which a height step of the published coefficients is smoothed [mm]. On UIC60
+#: 1:40 the step at y = -35 mm would hold the contact for 1 um of lateral shift. Half a millimetre changes the
+#: curvature by at most 2 %.
 REPAIR_WIDTH: Final[float] = 0.5
 REPAIRED_STEP: Final[float] = 1e-6        # [mm]; smaller height steps are not repaired
 BIN_WIDTH: Final[float] = 0.25            # [mm]
@@ -36,9 +38,10 @@ HALVINGS: Final[int] = 24
 FULL: Final[int] = -1                # in place of an offset: the tables are full
 
 
-def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: float, slope_low: float, bend_low: float,
-                  z_high: float, slope_high: float, bend_high: float):
-    """The quintic with given height, slope and second derivative at both ends, into the piece at ``at`` [mm]."""
+def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: float, slope_low: float,
+                  bend_low: float, z_high: float, slope_high: float, bend_high: float):
+    """The quintic with given height, slope and second derivative at both ends, into
+    the piece at ``at`` [mm]."""
     h = high - low
     c2 = 0.5 * bend_low
     rest = z_high - (z_low + h * (slope_low + h * c2))
@@ -78,9 +81,10 @@ def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: 
     return good
 
 
-def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, start: float, stop: float, work: 'float[:]',
-                  scratch: int):
-    """Pieces between ``start`` and ``stop`` [mm], halved until they follow the zone; the offset after them, or FULL."""
+def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, start: float, stop: float,
+                  work: 'float[:]', scratch: int):
+    """Pieces between ``start`` and ``stop`` [mm], halved until they follow the zone; the
+    offset after them, or FULL."""
     low = start
     waiting = 1
     work[scratch] = stop
@@ -113,9 +117,10 @@ def steps(zones: 'float[:]', before: int, after: int):
     return different
 
 
-def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, after: int, low: float, high: float):
-    """A piece that leads from the mean of two zones into the second, or from the first into the mean; the offset after it,
-    or FULL."""
+def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, after: int, low: float,
+                 high: float):
+    """A piece that leads from the mean of two zones into the second, or from the first into the mean; the
+    offset after it, or FULL."""
     if at + 2 * PIECE_SIZE > tables.shape[0]:
         return FULL
     z_0, slope_0, bend_0 = zone_jet(zones, before, low)
@@ -123,15 +128,16 @@ def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, af
     z_2, slope_2, bend_2 = zone_jet(zones, after, low)
     z_3, slope_3, bend_3 = zone_jet(zones, after, high)
     if low == zones[after + ZONE_START]:
-        write_quintic(tables, at, low, high, 0.5 * (z_0 + z_2), 0.5 * (slope_0 + slope_2), 0.5 * (bend_0 + bend_2),
-                      z_3, slope_3, bend_3)
+        write_quintic(tables, at, low, high, 0.5 * (z_0 + z_2), 0.5 * (slope_0 + slope_2),
+                      0.5 * (bend_0 + bend_2), z_3, slope_3, bend_3)
     else:
         write_quintic(tables, at, low, high, z_0, slope_0, bend_0,
                       0.5 * (z_1 + z_3), 0.5 * (slope_1 + slope_3), 0.5 * (bend_1 + bend_3))
     return at + PIECE_SIZE
 
 
-def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index: int, work: 'float[:]', scratch: int):
+def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index: int, work: 'float[:]',
+               scratch: int):
     """Pieces of zone ``index``; the offset after them, or FULL."""
     size = int(zones[base + DEFINITION_ROW])
     row = base + DEFINITION_ZONES + index * size
@@ -161,12 +167,13 @@ def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index:
     return at
 
 
-def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: int, nowhere: float, work: 'float[:]',
-                  scratch: int):
+def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: int, nowhere: float,
+                  work: 'float[:]', scratch: int):
     """The table of a definition at ``base``; the offset after it, or FULL.  ``nowhere`` is not a number."""
     count = int(zones[definition + DEFINITION_COUNT])
     start = zones[definition + DEFINITION_ZONES + ZONE_START]
-    stop = zones[definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW]) + ZONE_STOP]
+    stop = zones[definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW])
+                 + ZONE_STOP]
     bins = int(ceil((stop - start) / BIN_WIDTH))
     profile = Profile.at(tables, base)
     first = offset(profile.bins, tables) + bins

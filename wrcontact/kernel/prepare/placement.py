@@ -29,8 +29,8 @@ from .zones import (
     upright_jet,
 )
 
-#: A profile is read as a function of y where it is not steeper than this [rad], 80 degrees.  Flanges of wheels in use are less
-#: steep, 75 degrees at most, so no contact lies beyond.
+#: A profile is read as a function of y where it is not steeper than this [rad], 80 degrees. Flanges of wheels
+#: in use are less steep, 75 degrees at most, so no contact lies beyond.
 STEEPEST: Final[float] = 1.3962634015954636
 #: Less of an arc than this is nothing [mm].
 SLIVER: Final[float] = 1e-6
@@ -46,7 +46,8 @@ def turned_slope(zones: 'float[:]', row: int, t: float, angle: float):
 
 
 def level_place(zones: 'float[:]', row: int, angle: float):
-    """Where in a zone the turned slope rises through zero [mm], to the last bit; its start if that is nowhere."""
+    """Where in a zone the turned slope rises through zero [mm], to the last bit; its
+    start if that is nowhere."""
     low = zones[row + ZONE_START]
     high = zones[row + ZONE_STOP]
     if not (turned_slope(zones, row, low, angle) < 0.0 and 0.0 <= turned_slope(zones, row, high, angle)):
@@ -77,7 +78,8 @@ def highest_point(zones: 'float[:]', base: int, angle: float):
 
 
 def place_at_depth(zones: 'float[:]', row: int, cosine: float, sine: float, depth: float):
-    """Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm] deep, to the last bit."""
+    """Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
+    deep, to the last bit."""
     low = zones[row + ZONE_START]
     high = min(zones[row + ZONE_STOP], 0.0)
     middle = 0.5 * (low + high)
@@ -93,8 +95,8 @@ def place_at_depth(zones: 'float[:]', row: int, cosine: float, sine: float, dept
 
 
 def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
-    """Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height reached, which is
-    less where the side ends before."""
+    """Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
+    reached, which is less where the side ends before."""
     deepest = NO_FACE
     cosine = cos(angle)
     sine = sin(angle)
@@ -159,7 +161,8 @@ def turn_polynomial(zones: 'float[:]', row: int, angle: float, y_shift: float, z
 
 
 def turn_zones(zones: 'float[:]', base: int, angle: float, y_shift: float, z_shift: float):
-    """Turn [rad] and shift [mm] a whole definition in place, without its steep parts; how many zones are left."""
+    """Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
+    how many zones are left."""
     size = int(zones[base + DEFINITION_ROW])
     kept = 0
     for i in range(int(zones[base + DEFINITION_COUNT])):
@@ -189,9 +192,11 @@ def keep_around_top(zones: 'float[:]', base: int):
         else:
             first += 1
     last = first
-    while found == 1 and first > 0 and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size) == 1:
+    while (found == 1 and first > 0
+           and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size) == 1):
         first -= 1
-    while found == 1 and last + 1 < count and meets_next(zones, base + DEFINITION_ZONES + last * size, size) == 1:
+    while (found == 1 and last + 1 < count
+           and meets_next(zones, base + DEFINITION_ZONES + last * size, size) == 1):
         last += 1
     kept = 0
     if found == 1:

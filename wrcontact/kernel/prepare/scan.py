@@ -1,7 +1,7 @@
 """The search's raster over the wheel, with the bounds that certify it.
 
-The table is the record Scan.  Scratch holds, for each piece of the profile at work, the smallest and largest second derivative and the
-largest absolute slope of its samples.
+The table is the record Scan. Scratch holds, for each piece of the profile at work, the smallest and largest
+second derivative and the largest absolute slope of its samples.
 """
 
 from math import ceil, fabs
@@ -26,7 +26,8 @@ COARSE_STEP: Final[float] = 1.0e-3        # [m]
 FINE_STEP: Final[float] = 0.5e-3          # [m]
 STRAIGHT: Final[float] = 20.0             # the coarse step does where the wheel bends less [1/m]
 TOO_STEEP: Final[float] = 1e9             # [1/m]
-LAST_SAMPLE: Final[int] = 16              # samples of the second derivative in a piece, a cubic there, and of levers in a cell
+# samples of the second derivative in a piece, a cubic there, and of levers in a cell
+LAST_SAMPLE: Final[int] = 16
 TOO_WIDE: Final[int] = -2                 # in place of an offset: the wheel is wider than the raster
 FAR: Final[float] = 1e300
 
@@ -38,7 +39,8 @@ def first_piece(tables: 'float[:]', base: int):
 
 def piece_count(tables: 'float[:]', base: int):
     """How many pieces a profile has."""
-    return (offset(find_piece(Profile.at(tables, base), Profile.at(tables, base).stop), tables) - first_piece(tables, base)) // PIECE_SIZE + 1
+    return (offset(find_piece(Profile.at(tables, base), Profile.at(tables, base).stop), tables)
+            - first_piece(tables, base)) // PIECE_SIZE + 1
 
 
 def piece_width(tables: 'float[:]', base: int, at: int):
@@ -62,7 +64,8 @@ def slope_bend(tables: 'float[:]', at: int, u: float):
 
 
 def piece_range(tables: 'float[:]', at: int, width: float, low: float, high: float):
-    """Smallest and largest second derivative and largest absolute slope of a piece's samples between ``low`` and ``high``."""
+    """Smallest and largest second derivative and largest absolute slope of a piece's samples between
+    ``low`` and ``high``."""
     least = FAR
     most = -FAR
     steepest = 0.0
@@ -90,8 +93,9 @@ def sample_pieces(tables: 'float[:]', base: int, work: 'float[:]', scratch: int)
 
 
 def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, low: float, high: float):
-    """Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and ``high`` [m], clipped to
-    the profile; every piece counts with both its ends, so that a jump of curvature counts with both its sides."""
+    """Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and
+    ``high`` [m], clipped to the profile; every piece counts with both its ends, so that a jump of curvature
+    counts with both its sides."""
     start = Profile.at(tables, base).start
     stop = Profile.at(tables, base).stop
     low = min(max(low, start), stop)
@@ -117,7 +121,8 @@ def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, lo
             piece_most = work[scratch + 3 * i + 1]
             piece_steepest = work[scratch + 3 * i + 2]
         else:
-            piece_least, piece_most, piece_steepest = piece_range(tables, at, piece_width(tables, base, at), low, high)
+            piece_least, piece_most, piece_steepest = piece_range(tables, at, piece_width(tables, base, at),
+                                                                  low, high)
         least = min(least, piece_least)
         most = max(most, piece_most)
         steepest = max(steepest, piece_steepest)
@@ -139,9 +144,9 @@ def raster_place(start: float, stop: float, count: int, i: int):
 
 
 def write_raster(tables: Tables, scan: Scan, work: 'float[:]', scratch: int, firsts: int):
-    """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other, half as much where it
-    is not nearly straight; the number of the first node in each coarse step goes to ``work`` at ``firsts``.  How many nodes,
-    or TOO_WIDE or FULL."""
+    """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other,
+    half as much where it is not nearly straight; the number of the first node in each coarse step goes to
+    ``work`` at ``firsts``. How many nodes, or TOO_WIDE or FULL."""
     wheel = tables.wheel
     start = wheel.start
     stop = wheel.stop
@@ -169,7 +174,8 @@ def write_raster(tables: Tables, scan: Scan, work: 'float[:]', scratch: int, fir
 def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]', scratch: int):
     """Height, slope and bounds of the nodes; stretches end with the table.
 
-    Stretches that are steeper than the search's bounds allow get a second derivative with which they are not skipped.
+    Stretches that are steeper than the search's bounds allow get a second derivative with
+    which they are not skipped.
     """
     wheel = tables.wheel
     for i in range(count):
@@ -181,7 +187,8 @@ def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]',
         cells = 1
         for exponent in range(EXPONENTS):
             end = min(i + cells, count - 1)
-            least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y, scan.nodes[end].y)
+            least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y,
+                                               scan.nodes[end].y)
             node.steepest_bends[exponent] = max(fabs(least), fabs(most))
             if not steepest < STEEP:
                 most = TOO_STEEP
@@ -193,8 +200,8 @@ def write_wheel_bounds(tables: Tables, scan: Scan, count: int, work: 'float[:]',
 
 
 def write_levers(tables: Tables, scan: Scan, count: int):
-    """The largest lever of each node and all beyond it: by how much the gap there would change with the roll of a wheelset at
-    zero roll, if wheel and rail were parallel there."""
+    """The largest lever of each node and all beyond it: by how much the gap there would change with the roll
+    of a wheelset at zero roll, if wheel and rail were parallel there."""
     largest = -FAR
     for i in range(count):
         node = scan.nodes[count - 1 - i]
@@ -212,30 +219,35 @@ def write_levers(tables: Tables, scan: Scan, count: int):
 def write_rail_bounds(tables: Tables, scan: Scan, work: 'float[:]', scratch: int):
     """Bounds of the rail's raster.
 
-    A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the wheel, stretched by WIDEST.
+    A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the
+    wheel, stretched by WIDEST.
     """
     rail = offset(tables.rail, tables)
     for i in range(scan.rail_count):
         cell = scan.rail[i]
         edge = tables.rail.start + FINE_STEP * float(i)
-        least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - FINE_STEP, edge + FINE_STEP + 1.5 * COARSE_STEP)
+        least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - FINE_STEP,
+                                           edge + FINE_STEP + 1.5 * COARSE_STEP)
         cell.least_bend = least
         cell.most_bend = most
         cells = 1.0
         for exponent in range(EXPONENTS + 1):
             length = FINE_STEP * (1.01 + (1.0 + WIDEST) * 1.01 * cells)
-            least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - 0.01 * FINE_STEP, edge + length)
+            least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - 0.01 * FINE_STEP,
+                                               edge + length)
             cell.least_bends[exponent] = least
             cells += cells
     return 0
 
 
 def write_scan(tables: Tables, work: 'float[:]', scratch: int):
-    """The raster over wheel and rail, where the settings say that it begins; the offset after it, or TOO_WIDE or FULL."""
+    """The raster over wheel and rail, where the settings say that it begins; the offset after
+    it, or TOO_WIDE or FULL."""
     scan = tables.scan
     wheel = tables.wheel
     rail = tables.rail
-    pieces = max(piece_count(tables.raw, offset(wheel, tables)), piece_count(tables.raw, offset(rail, tables)))
+    pieces = max(piece_count(tables.raw, offset(wheel, tables)),
+                 piece_count(tables.raw, offset(rail, tables)))
     firsts = scratch + 3 * pieces
     sample_pieces(tables.raw, offset(wheel, tables), work, scratch)
     count = write_raster(tables, scan, work, scratch, firsts)
@@ -256,7 +268,8 @@ def write_scan(tables: Tables, work: 'float[:]', scratch: int):
         return FULL
     write_wheel_bounds(tables, scan, count, work, scratch)
     write_levers(tables, scan, count)
-    least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, wheel.start, wheel.stop)
+    least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, wheel.start,
+                                       wheel.stop)
     scan.steepest = steepest
     sample_pieces(tables.raw, offset(rail, tables), work, scratch)
     write_rail_bounds(tables, scan, work, scratch)

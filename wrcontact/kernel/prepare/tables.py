@@ -1,8 +1,9 @@
-"""The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem and the native FMU
-do at the start, outside the hot unit.
+"""The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
+and the native FMU do at the start, outside the hot unit.
 
-The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then the kernel itself fills
-the table of starts (``start_shift`` and ``keep_start``), and last come the methods (``write_methods``).
+The recipe: place the rail, cut the wheel, compile both, and lay the tables one after the other; then
+the kernel itself fills the table of starts (``start_shift`` and ``keep_start``), and last come the
+methods (``write_methods``).
 """
 
 from math import atan
@@ -59,7 +60,8 @@ def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
 
 
 def place_zones(setup: Setup, work: 'float[:]', wheel: int, rail: int, tables: Tables, report: 'float[:]'):
-    """Cut the wheel's and place the rail's definition in the workspace, and note where the rail stands; the outcome."""
+    """Cut the wheel's and place the rail's definition in the workspace, and note where the
+    rail stands; the outcome."""
     angle = -atan(setup.parameters.rail_inclination)
     y_top, z_top = highest_point(work, rail, angle)
     depth = z_top + setup.parameters.gauge_depth / MM
@@ -122,7 +124,8 @@ def append(tables: 'float[:]', at: int, setting: int, table: 'float[:]'):
 
 
 def append_starts(tables: Tables, at: int):
-    """A table of starts at ``at``, which counts as empty until ``open_starts``; the offset after it, or FULL."""
+    """A table of starts at ``at``, which counts as empty until ``open_starts``; the
+    offset after it, or FULL."""
     if at + STARTS_SIZE > tables.raw.shape[0]:
         return FULL
     for i in range(STARTS_SIZE):
@@ -136,8 +139,8 @@ def append_starts(tables: Tables, at: int):
 
 def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[:]', hertz: 'float[:]',
             influence: 'float[:]', tables: Tables, work: 'float[:]', report: 'float[:]'):
-    """Everything but starts and methods into ``tables``; the outcome.  The workspace holds both definitions and as much again
-    as the tables."""
+    """Everything but starts and methods into ``tables``; the outcome. The workspace holds both definitions
+    and as much again as the tables."""
     kind = int(setup.parameters.lateral_curvature)
     for i in range(SETTING_COUNT):
         tables[i] = 0.0
@@ -169,12 +172,12 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
         at = append_starts(tables, at)
     if at != FULL:
         tables.wheel_curvature = at
-        at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup.parameters.curvature_step, setup.parameters.curvature_reach,
-                              work, scratch)
+        at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup.parameters.curvature_step,
+                              setup.parameters.curvature_reach, work, scratch)
     if at != FULL:
         tables.rail_curvature = at
-        at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup.parameters.curvature_step, setup.parameters.curvature_reach,
-                              work, scratch)
+        at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup.parameters.curvature_step,
+                              setup.parameters.curvature_reach, work, scratch)
     if at == FULL:
         return TABLES_FULL
     report[REPORT_SIZE] = float(at)

@@ -1,7 +1,9 @@
-"""The zones that a profile is defined with, as numbers: polynomials and circular arcs, upright or turned; in millimetres.
+"""The zones that a profile is defined with, as numbers: polynomials and circular arcs,
+upright or turned; in millimetres.
 
-A definition is one array: how many zones, the length of their rows, then the rows.  wrcontact/profiles/zones.py has the same
-zones as objects, and wrcontact/profiles/definition.py turns one into the other.
+A definition is one array: how many zones, the length of their rows, then the rows.
+wrcontact/profiles/zones.py has the same zones as objects, and
+wrcontact/profiles/definition.py turns one into the other.
 """
 
 from math import fabs, sqrt
@@ -38,7 +40,8 @@ VERTICAL: Final[float] = 1e-90       # where an arc is as steep as that it ends 
 
 
 def polynomial_jet(zones: 'float[:]', row: int, t: float):
-    """Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm], each by Horner's scheme."""
+    """Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm],
+    each by Horner's scheme."""
     u = t - zones[row + ZONE_ORIGIN]
     z = 0.0
     slope = 0.0
@@ -89,7 +92,8 @@ def within(x: float, low: float, high: float):
 
 
 def turned_jet(zones: 'float[:]', row: int, y: float):
-    """Height, slope and second derivative of a turned polynomial at its own abscissa ``y`` [mm], by Newton's method."""
+    """Height, slope and second derivative of a turned polynomial at its own abscissa ``y``
+    [mm], by Newton's method."""
     c = zones[row + ZONE_COS]
     s = zones[row + ZONE_SIN]
     first = zones[row + ZONE_FIRST]
@@ -106,7 +110,8 @@ def turned_jet(zones: 'float[:]', row: int, y: float):
             i = TURNED_ITERATIONS
     z, slope, bend = polynomial_jet(zones, row, t)
     stretch = c - s * slope
-    return (s * t + c * z + zones[row + ZONE_Z_SHIFT], (s + c * slope) / stretch, bend / (stretch * stretch * stretch))
+    return (s * t + c * z + zones[row + ZONE_Z_SHIFT], (s + c * slope) / stretch,
+            bend / (stretch * stretch * stretch))
 
 
 def zone_jet(zones: 'float[:]', row: int, y: float):

@@ -1,8 +1,9 @@
 """How far the gap can fall: bounds of its second derivative between nodes of the raster.
 
-Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for its share, and the
-gap changes by that slope times the outline's stretch 1 +- w.  Both second derivatives are bounded in the tables over stretches
-of 2^k cells.  The shares are compared with dense sampling in tests/search/test_rigid.py.
+Along the wheel the slope difference rail - outline rises by no less than m = rail'' - wheel'', each but for
+its share, and the gap changes by that slope times the outline's stretch 1 +- w. Both second derivatives are
+bounded in the tables over stretches of 2^k cells. The shares are compared with dense sampling in
+tests/search/test_rigid.py.
 """
 
 from math import fabs
@@ -11,14 +12,15 @@ from typing import Final
 from ..layout import EXPONENTS, Place, Scan
 from .raster import node_below
 
-#: Share by which roll and yaw change the second derivative of either profile, as seen along the track [-]; with yaw also in
-#: proportion to how much the outline is stretched or folded.
+#: Share by which roll and yaw change the second derivative of either profile, as seen along the track [-];
+#: with yaw also in proportion to how much the outline is stretched or folded.
 YAWED_SHARE: Final[float] = 0.3
 STRETCHED_SHARE: Final[float] = 10.0
 ROLLED_SHARE: Final[float] = 0.02
-#: Stretches of the wheel that are steeper than this somewhere are not skipped [-]; 71.5 deg.  On the others the outline is
-#: stretched by no more than the share ROLL_STRETCH sin(roll) + sin^2(yaw) (BEND_STRETCH r |r''| + STEEP_STRETCH), and its
-#: slope changes along the profile like r'' but for the share ROLL_BEND sin(roll) + YAW_BEND sin^2(yaw).
+#: Stretches of the wheel that are steeper than this somewhere are not skipped [-]; 71.5 deg. On the others
+#: the outline is stretched by no more than the share ROLL_STRETCH sin(roll) + sin^2(yaw) (BEND_STRETCH r
+#: |r''| + STEEP_STRETCH), and its slope changes along the profile like r'' but for the share ROLL_BEND
+#: sin(roll) + YAW_BEND sin^2(yaw).
 STEEP: Final[float] = 3.0
 ROLL_STRETCH: Final[float] = 3.1
 BEND_STRETCH: Final[float] = 1.1
@@ -46,9 +48,9 @@ def rail_index(scan: Scan, u: float):
 
 
 def least_bend(scan: Scan, at: Place, first: int, exponent: int, length: float, u: float):
-    """By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m] together, that begin
-    with node ``first``, and the share by which the outline is stretched there [-]; the first is no bound where the second is not
-    below WIDEST.
+    """By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m]
+    together, that begin with node ``first``, and the share by which the outline is stretched there [-]; the
+    first is no bound where the second is not below WIDEST.
 
     u : place in the raster of the rail where they begin, in cells.
     """
@@ -72,8 +74,8 @@ def least_bend(scan: Scan, at: Place, first: int, exponent: int, length: float, 
 
 
 def stretch_bend(scan: Scan, at: Place, node: int, direction: int, exponent: int, u: float):
-    """Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over them [1/m] and the share
-    of the outline's stretch [-], which is WIDEST where the raster ends before.
+    """Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over
+    them [1/m] and the share of the outline's stretch [-], which is WIDEST where the raster ends before.
 
     u : place of the node in the raster of the rail, in cells.
     """
@@ -94,8 +96,9 @@ def stretch_bend(scan: Scan, at: Place, node: int, direction: int, exponent: int
 
 
 def largest_fall(slope: float, bend: float, length: float, stretch: float):
-    """How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with ``slope`` and rises by no less
-    than ``bend`` [1/m], on a wheel that is stretched by no more than the share ``stretch``."""
+    """How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with
+    ``slope`` and rises by no less than ``bend`` [1/m], on a wheel that is stretched by no more than
+    the share ``stretch``."""
     if bend >= 0.0:
         if slope >= 0.0:
             return 0.0
@@ -107,10 +110,10 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
     return fall
 
 
-def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float, slope: float,
-                   exponent: int):
-    """The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than ``excess`` [m] over the
-    2^exponent cells from ``node`` on; -1 if there is none.
+def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float,
+                   slope: float, exponent: int):
+    """The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than
+    ``excess`` [m] over the 2^exponent cells from ``node`` on; -1 if there is none.
 
     abscissa : of the node on the rail [m].
     slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
@@ -124,8 +127,8 @@ def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: f
     return exponent
 
 
-def rising_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float, slope: float,
-                    exponent: int):
+def rising_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float,
+                    slope: float, exponent: int):
     """As ``clear_exponent``, also for cells over which the gap only rises."""
     u = rail_place(scan, abscissa)
     while exponent >= 0:
@@ -140,7 +143,8 @@ def rising_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: 
 
 
 def rising_from_minimum(scan: Scan, at: Place, y: float, direction: int, abscissa: float):
-    """``clear_exponent`` from a minimum of the gap at ``y``, at ``abscissa`` on the rail [m], on: where the gap only rises.
+    """``clear_exponent`` from a minimum of the gap at ``y``, at ``abscissa`` on the rail [m], on:
+    where the gap only rises.
 
     The stretch is counted from the far node of the minimum's cell, so that it covers the whole cell.
     """
@@ -155,8 +159,8 @@ def rising_from_minimum(scan: Scan, at: Place, y: float, direction: int, absciss
 
 
 def bend_bounds(scan: Scan, at: Place, cell: int, abscissa: float):
-    """Bounds [1/m] of the gap's second derivative between the nodes ``cell`` and ``cell`` + 1, the first of them above
-    the rail's ``abscissa`` [m]: rail minus wheel."""
+    """Bounds [1/m] of the gap's second derivative between the nodes ``cell`` and ``cell`` + 1, the first of
+    them above the rail's ``abscissa`` [m]: rail minus wheel."""
     rail = scan.rail[rail_index(scan, rail_place(scan, abscissa))]
     node = scan.nodes[cell]
     share = ROLLED_SHARE
@@ -176,8 +180,8 @@ def bend_bounds(scan: Scan, at: Place, cell: int, abscissa: float):
 
 
 def only_rises_or_falls(least: float, most: float, width: float, mismatch_low: float, mismatch_high: float):
-    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference rises by no less
-    than ``least`` and no more than ``most`` [1/m], else 0."""
+    """1 if the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference
+    rises by no less than ``least`` and no more than ``most`` [1/m], else 0."""
     steady = 0
     if mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0:
         steady = 1
@@ -187,8 +191,9 @@ def only_rises_or_falls(least: float, most: float, width: float, mismatch_low: f
 
 
 def least_slope(least: float, most: float, width: float, first: float, last: float):
-    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last`` at its ends, where it rises by
-    no less than ``least`` and no more than ``most`` [1/m]: where the lines from both ends meet."""
+    """The smallest slope that is possible over a ``width`` [m] between ``first`` and ``last``
+    at its ends, where it rises by no less than ``least`` and no more than ``most`` [1/m]:
+    where the lines from both ends meet."""
     lowest = min(first, last)
     if least < 0.0:
         lowest = first + least * width

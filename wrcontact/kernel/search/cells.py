@@ -1,9 +1,9 @@
 """Local minima of the gap inside one cell of the raster, or inside the part of it that is above the rail.
 
-A cell that could hold a minimum is halved until that is settled.  The gap between both ends lies above its chord by no less
-than -M h^2 / 8, where M bounds its second derivative from above.  Two loops do this, since they ask for different things:
-``search_cell`` for any value below the smallest gap, which narrows as it goes, also at ends; ``list_cell`` for all minima
-below a fixed reach, in their order, each of them once.
+A cell that could hold a minimum is halved until that is settled. The gap between both ends lies above its
+chord by no less than -M h^2 / 8, where M bounds its second derivative from above. Two loops do this, since
+they ask for different things: ``search_cell`` for any value below the smallest gap, which narrows as it goes,
+also at ends; ``list_cell`` for all minima below a fixed reach, in their order, each of them once.
 """
 
 from math import fabs
@@ -14,7 +14,8 @@ from ..surface.gap import FOLDED, vertical_gap
 from .bounds import WIDEST, bend_bounds, least_bend, only_rises_or_falls, rail_place
 from .raster import rail_below
 
-#: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m at worst.
+#: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6
+#: m)^2 / 8, 1e-11 m at worst.
 NARROW: Final[float] = 2e-6
 #: A stretch that has a further minimum is not halved below this [m]: two would be one contact.
 LISTED_ONE: Final[float] = 2.5e-4
@@ -39,9 +40,11 @@ def write_cell(cell: Cell, low: float, high: float, gap_low: float, gap_high: fl
     return 0
 
 
-def search_cell(tables: Tables, side: SideSearch, state: State, least: float, most: float, first: float, last: float):
-    """Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve while a smaller one is
-    possible, refine where the slope turns.  ``least`` and ``most`` bound the second derivative [1/m]."""
+def search_cell(tables: Tables, side: SideSearch, state: State, least: float, most: float, first: float,
+                last: float):
+    """Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
+    while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
+    second derivative [1/m]."""
     at = side.place
     gap_low, mismatch_low, rate = vertical_gap(tables, at, first)
     gap_high, mismatch_high, rate = vertical_gap(tables, at, last)
@@ -81,7 +84,8 @@ def search_cell(tables: Tables, side: SideSearch, state: State, least: float, mo
 
 
 def list_cell(tables: Tables, side: SideSearch, state: State, node: int, direction: int, abscissa: float):
-    """List the local minima below ``side.reach`` in the first cell of the stack, which lies between ``node`` and the next one.
+    """List the local minima below ``side.reach`` in the first cell of the stack, which lies between
+    ``node`` and the next one.
 
     abscissa : of its lower end on the rail [m].
     """
@@ -115,7 +119,8 @@ def list_cell(tables: Tables, side: SideSearch, state: State, node: int, directi
                 y, gap = refine_minimum(tables, at, state, cell, LISTED_SHARP)
                 if gap < side.reach:
                     list_minimum(side, y, rail_below(tables, at, y), direction)
-            elif width > NARROW and (folded or only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) == 0):
+            elif (width > NARROW
+                  and (folded or only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) == 0)):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(tables, at, middle)
                 state.gap_count += 1.0
@@ -132,7 +137,8 @@ def list_cell(tables: Tables, side: SideSearch, state: State, node: int, directi
 
 
 def list_minimum(side: SideSearch, y: float, abscissa: float, direction: int):
-    """Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` = 1, else at the beginning."""
+    """Add the minimum at ``y`` [m] to the candidates, at the end for ``direction`` =
+    1, else at the beginning."""
     entry = side.last + 1
     if direction < 0:
         entry = side.first - 1
@@ -148,7 +154,8 @@ def list_minimum(side: SideSearch, y: float, abscissa: float, direction: int):
 
 
 def keep_smaller(side: SideSearch, y: float, gap: float):
-    """Keep (y, gap) if it is the side's smallest so far, by more than rounding: a node beside a contact is none."""
+    """Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
+    node beside a contact is none."""
     if gap < side.best - ROUNDING:
         side.best = gap
         side.best_y = y
@@ -156,8 +163,8 @@ def keep_smaller(side: SideSearch, y: float, gap: float):
 
 
 def keep_refined(side: SideSearch, y: float, gap: float, width: float):
-    """Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within ``width`` [m] that has the
-    same gap but for the last bits."""
+    """Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
+    ``width`` [m] that has the same gap but for the last bits."""
     allowed = side.best
     if fabs(y - side.best_y) < width:
         allowed += ROUNDING
@@ -168,7 +175,8 @@ def keep_refined(side: SideSearch, y: float, gap: float, width: float):
 
 
 def refine_minimum(tables: Tables, at: Place, state: State, cell: Cell, sharp: float):
-    """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell: bracketed Newton's method."""
+    """Abscissa [m], to ``sharp`` [m], and gap [m] where the slope difference vanishes in a cell:
+    bracketed Newton's method."""
     low = cell.low
     high = cell.high
     y = low - cell.mismatch_low * (high - low) / (cell.mismatch_high - cell.mismatch_low)

@@ -1,13 +1,15 @@
 """Which roll of several: the first root of the difference of both gaps, starting from zero roll.
 
-While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls and has one root.  A large
-wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges on the rails, lets D rise in between, and it has
-three.  The roll is then the first root on the way from zero roll to the side on which the sign of D(0) says that there is
-one: it depends on nothing but the pose, and D falls through it.
+While a flange is less steep than both levers allow, D(roll) = gap_right - gap_left (roll.py) falls
+and has one root. A large wheel on a steep flange (600 mm on 70 deg), or strong yaw with both flanges
+on the rails, lets D rise in between, and it has three. The roll is then the first root on the way
+from zero roll to the side on which the sign of D(0) says that there is one: it depends on nothing but
+the pose, and D falls through it.
 
-That no root lies before a known one is certified.  On that way the contact of the wheel that rises moves towards its flange and
-the other's away from it, since rails are convex; so D' is bounded by the steepest places of the wheels between their contacts
-at both ends of the way.  Where this does not settle it, the way is halved.
+That no root lies before a known one is certified. On that way the contact of the wheel that rises
+moves towards its flange and the other's away from it, since rails are convex; so D' is bounded by the
+steepest places of the wheels between their contacts at both ends of the way. Where this does not
+settle it, the way is halved.
 """
 
 from math import fabs
@@ -44,11 +46,12 @@ YAWED_SHARE: Final[float] = 1.2
 FASTER: Final[float] = 1.5
 
 
-def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State, guess: float, warm: int):
+def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State, guess: float,
+               warm: int):
     """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
 
-    With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.  A start from which there is no roll does not decide
-    that.
+    With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
+    no roll does not decide that.
     """
     roll, status = certified_roll(tables, inputs, sides, trials, state, guess, warm)
     if status != VALID and (guess != 0.0 or warm == 1):
@@ -56,7 +59,8 @@ def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
     return roll, status
 
 
-def certified_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State, guess: float, warm: int):
+def certified_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, state: State,
+                   guess: float, warm: int):
     """``solve_roll`` from this start alone."""
     roll, status = any_roll(tables, inputs, sides, state, guess, warm)
     if status == VALID and falls_at_zero_roll(tables, sides, roll) == 0:
@@ -84,8 +88,8 @@ def lever_per_roll(steep: float, radius: float, arm: float):
 
 
 def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
-    """The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to ``roll`` [rad] and the
-    yaw whose sine is given."""
+    """The largest lever [m] of a wheel at ``y`` [m] and beyond, towards the field side, for any roll up to
+    ``roll`` [rad] and the yaw whose sine is given."""
     scan = tables.scan
     lever = scan.nodes[node_below(scan, y)].lever
     radius = tables.radius
@@ -96,7 +100,8 @@ def largest_lever_beyond(tables: Tables, y: float, roll: float, sine: float):
 
 
 def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: float):
-    """1 if all places of a wheel whose levers are not below -``known`` [m] are beside the rail at zero roll, else 0."""
+    """1 if all places of a wheel whose levers are not below -``known`` [m] are beside the
+    rail at zero roll, else 0."""
     scan = tables.scan
     low = -1
     high = scan.count - 1
@@ -116,10 +121,12 @@ def is_beside_rail(tables: Tables, at: Place, known: float, roll: float, sine: f
 
 
 def is_certainly_first(tables: Tables, sides: Sides, state: State, roll: float):
-    """1 if D falls all the way from zero roll to its root at ``roll``, as far as the steepest places tell, else 0.
+    """1 if D falls all the way from zero roll to its root at ``roll``, as far as the
+    steepest places tell, else 0.
 
-    The contact of the wheel that stands higher is known there.  Of the other wheel count the places that are not beside the
-    rail at zero roll; or those beyond its contact at zero roll, for which that one is searched.
+    The contact of the wheel that stands higher is known there. Of the other wheel count the
+    places that are not beside the rail at zero roll; or those beyond its contact at zero
+    roll, for which that one is searched.
     """
     sine = sides[1].place.sin_yaw
     higher = sides[0]
@@ -150,7 +157,8 @@ def is_certainly_first(tables: Tables, sides: Sides, state: State, roll: float):
 
 
 def lever_at(tables: Tables, at: Place, y: float):
-    """How the gap at ``y`` [m] would change with the roll if the rail there were parallel to the wheel [m]."""
+    """How the gap at ``y`` [m] would change with the roll if the rail there were
+    parallel to the wheel [m]."""
     z, slope = height_slope(tables.wheel, y)
     y_track, z_track, outline_slope = outline_point(at, y, z, slope)
     sin_phi, cos_phi = around_wheel(at, slope)
@@ -217,15 +225,16 @@ def copy_trial(trial: RollTrial, to: RollTrial):
 
 
 def has_no_root(tables: Tables, sides: Sides, state: State, near: RollTrial, far: RollTrial, sign: float):
-    """1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign`` or, at ``far``, is
-    zero; else 0."""
+    """1 if D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of ``sign``
+    or, at ``far``, is zero; else 0."""
     width = fabs(far.roll - near.roll)
     turn_both(sides, 0.5 * (far.roll + near.roll))
     left_least, left_most = lever_range(tables, state, sides[0].place, near.left, far.left)
     right_least, right_most = lever_range(tables, state, sides[1].place, near.right, far.right)
     arm = tables.arm
     radius = tables.radius
-    steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most))) + arm) / radius
+    steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most)))
+             + arm) / radius
     margin = width * lever_per_roll(steep, radius, arm)
     least = left_least + right_least - margin
     most = left_most + right_most + margin
@@ -293,8 +302,8 @@ def first_root(tables: Tables, sides: Sides, trials: RollTrials, state: State, r
 
 
 def root_before(tables: Tables, sides: Sides, state: State, near: float, middle: float, sign: float):
-    """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where it has not; and the
-    outcome."""
+    """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
+    it has not; and the outcome."""
     first = near
     last = middle + APART
     if sign < 0.0:

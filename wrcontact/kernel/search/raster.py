@@ -8,8 +8,8 @@ from ..surface.gap import above_rail
 from ..surface.locus import outline_point
 from ..surface.profile_table import height_slope
 
-#: The yawed outline comes back above the rail from no further than sin^2(yaw) times radius times slope, but for this factor
-#: [-], and for the heights of the wheel, turned by the roll [m].
+#: The yawed outline comes back above the rail from no further than sin^2(yaw) times radius times slope, but
+#: for this factor [-], and for the heights of the wheel, turned by the roll [m].
 REACH_SHARE: Final[float] = 1.2
 REACH_ROLL: Final[float] = 0.06
 #: The wheel's abscissa above the end of the rail is located to this [m].
@@ -46,10 +46,11 @@ def rail_below(tables: Tables, at: Place, y: float):
 
 
 def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: float):
-    """1 if the outline, beside the rail at node ``node``, does not come back above it further in ``direction``, else 0.
+    """1 if the outline, beside the rail at node ``node``, does not come back above it further
+    in ``direction``, else 0.
 
-    Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can reach over a
-    rail that ends below the flange root.
+    Yaw moves a place of the wheel sideways by about sin^2(yaw) r times its slope, so that a steep flank can
+    reach over a rail that ends below the flange root.
     """
     scan = tables.scan
     rail = tables.rail
@@ -68,8 +69,8 @@ def leaves_rail(tables: Tables, at: Place, node: int, direction: int, abscissa: 
 
 
 def above_rail_end(tables: Tables, at: Place, node: int, outward: int):
-    """Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the next one
-    ``outward`` (1 or -1)."""
+    """Wheel abscissa [m] above the end of the rail, which lies between node ``node``, above the rail, and the
+    next one ``outward`` (1 or -1)."""
     inside = tables.scan.nodes[node].y
     outside = tables.scan.nodes[node + outward].y
     while fabs(outside - inside) > END_SHARP:

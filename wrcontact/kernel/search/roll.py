@@ -1,12 +1,12 @@
 """The roll of the wheelset: the angle at which both wheels have the same smallest gap.
 
-D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg for
-750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail.  Where it has several roots,
-first_root.py decides which is the roll.
+D(roll) = gap_right - gap_left falls strictly while one flange is less steep than atan(2 arm / radius) (73 deg
+for 750 mm and 460 mm), so a bracket and Newton's method with the envelope derivative cannot fail. Where it
+has several roots, first_root.py decides which is the roll.
 
-Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each one; at that
-roll both sides are searched for a smaller one.  If there is none, this is the roll; otherwise the smaller minima
-take over, within a bracket that every search narrows.
+Solve first, certify then: with two minima at hand Newton finds the roll that makes them equal, following each
+one; at that roll both sides are searched for a smaller one. If there is none, this is the roll; otherwise the
+smaller minima take over, within a bracket that every search narrows.
 """
 
 from math import fabs
@@ -19,7 +19,8 @@ from .cells import SHARP
 from .raster import rail_below
 from .smallest_gap import search_side
 
-#: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a lever of 0.2 m and more.
+#: Newton stops when it moves the roll by less [rad]; rounding of the gaps is 1e-16 m over a
+#: lever of 0.2 m and more.
 ROLL_SHARP: Final[float] = 1e-14
 SEARCHES: Final[int] = 120
 #: Gaps that still differ by more than this when no roll is left between jump there [m].
@@ -92,9 +93,9 @@ def newton_move(tables: Tables, sides: Sides):
 def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low: float, high: float):
     """Roll [rad] at which the two known minima are equal, following them; second value 1 if found, else 0.
 
-    Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel and rail agree.
-    It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.  Between nearly conformal profiles
-    a minimum can run away or vanish.
+    Newton's method for three unknowns at once: the roll and the minima's places, where the slopes of wheel
+    and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
+    Between nearly conformal profiles a minimum can run away or vanish.
     """
     left = sides[0].best_y
     right = sides[1].best_y
@@ -102,8 +103,10 @@ def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low
         state.roll_count += 1.0
         state.gap_count += 2.0
         turn_both(sides, roll)
-        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables, sides[0].place, left)
-        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables, sides[1].place, right)
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(
+            tables, sides[0].place, left)
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(
+            tables, sides[1].place, right)
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, 0
         move_left = -mismatch_left / rate_left
@@ -122,7 +125,8 @@ def equalize_minima(tables: Tables, sides: Sides, state: State, roll: float, low
             keep_known(sides[0], left, gap_left, rail_left)
             keep_known(sides[1], right, gap_right, rail_right)
             return roll, 1
-        if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE and fabs(move_right) < LONGEST_MOVE):
+        if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE
+                and fabs(move_right) < LONGEST_MOVE):
             return roll, 0
         left += move_left
         right += move_right
@@ -149,9 +153,10 @@ def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
     return 0
 
 
-def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first: float, last: float, known: int):
-    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome; both gaps are known
-    at it.  D has to be positive at ``first`` and negative at ``last``.
+def roll_between(tables: Tables, sides: Sides, state: State, roll: float, first: float, last: float,
+                 known: int):
+    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
+    both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
     With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
     """

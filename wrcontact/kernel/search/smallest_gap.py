@@ -1,8 +1,9 @@
 """The smallest vertical gap of one side, and the further local minima of the gap.
 
-The gap has up to three local minima (tread, flange root, flange) that exchange rank.  From a known place, or the best of a few
-nodes, the search walks outwards over the raster of the wheel.  Whatever it leaves out cannot hold a smaller gap, by the
-bounds of the gap's second derivative: so the global minimum is bounded and not assumed.
+The gap has up to three local minima (tread, flange root, flange) that exchange rank. From a known
+place, or the best of a few nodes, the search walks outwards over the raster of the wheel. Whatever it
+leaves out cannot hold a smaller gap, by the bounds of the gap's second derivative: so the global
+minimum is bounded and not assumed.
 """
 
 from typing import Final
@@ -20,8 +21,8 @@ PROBE_STRIDE: Final[int] = 8
 def search_side(tables: Tables, side: SideSearch, state: State, known: int):
     """Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; 1 if there is one, else 0.
 
-    With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a smaller one is
-    looked for.
+    With ``known`` = 1 the two, and ``best_rail``, already hold a local minimum of this pose, and only a
+    smaller one is looked for.
     """
     scan = tables.scan
     at = side.place
@@ -51,8 +52,8 @@ def search_side(tables: Tables, side: SideSearch, state: State, known: int):
 
 
 def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
-    """The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best known; -1 if
-    there is none."""
+    """The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best
+    known; -1 if there is none."""
     scan = tables.scan
     at = side.place
     found = -1
@@ -72,8 +73,8 @@ def best_node(tables: Tables, side: SideSearch, state: State, stride: int):
 
 
 def list_minima(tables: Tables, side: SideSearch, state: State, reach: float, abscissa: float):
-    """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at ``abscissa`` on
-    the rail [m]: the candidates ``first`` ... ``last`` of the side."""
+    """List the local minima of the gap below ``reach`` [m] other than the known smallest one, which lies at
+    ``abscissa`` on the rail [m]: the candidates ``first`` ... ``last`` of the side."""
     scan = tables.scan
     cell = node_below(scan, side.best_y)
     side.reach = reach

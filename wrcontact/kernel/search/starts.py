@@ -1,4 +1,5 @@
-"""Where the roll search starts without a near pose before: contacts without yaw, known for a row of lateral shifts.
+"""Where the roll search starts without a near pose before: contacts without yaw,
+known for a row of lateral shifts.
 
 A start sets the cost and never the answer, which is certified.
 """

@@ -1,11 +1,13 @@
-"""Walk over the raster of the wheel from a node outwards, and search the cells that may hold a minimum of the gap.
+"""Walk over the raster of the wheel from a node outwards, and search the cells that
+may hold a minimum of the gap.
 
-Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of interest; that
-stretch, of up to 32 cells, is skipped.  Where not even one cell can be skipped, the cell itself is searched.  One walk serves
-two questions: the smallest gap (``listing`` = 0) and all local minima below ``side.reach`` (``listing`` = 1).
+Gap, slope and a lower bound of the second derivative tell over how many cells the gap cannot have a value of
+interest; that stretch, of up to 32 cells, is skipped. Where not even one cell can be skipped, the cell itself
+is searched. One walk serves two questions: the smallest gap (``listing`` = 0) and all local minima below
+``side.reach`` (``listing`` = 1).
 
-The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the nodes, does
-not look between them, and ends at the first node beside the rail.
+The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
+nodes, does not look between them, and ends at the first node beside the rail.
 """
 
 from typing import Final
@@ -49,12 +51,12 @@ def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: i
                 search_end(tables, side, state, node, -direction, direction, listing)
             elif skipped == 0:
                 if direction > 0:
-                    write_cell(side.stack[0], scan.nodes[node - 1].y, scan.nodes[node].y, gap_before, gap, mismatch_before,
-                               mismatch)
+                    write_cell(side.stack[0], scan.nodes[node - 1].y, scan.nodes[node].y, gap_before, gap,
+                               mismatch_before, mismatch)
                     search_between(tables, side, state, node - 1, direction, abscissa_before, listing)
                 else:
-                    write_cell(side.stack[0], scan.nodes[node].y, scan.nodes[node + 1].y, gap, gap_before, mismatch,
-                               mismatch_before)
+                    write_cell(side.stack[0], scan.nodes[node].y, scan.nodes[node + 1].y, gap, gap_before,
+                               mismatch, mismatch_before)
                     search_between(tables, side, state, node, direction, abscissa, listing)
             beside = 0
             gap_before = gap
@@ -62,9 +64,11 @@ def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: i
             abscissa_before = abscissa
             slope = float(direction) * mismatch
             if listing == 0:
-                exponent = clear_exponent(scan, at, node, direction, abscissa, gap - side.best, slope, exponent)
+                exponent = clear_exponent(scan, at, node, direction, abscissa, gap - side.best, slope,
+                                          exponent)
             else:
-                exponent = rising_exponent(scan, at, node, direction, abscissa, gap - side.reach, slope, exponent)
+                exponent = rising_exponent(scan, at, node, direction, abscissa, gap - side.reach, slope,
+                                           exponent)
             skipped = 1
             if exponent < 0:
                 exponent = 0
@@ -75,8 +79,10 @@ def walk(tables: Tables, side: SideSearch, state: State, node: int, direction: i
     return 0
 
 
-def search_between(tables: Tables, side: SideSearch, state: State, node: int, direction: int, abscissa: float, listing: int):
-    """Search the first cell of the stack, which lies between ``node`` and the next one, if it can hold what is asked for.
+def search_between(tables: Tables, side: SideSearch, state: State, node: int, direction: int, abscissa: float,
+                   listing: int):
+    """Search the first cell of the stack, which lies between ``node`` and the next one, if it
+    can hold what is asked for.
 
     abscissa : of ``node`` on the rail [m].
     """
@@ -91,8 +97,10 @@ def search_between(tables: Tables, side: SideSearch, state: State, node: int, di
     return 0
 
 
-def search_end(tables: Tables, side: SideSearch, state: State, node: int, outward: int, direction: int, listing: int):
-    """Search between ``node``, above the rail, and the end of the rail, which lies before the next node ``outward`` (1 or -1)."""
+def search_end(tables: Tables, side: SideSearch, state: State, node: int, outward: int, direction: int,
+               listing: int):
+    """Search between ``node``, above the rail, and the end of the rail, which lies before the next node
+    ``outward`` (1 or -1)."""
     at = side.place
     inner = tables.scan.nodes[node].y
     end = above_rail_end(tables, at, node, outward)

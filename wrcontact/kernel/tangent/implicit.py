@@ -1,13 +1,15 @@
 """How a step's results move with its inputs: what is found by iteration, differentiated implicitly.
 
-The kernel is differentiated along a seed of its inputs by ``tools/tangent.py``, statement by statement.  Where it searches or
-iterates, the way there says nothing about how the result moves; the equation that the result solves does.  Of r(x, p) = 0
+The kernel is differentiated along a seed of its inputs by ``tools/tangent.py``, statement by statement. Where
+it searches or iterates, the way there says nothing about how the result moves; the equation that the result
+solves does. Of r(x, p) = 0
 
     dx = -(dr/dp dp) / (dr/dx)
 
-Here stands one rule for each such iteration: it takes the kernel's own result, evaluates the equation there with rates, and
-lets the result move by them.  Values are left as they are.  What the rules call beside the kernel's functions is told in
-``tools/tangent.py``; this module is an input of that one and is not translated itself.
+Here stands one rule for each such iteration: it takes the kernel's own result, evaluates the equation
+there with rates, and lets the result move by them. Values are left as they are. What the rules call
+beside the kernel's functions is told in ``tools/tangent.py``; this module is an input of that one and
+is not translated itself.
 """
 
 from math import cos, fabs, log, sin, sqrt
@@ -95,8 +97,8 @@ def place_moving(tables: Tables, work: Work, roll: float):
 
 
 def follow_minimum(tables: Tables, work: Work, index: int):
-    """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of wheel and rail
-    agree, mismatch(y) = 0."""
+    """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of
+    wheel and rail agree, mismatch(y) = 0."""
     side = work.sides[index]
     at = work.sides[index].place
     y = held(side.best_y)
@@ -109,14 +111,16 @@ def follow_minimum(tables: Tables, work: Work, index: int):
 
 
 def follow_roll(tables: Tables, work: Work):
-    """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for how it follows the roll."""
+    """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for
+    how it follows the roll."""
     roll = held(work.outputs.roll)
     place_moving(tables, work, roll)
     left = held(work.sides[0].best_y)
     right = held(work.sides[1].best_y)
     gap_left, mismatch_left, rate_left = vertical_gap(tables, work.sides[0].place, left)
     gap_right, mismatch_right, rate_right = vertical_gap(tables, work.sides[1].place, right)
-    lever = (gap_per_roll(tables, work.sides[1].place, right) + gap_per_roll(tables, work.sides[0].place, left))
+    lever = (gap_per_roll(tables, work.sides[1].place, right)
+             + gap_per_roll(tables, work.sides[0].place, left))
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
@@ -132,8 +136,8 @@ def follow_stand(tables: Tables, work: Work, state: State, roll: float, height: 
 def follow_elastic(tables: Tables, work: Work, state: State):
     """The elastic stand: what both sides lack of the height vanishes, over height and roll.
 
-    1 where it does not, else 0: then the wheelset stands where a side's load jumps past its force (elastic.bracket_height), and
-    no equation tells how that place moves.
+    1 where it does not, else 0: then the wheelset stands where a side's load jumps past its force
+    (elastic.bracket_height), and no equation tells how that place moves.
     """
     roll = work.outputs.roll
     height = work.outputs.vertical_shift
@@ -175,8 +179,8 @@ def follow_compliant(tables: Tables, work: Work, state: State):
 
 
 def differentiate(tables: Tables, work: Work, state: State):
-    """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step left it.
-    1 where that cannot be told (``follow_elastic``), else 0."""
+    """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
+    left it. 1 where that cannot be told (``follow_elastic``), else 0."""
     mode = tables.mode
     outcome = 0
     if mode == MODE_RIGID:
@@ -207,12 +211,14 @@ def minimum_rule(tables: Tables, frame: Frame, region: Region, state: State, sta
 
 
 def saddle_rule(tables: Tables, frame: Frame, low: Region, high: Region, state: State):
-    """``find_saddle``: at the saddle the gap's rate is zero; a sample that stands for it keeps its share of the way."""
+    """``find_saddle``: at the saddle the gap's rate is zero; a sample that stands for it
+    keeps its share of the way."""
     station, gap = find_saddle(tables, frame, low, high, state)
     way = high.station - low.station
     place = low.station + way * held((station - low.station) / way)
     if frame.station == station:
-        start_traces(frame, held(station), held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
+        start_traces(frame, held(station), held(frame.traces[RAIL].abscissa),
+                     held(frame.traces[WHEEL].abscissa))
         saddle, rate, bend, curvature = normal_gap(tables, frame, state, held(station), PLACE_TRACE)
         if bend < 0.0 and fabs(rate) < -10.0 * PLACE_SHARP * bend:
             place = -rate / held(bend)
@@ -220,10 +226,10 @@ def saddle_rule(tables: Tables, frame: Frame, low: Region, high: Region, state: 
     return station, gap
 
 
-def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float, level: float,
-               estimate: float):
-    """``zone_width``: its Newton steps are followed as they are.  A width that halving has found ends where a profile ends, and
-    stays on that point; or else where the gap has risen by ``level``."""
+def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
+               level: float, estimate: float):
+    """``zone_width``: its Newton steps are followed as they are. A width that halving has found ends where a
+    profile ends, and stays on that point; or else where the gap has risen by ``level``."""
     width = differentiated(zone_width(tables, frame, origin, region, state, direction, level, estimate))
     limit = width_limit(region, direction)
     if width < limit and region.reached != level:
@@ -245,30 +251,36 @@ def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, sta
         out = rate_of(y) - wheel_rate
         if out != 0.0 and (y < tables.wheel.start + WIDTH_TRACE or y > tables.wheel.stop - WIDTH_TRACE):
             moved = -wheel_rate / out
-        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, moved), tolerance)
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, moved),
+                              tolerance)
         width = seeded(width, moved)
         region.reached = moving(region.reached, gap - region.gap)
     return width
 
 
-def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float, width: float,
-              tolerance: float):
-    """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as ``zone_width`` measures it."""
+def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
+              width: float, tolerance: float):
+    """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
+    ``zone_width`` measures it."""
     start_traces(frame, region.station, region.rail, region.wheel)
-    gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width, tolerance)
+    gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width,
+                                            tolerance)
     return gap, rate
 
 
-def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float, prescribed: int):
-    """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap - sum of pushes, and of all the
-    load is the force.
+def penetrations_rule(work: Work, tables: Tables, state: State, count: int, force: float, penetration: float,
+                      prescribed: int):
+    """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap -
+    sum of pushes, and of all the load is the force.
 
-    Linear equations for the rates of the penetrations, from how loads follow the local ones and move at fixed ones.
+    Linear equations for the rates of the penetrations, from how loads follow the
+    local ones and move at fixed ones.
     """
     regions = work.regions
     nodes = work.nodes
     given = penetration
-    penetration, met = solve_penetrations(tables, regions, nodes, state, count, force, penetration, prescribed)
+    penetration, met = solve_penetrations(tables, regions, nodes, state, count, force, penetration,
+                                          prescribed)
     if met == 0:
         return penetration, met
     size = count + 1
@@ -343,7 +355,8 @@ def pair_rule(tables: Tables, place: Place, y: float, abscissa: float, shift: fl
 
 
 def upright_rule(table: HertzTable, length: float, width: float, nr: float):
-    """``upright_coefficients``: ratio + log((1 + beta)/(1 + alpha)) = log(width / length), over ratio = log(B/A)."""
+    """``upright_coefficients``: ratio + log((1 + beta)/(1 + alpha)) = log(width / length),
+    over ratio = log(B/A)."""
     A, B, share = upright_coefficients(table, length, width, nr)
     ratio = seeded(log(held(B) / held(A)), 1.0)
     change = log(table_value(table, 0, -ratio) / table_value(table, 0, ratio))
@@ -367,7 +380,8 @@ def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: f
         if u == start:
             place = start + place
         else:
-            place -= arc_length(tables, frame, origin, curve, start, u) / held(curve_speed(tables, frame, origin, curve, u))
+            place -= arc_length(tables, frame, origin, curve, start,
+                                u) / held(curve_speed(tables, frame, origin, curve, u))
         frame.traces[curve].abscissa = moving(u, place)
     return exists
 
@@ -407,18 +421,20 @@ def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: fl
         y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
         residual = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
         y = moving(y, -residual / held(stretch * (1.0 + m * outline_slope)))
-        y, overlap, rise, bend, curvature, found = differentiated(normal_line(tables, frame, place, abscissa, y, height))
+        y, overlap, rise, bend, curvature, found = differentiated(normal_line(tables, frame, place, abscissa,
+                                                                              y, height))
     return y, overlap, rise, bend, curvature, found
 
 
 def turning_rule(tables: Tables, frame: Frame, place: Place, x: float, y: float, height: float):
-    """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the overlap: its rate is
-    zero there."""
+    """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the
+    overlap: its rate is zero there."""
     x = held(x)
     found_x = x
     y, overlap, rise, bend, curvature, found = line_rule(tables, frame, place, x, held(y), height)
     if found == 1:
-        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, seeded(x, 1.0), held(y), height)
+        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, seeded(x, 1.0), held(y),
+                                                             height)
         change = rate_of(more) - rate_of(rise)
         if change != 0.0:
             found_x = moving(x, -rise / change)
@@ -426,7 +442,8 @@ def turning_rule(tables: Tables, frame: Frame, place: Place, x: float, y: float,
     return found_x, y, overlap, found
 
 
-def overlaps_rule(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State, height: float):
+def overlaps_rule(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
+                  height: float):
     """``find_overlaps``: the overlap's rate is zero at deepest points and saddles."""
     count = find_overlaps(tables, frame, overlap, side, state, height)
     for entry in range(count):
@@ -438,7 +455,8 @@ def overlaps_rule(tables: Tables, frame: Frame, overlap: Overlap, side: SideSear
     for entry in range(count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, y, depth, found = turning_rule(tables, frame, side.place, point.saddle, 0.5 * (point.wheel + following.wheel), height)
+        x, y, depth, found = turning_rule(tables, frame, side.place, point.saddle,
+                                          0.5 * (point.wheel + following.wheel), height)
         point.saddle = moving(point.saddle, x)
         point.between = moving(point.between, depth)
     return count

@@ -1,15 +1,28 @@
-"""Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the flatter wheel carries its load.
+"""Elastic equilibrium by brackets around brackets: slow, and it cannot fail while the
+flatter wheel carries its load.
 
-A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the height of the other
-wheel its load has one value at every roll.  So the flatter wheel gives the height of each roll, and the steeper one the
-residual that changes its sign at the roll in equilibrium.  Where that jumps, since a region comes or goes, the roll of the jump is
-taken.
+A steep flange may carry its load at several heights of one roll, or at none that is not too deep; at the
+height of the other wheel its load has one value at every roll. So the flatter wheel gives the height of each
+roll, and the steeper one the residual that changes its sign at the roll in equilibrium. Where that jumps,
+since a region comes or goes, the roll of the jump is taken.
 """
 
 from math import fabs
 from typing import Final
 
-from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Bracket, Outputs, Regions, State, Tables, Work
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    UNLOADED,
+    VALID,
+    Bracket,
+    Outputs,
+    Regions,
+    State,
+    Tables,
+    Work,
+)
 from .side import load_side, press_side
 from .trial import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
 
@@ -23,7 +36,8 @@ DEEPER: Final[float] = 1.5
 
 
 def next_in_bracket(bracket: Bracket, i: int):
-    """Where to look next for a root in a bracket: on the chord between both values, and every other time half way."""
+    """Where to look next for a root in a bracket: on the chord between both values,
+    and every other time half way."""
     low = bracket.low
     high = bracket.high
     place = 0.5 * (low + high)
@@ -58,11 +72,11 @@ def carried_load(regions: Regions, count: int):
 
 
 def height_residual(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
-    """How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are there [m]; 1 if they can
-    carry it, else 0; and the outcome.
+    """How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are
+    there [m]; 1 if they can carry it, else 0; and the outcome.
 
-    The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry at ``height``
-    shows whether that is too low or too high, and the residual counts as the whole approach.
+    The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
+    at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
     """
     support = work.supports[index]
     status = balance_side(tables, work, state, index, force, height)
@@ -82,11 +96,13 @@ def height_residual(tables: Tables, work: Work, state: State, index: int, force:
 
 
 def bracket_height(tables: Tables, work: Work, state: State, index: int, force: float):
-    """Find the height at which a side carries ``force`` [N] with regions and nodes as they are just there; the outcome.
+    """Find the height at which a side carries ``force`` [N] with regions and nodes as they
+    are just there; the outcome.
 
-    The residual is positive where the side is too high, negative where it is too low.  Where its load jumps past the force as it
-    comes down, since a region comes or goes, the height of the jump is taken, with the regions just below it, or just above
-    where those cannot carry the force.  Where DEEPEST is too high the height is what it would be with regions as they are there.
+    The residual is positive where the side is too high, negative where it is too low. Where its load jumps
+    past the force as it comes down, since a region comes or goes, the height of the jump is taken, with the
+    regions just below it, or just above where those cannot carry the force. Where DEEPEST is too high the
+    height is what it would be with regions as they are there.
     """
     support = work.supports[index]
     bracket = work.height_bracket
@@ -135,16 +151,19 @@ def bracket_height(tables: Tables, work: Work, state: State, index: int, force: 
 
 
 def flatter_side(outputs: Outputs):
-    """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one where they are equal."""
+    """The side whose wheel touches at the smaller angle, by the outputs of both sides; the left one
+    where they are equal."""
     flat = 0
     if fabs(outputs.left[1].contact_angle) < fabs(outputs.left[0].contact_angle):
         flat = 1
     return flat
 
 
-def roll_residual(tables: Tables, work: Work, state: State, roll: float, left: float, right: float, flat: int):
-    """Let side ``flat`` carry its load at ``roll``, and move the other one to this height; how much lower the right one
-    carries its load than the left one [m], 1 if both can carry their loads, else 0, and the outcome."""
+def roll_residual(tables: Tables, work: Work, state: State, roll: float, left: float, right: float,
+                  flat: int):
+    """Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
+    how much lower the right one carries its load than the left one [m], 1 if both can carry
+    their loads, else 0, and the outcome."""
     if turn_to(tables, work, state, roll) == 0:
         return 0.0, 0, OFF_PROFILE
     state.roll_count += 1.0
@@ -167,8 +186,8 @@ def roll_residual(tables: Tables, work: Work, state: State, roll: float, left: f
 
 
 def enclose_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float, flat: int):
-    """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome, NOT_CONVERGED if there is
-    none within ROLL_LIMIT."""
+    """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
+    NOT_CONVERGED if there is none within ROLL_LIMIT."""
     bracket = work.roll_bracket
     residual, satisfied, status = roll_residual(tables, work, state, roll, left, right, flat)
     if status > UNLOADED:
@@ -200,7 +219,8 @@ def enclose_roll(tables: Tables, work: Work, state: State, roll: float, left: fl
 
 
 def bracket_roll(tables: Tables, work: Work, state: State, roll: float, left: float, right: float):
-    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from the rigid ``roll``."""
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
+    from the rigid ``roll``."""
     bracket = work.roll_bracket
     flat = flatter_side(work.outputs)
     status = enclose_roll(tables, work, state, roll, left, right, flat)

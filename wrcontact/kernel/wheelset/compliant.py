@@ -1,4 +1,5 @@
-"""Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep it is in its rail."""
+"""Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from
+how deep it is in its rail."""
 
 from typing import Final
 
@@ -7,7 +8,8 @@ from ..search.roll import place_both, search_both
 from .side import load_side, press_side, touch_side
 from .trial import DEEPEST
 
-#: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known, does not touch; 5e-9 N.
+#: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known,
+#: does not touch; 5e-9 N.
 GRAZING: Final[float] = 1e-13
 
 
@@ -29,7 +31,8 @@ def solve_compliant(tables: Tables, work: Work, state: State):
 
 
 def load_at_height(tables: Tables, work: Work, state: State, index: int, height: float):
-    """The load of a side whose wheelset has the vertical shift ``height`` [m]; its outcome, UNLOADED if lifted."""
+    """The load of a side whose wheelset has the vertical shift ``height`` [m]; its
+    outcome, UNLOADED if lifted."""
     approach = height - work.sides[index].best
     if not approach > GRAZING:
         return touch_side(tables, work, state, index)

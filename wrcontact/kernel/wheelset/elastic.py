@@ -1,42 +1,56 @@
 """Elastic equilibrium: the height and roll at which both wheels carry their loads.
 
-The wheels are pressed into their rails.  At a given roll each side has one height at which it carries its load; where these
-heights are equal the wheelset is in equilibrium.  Their difference D(roll) = height_right - height_left falls as that of the
-rigid gaps does (:mod:`roll`), and a small load leaves the gaps themselves.  How a side's height follows the roll,
+The wheels are pressed into their rails. At a given roll each side has one height at which it carries its
+load; where these heights are equal the wheelset is in equilibrium. Their difference D(roll) = height_right -
+height_left falls as that of the rigid gaps does (:mod:`roll`), and a small load leaves the gaps themselves.
+How a side's height follows the roll,
 
     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
 
-is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's slope, by the
-envelope theorem (docs/method.md, section 11).
+is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
+slope, by the envelope theorem (docs/method.md, section 11).
 
-Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds nothing, by brackets (brackets.py).
+Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds
+nothing, by brackets (brackets.py).
 """
 
 from math import fabs
 from typing import Final
 
 from ..contact.touching import limited
-from ..layout import NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, State, Supports, Tables, Work
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    UNLOADED,
+    VALID,
+    Broyden,
+    State,
+    Supports,
+    Tables,
+    Work,
+)
 from .brackets import bracket_roll
 from .side import side_lever
 from .trial import balance_both, depth_outcome, estimate_approach, turn_to
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 25
-#: Height and roll are found when either wheel moves by less [m].  At 1e-11 they were exact enough, but how they change from
-#: pose to pose was off by up to 5e-5 of their derivatives; that costs 0.8 trials of 8.6.
+#: Height and roll are found when either wheel moves by less [m]. At 1e-11 they were exact enough, but how
+#: they change from pose to pose was off by up to 5e-5 of their derivatives; that costs 0.8 trials of 8.6.
 ELASTIC_SHARP: Final[float] = 1e-13
 #: Longest move of a wheel in one trial [m].
 LONGEST: Final[float] = 2e-4
-#: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm to begin with, 0.3 ... 2.
+#: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
+#: to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
 #: Smallest sum of both levers [m] for a first estimate of the roll; flanges of 73 deg have none.
 LEAST_LEVER: Final[float] = 1e-2
 
 
 def solve_elastic(tables: Tables, work: Work, state: State, roll: float, left: float, right: float):
-    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs are those of the two
-    sides.  Starts at the rigid ``roll``, whose smallest gaps are known."""
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
+    are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known."""
     status = estimate_approach(tables, work, state, 0, left)
     if status == VALID:
         status = estimate_approach(tables, work, state, 1, right)
@@ -54,7 +68,8 @@ def solve_elastic(tables: Tables, work: Work, state: State, roll: float, left: f
 
 
 def first_estimate(tables: Tables, work: Work):
-    """Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches its rail as far as estimated."""
+    """Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
+    its rail as far as estimated."""
     left = work.supports[0]
     right = work.supports[1]
     lever_left = side_lever(tables, work, 0, 0)
@@ -64,13 +79,14 @@ def first_estimate(tables: Tables, work: Work):
         move = (right.approach - left.approach) / -(lever_left + lever_right)
     move = limited(move, LONGEST / tables.arm)
     # in one order for a wheelset and its mirror image
-    height = work.sides[0].best + 0.5 * ((left.approach - lever_left * move) + (right.approach + lever_right * move))
+    height = work.sides[0].best + 0.5 * ((left.approach - lever_left * move)
+                                         + (right.approach + lever_right * move))
     return height, move
 
 
 def iterate(tables: Tables, work: Work, state: State, roll: float, height: float, left: float, right: float):
-    """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome; NOT_CONVERGED where it finds
-    nothing."""
+    """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
+    NOT_CONVERGED where it finds nothing."""
     method = work.broyden
     arm = tables.arm
     method.left = 0.0
@@ -109,7 +125,8 @@ def begin_derivatives(method: Broyden, supports: Supports, arm: float):
 
 
 def update(method: Broyden, supports: Supports, height: float):
-    """The residuals of a trial at ``height`` [m], and the derivatives that the last move has shown (Broyden 1965)."""
+    """The residuals of a trial at ``height`` [m], and the derivatives that the last move has
+    shown (Broyden 1965)."""
     before_left = method.left
     before_right = method.right
     method.left = supports[0].height - height
@@ -118,8 +135,10 @@ def update(method: Broyden, supports: Supports, height: float):
     move_roll = method.move_roll
     size = move_height * move_height + move_roll * move_roll
     if size > 0.0:
-        off_left = (method.left - before_left - method.left_height * move_height - method.left_roll * move_roll) / size
-        off_right = (method.right - before_right - method.right_height * move_height - method.right_roll * move_roll) / size
+        off_left = (method.left - before_left - method.left_height * move_height
+                    - method.left_roll * move_roll) / size
+        off_right = (method.right - before_right - method.right_height * move_height
+                     - method.right_roll * move_roll) / size
         method.left_height += off_left * move_height
         method.left_roll += off_left * move_roll
         method.right_height += off_right * move_height

@@ -1,4 +1,5 @@
-"""Where the outline of each side is: among its outputs, or behind those of both sides for another number of stations."""
+"""Where the outline of each side is: among its outputs, or behind those of both sides for
+another number of stations."""
 
 from ..layout import RUN_COUNT, STATION_COUNT, Outline, Tables, Work, offset
 from ..patch.outline import fill_outline

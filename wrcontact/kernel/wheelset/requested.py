@@ -1,4 +1,5 @@
-"""What is asked of a step: whether its inputs can be evaluated, each side's force, and which outputs are requested."""
+"""What is asked of a step: whether its inputs can be evaluated, each side's force, and which
+outputs are requested."""
 
 from math import fabs, isfinite
 
@@ -25,7 +26,8 @@ from .outlines import fill_apart
 
 
 def check_inputs(tables: Tables, inputs: Inputs):
-    """VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the range of the profiles."""
+    """VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the
+    range of the profiles."""
     status = VALID
     if fabs(inputs.lateral_shift) > tables.lateral_limit or fabs(inputs.yaw) > tables.yaw_limit:
         status = OFF_PROFILE

@@ -15,8 +15,8 @@ NEAR_SHIFT: Final[float] = 2e-4
 
 
 def find_roll(tables: Tables, work: Work, state: State):
-    """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has moved little,
-    or at those known near its lateral shift."""
+    """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
+    moved little, or at those known near its lateral shift."""
     shift = work.inputs.lateral_shift
     guess = work.inputs.roll_guess
     warm = 0

@@ -1,4 +1,5 @@
-"""One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its share of the resultant."""
+"""One side of a wheelset, from where its wheel is to its outputs: contact, patches, and its
+share of the resultant."""
 
 from math import isfinite
 
@@ -37,9 +38,11 @@ def clear_side(tables: Tables, work: Work, index: int):
 
 
 def load_side(tables: Tables, work: Work, state: State, index: int, force: float, prescribed: float):
-    """Normal contact of the side whose frame is open, and its part of the resultant; number of its regions and outcome."""
+    """Normal contact of the side whose frame is open, and its part of the resultant; number
+    of its regions and outcome."""
     out = work.outputs.left[index]
-    penetration, count, satisfied = solve_normal(tables, work, state, work.sides[index], out, force, prescribed)
+    penetration, count, satisfied = solve_normal(tables, work, state, work.sides[index], out, force,
+                                                 prescribed)
     out.penetration = penetration
     if satisfied == 0:
         return count, NOT_CONVERGED
@@ -53,7 +56,8 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
 
 
 def touch_side(tables: Tables, work: Work, state: State, index: int):
-    """Describe the side whose wheel just touches, with the vertical shift of its smallest gap; its outcome, UNLOADED."""
+    """Describe the side whose wheel just touches, with the vertical shift of its smallest
+    gap; its outcome, UNLOADED."""
     side = work.sides[index]
     clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
@@ -79,7 +83,8 @@ def solve_side(tables: Tables, work: Work, state: State, index: int, force: floa
 
 
 def press_side(tables: Tables, work: Work, state: State, index: int, approach: float):
-    """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its rail most; its outcome."""
+    """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
+    rail most; its outcome."""
     side = work.sides[index]
     height = side.best + approach
     clear_side(tables, work, index)
@@ -95,7 +100,8 @@ def press_side(tables: Tables, work: Work, state: State, index: int, approach: f
 
 
 def side_lever(tables: Tables, work: Work, index: int, count: int):
-    """How the height at which a side carries its load follows the roll [m], from its regions' levers and stiffnesses."""
+    """How the height at which a side carries its load follows the roll [m], from its regions'
+    levers and stiffnesses."""
     at = work.sides[index].place
     total = 0.0
     weight = 0.0

@@ -1,7 +1,8 @@
 """One step of a wheelset: from pose and load to contact positions, roll and patches.
 
-The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and solve its normal contact;
-for an elastic wheelset, find the height and roll at which both wheels carry their loads; add up the forces.
+The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
+solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
+their loads; add up the forces.
 """
 
 from ..layout import (
@@ -49,7 +50,8 @@ def evaluate(tables: Tables, work: Work, state: State):
 
 def elastic_from_rigid(tables: Tables, work: Work, state: State, rigid_roll: float):
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
-    roll, status = solve_elastic(tables, work, state, rigid_roll, side_force(work.inputs, 0), side_force(work.inputs, 1))
+    roll, status = solve_elastic(tables, work, state, rigid_roll, side_force(work.inputs, 0),
+                                 side_force(work.inputs, 1))
     work.outputs.roll = roll
     work.outputs.vertical_shift = 0.5 * (work.supports[0].height + work.supports[1].height)
     return status
@@ -57,7 +59,8 @@ def elastic_from_rigid(tables: Tables, work: Work, state: State, rigid_roll: flo
 
 def step_row(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outputs: 'float[:]',
              row: int):
-    """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status.  Inputs as before are not evaluated again."""
+    """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
+    before are not evaluated again."""
     changed = 1
     if workspace.known:
         changed = 0
@@ -81,8 +84,8 @@ def step_row(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', 
 def step(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outputs: 'float[:]'):
     """Evaluate one wheelset at ``inputs`` into ``outputs``; the status.
 
-    Outputs keep their values unless the status is VALID or UNLOADED.  ``state`` holds where the next roll search
-    starts; it never changes an answer.
+    Outputs keep their values unless the status is VALID or UNLOADED. ``state`` holds where the next roll
+    search starts; it never changes an answer.
     """
     return step_row(tables, state, workspace, inputs, outputs, 0)
 

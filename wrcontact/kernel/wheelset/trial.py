@@ -1,7 +1,8 @@
 """One trial of an elastic wheelset: both wheels pressed into their rails at one height and roll.
 
-Regions and nodes are placed where the wheel is at the height of the trial.  With them the height follows at which the side
-carries its force; the residual, how much lower than the trial that is, vanishes in equilibrium.
+Regions and nodes are placed where the wheel is at the height of the trial. With them the height
+follows at which the side carries its force; the residual, how much lower than the trial that is,
+vanishes in equilibrium.
 """
 
 from typing import Final
@@ -30,7 +31,8 @@ def estimate_approach(tables: Tables, work: Work, state: State, index: int, forc
 
 
 def permitted_approach(support: Support, side: SideSearch, height: float):
-    """How far a wheel at ``height`` is below its smallest gap [m], within the range in which it is pressed."""
+    """How far a wheel at ``height`` is below its smallest gap [m], within the range
+    in which it is pressed."""
     approach = height - side.best
     if approach < SHALLOWEST * support.approach:
         approach = SHALLOWEST * support.approach
@@ -40,8 +42,8 @@ def permitted_approach(support: Support, side: SideSearch, height: float):
 
 
 def balance_side(tables: Tables, work: Work, state: State, index: int, force: float, height: float):
-    """Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height`` [m]; its
-    outcome.  Outputs are those of the side under this force."""
+    """Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
+    [m]; its outcome. Outputs are those of the side under this force."""
     support = work.supports[index]
     side = work.sides[index]
     if not force > 0.0:
@@ -70,7 +72,8 @@ def balance_both(tables: Tables, work: Work, state: State, left: float, right: f
 
 
 def turn_to(tables: Tables, work: Work, state: State, roll: float):
-    """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are above their rails, else 0."""
+    """Turn the wheelset to ``roll`` [rad] and find both smallest gaps; 1 if both wheels are
+    above their rails, else 0."""
     turn_both(work.sides, roll)
     known = follow_side(tables, work.sides[0], state)
     if known == 1:
@@ -79,7 +82,8 @@ def turn_to(tables: Tables, work: Work, state: State, roll: float):
 
 
 def depth_outcome(work: Work, status: int):
-    """``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the compliant form refuses too."""
+    """``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
+    compliant form refuses too."""
     for index in range(2):
         best = work.sides[index].best
         if work.supports[index].height - best > DEEPEST:
