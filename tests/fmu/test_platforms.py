@@ -83,7 +83,7 @@ def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
 
 def test_generated_c_of_another_version_is_not_compiled(monkeypatch):
     monkeypatch.setattr("wrcontact.fmu.compilers.fingerprint", lambda: 5)
-    with pytest.raises(CompilerProblem, match="another version of its source"):
+    with pytest.raises(CompilerProblem, match="does not belong to this version of its source"):
         compile_kernel(host_platform())
 
 
