@@ -89,9 +89,10 @@ def normal_gaps(tables, work, state, s):
     g, A = np.full(len(s), contact_plane.NO_GAP), np.ones(len(s))
     middle = int(np.searchsorted(s, 0.0))
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
-        traces.start_traces(work.frame, 0.0, work.frame.rail.y, work.frame.wheel.y)
+        traces.start_traces(work.contact.frame, 0.0, work.contact.frame.rail.y, work.contact.frame.wheel.y)
         for j in stations:
-            gap, _, _, curvature = contact_plane.normal_gap(tables, work.frame, state, float(s[j]), 1e-10)
+            gap, _, _, curvature = contact_plane.normal_gap(tables, work.contact.frame, state, float(s[j]),
+                                                            1e-10)
             if gap >= contact_plane.NO_GAP:
                 break
             g[j], A[j] = gap, curvature / 2

@@ -31,7 +31,7 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
     stepper, track = compliant().stepper(), brute_force.track()
     stepper.inputs[:] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
     assert stepper.step() == 0
-    overlap = layout.Work.at(stepper._workspace).overlap
+    overlap = layout.Work.at(stepper._workspace).contact.overlap
     points = overlap.points[:overlap.count]
     pose = brute_force.Pose(shift, yaw, stand.roll, stand.vertical_shift)
     for point in points:      # of the right wheel, which came last

@@ -24,7 +24,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     work, state = layout.Work.at(np.zeros(layout.WORK_SIZE)), layout.State.at(np.zeros(layout.STATE_SIZE))
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
-    region = work.regions[0]
+    region = work.contact.regions[0]
     regions.incline_region(tables, region, 0.0)      # one plane: all of penetration and load
     region.spacing = half_width / half_nodes
     last = half_nodes + 2
@@ -33,7 +33,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=24, swe
     region.width_low = region.width_high = half_width
     region.side_low = region.side_high = B
     for k in range(-last - window, last + window + 1):
-        work.nodes[0].gap[k] = B * (region.spacing * k) ** 2
-        work.nodes[0].A[k] = A
-    weigh_nodes(tables, region, work.nodes[0], window, 0)
+        work.contact.nodes[0].gap[k] = B * (region.spacing * k) ** 2
+        work.contact.nodes[0].A[k] = A
+    weigh_nodes(tables, region, work.contact.nodes[0], window, 0)
     return tables, work, state, penetration

@@ -123,7 +123,7 @@ class Contact:
                             for at in (layout.SET_WHEEL, layout.SET_RAIL, layout.SET_SCAN))
         self.rail = Curve(self.tables[rail:end])
         self.wheel = Outline(self.tables[wheel:rail], self.system, self.state)
-        frame = layout.Work.at(self.work).frame
+        frame = layout.Work.at(self.work).contact.frame
         self.u_rail, self.u_wheel = frame.rail.y, frame.wheel.y
         self.angle = np.arctan2(frame.plane.sin, frame.plane.cos)
 
@@ -134,9 +134,10 @@ class Contact:
                                layout.State.at(self.memory))
         tables.separation = NUMBERS["separation"][kind]
         region = layout.Region(rail=self.u_rail, wheel=self.u_wheel)
-        traces.start_traces(work.frame, 0.0, self.u_rail, self.u_wheel)
-        curves.open_origin(tables, work.frame, work.origin, region, spacing)
-        return np.array([separation.separation(tables, work.frame, work.origin, state, float(s), 1e-13)
+        traces.start_traces(work.contact.frame, 0.0, self.u_rail, self.u_wheel)
+        curves.open_origin(tables, work.contact.frame, work.contact.origin, region, spacing)
+        return np.array([separation.separation(tables, work.contact.frame, work.contact.origin, state,
+                                               float(s), 1e-13)
                          for s in stations]).T
 
     def between(self, u_rail, u_wheel):

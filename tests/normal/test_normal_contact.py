@@ -49,15 +49,15 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], solved
     patches, outputs of the side."""
     tables, work, state, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, satisfied = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force,
-                                                 0.7 * penetration, 0)
+    found, satisfied = analyn.solve_penetrations(tables, work.contact.regions, work.contact.nodes, state, 1,
+                                                 force, 0.7 * penetration, 0)
     assert satisfied == 1
-    fill_from_nodes(work.regions, work.nodes, work.solved, 1)
+    fill_from_nodes(work.contact.regions, work.contact.nodes, work.contact.solved, 1)
     side = work.outputs.left[0]
-    write_patches(work.solved, side)
+    write_patches(work.contact.solved, side)
     outline = layout.Outline.at(work, layout.offset(side.station, work))
-    write_outline(outline, layout.STATION_COUNT, work.solved, work.regions, 1)
-    return found, work.solved, side
+    write_outline(outline, layout.STATION_COUNT, work.contact.solved, work.contact.regions, 1)
+    return found, work.contact.solved, side
 
 
 @pytest.mark.parametrize("A, B", CURVATURES)

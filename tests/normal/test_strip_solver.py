@@ -86,7 +86,7 @@ def test_elimination(size):
     matrix = rng.uniform(-1, 1, (size, size)) + np.diag(rng.uniform(1.5, 3, size) * size)
     sides = rng.uniform(-1, 1, (size, 2))
     array = np.zeros(layout.WORK_SIZE)
-    equations = layout.Work.at(array).equations
+    equations = layout.Work.at(array).contact.equations
     rows = np.frombuffer(equations).reshape(len(equations), -1)
     rows[:size, :size + 2] = np.hstack([matrix, sides])
     others = np.ones_like(array, dtype=bool)
@@ -105,19 +105,19 @@ def solve_constant_curvatures(A, B, force, count=24, sweeps=2, half_nodes=15):
     area and pressure (3,)."""
     tables, work, state, hertzian = lay_constant_curvatures(A, B, force, half_nodes, 4, strips=count,
                                                             sweeps=sweeps)
-    predicted, met = analyn.solve_penetrations(tables, work.regions, work.nodes, state, 1, force,
-                                               0.7 * hertzian, 0)
+    predicted, met = analyn.solve_penetrations(tables, work.contact.regions, work.contact.nodes, state, 1,
+                                               force, 0.7 * hertzian, 0)
     assert met == 1
-    problem = work.strip_problem
-    place_strips(problem, work.regions, work.nodes, 1, tables.strips, predicted)
+    problem = work.contact.strip_problem
+    place_strips(problem, work.contact.regions, work.contact.nodes, 1, tables.strips, predicted)
     assert problem.count == count
-    strip_surfaces.describe_strips(problem, work.regions, work.nodes)
-    penetration, found = solve_strips(problem, work.regions, work.nodes, work.equations, tables, state, force,
-                                      0)
+    strip_surfaces.describe_strips(problem, work.contact.regions, work.contact.nodes)
+    penetration, found = solve_strips(problem, work.contact.regions, work.contact.nodes,
+                                      work.contact.equations, tables, state, force, 0)
     assert found == 1
-    fill_from_strips(problem, work.regions, work.solved)
+    fill_from_strips(problem, work.contact.regions, work.contact.solved)
     exact, a, b, pressure = hertz(A, B, force)
-    totals = work.solved.totals
+    totals = work.contact.solved.totals
     assert totals.load == pytest.approx(force, rel=1e-12)
     return np.array([penetration / exact, totals.area / (math.pi * a * b),
                      totals.max_pressure / pressure]) - 1

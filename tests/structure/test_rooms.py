@@ -128,6 +128,15 @@ def test_no_modules_import_each_other_in_a_circle():
     assert left == {}
 
 
+def test_the_whole_workspace_is_handed_on_by_the_wheelset_only():
+    """A function reads what its arguments name; the wheelset's recipe and its derivatives see everything."""
+    wide = [f"{name}.{node.name}" for name, tree in TREES.items() for node in ast.walk(tree)
+            if isinstance(node, ast.FunctionDef) and name.startswith("kernel.")
+            and any(ast.unparse(argument.annotation) == "Work" for argument in node.args.args
+                    if argument.annotation)]
+    assert {room(name) for name in wide} == {"kernel.wheelset", "kernel.tangent"}, wide
+
+
 # --- sizes --------------------------------------------------------------------------------------------------
 
 

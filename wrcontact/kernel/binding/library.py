@@ -112,7 +112,7 @@ def fill_starts(source, tables):
     for row in range(START_COUNT):
         Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
         status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
-        source.note_start(tables, Work.at(workspace), row, status)
+        source.note_start(tables, Work.at(workspace).outputs, row, status)
     source.open_starts(tables)
 
 

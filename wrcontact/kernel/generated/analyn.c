@@ -123,8 +123,8 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count)
     total = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        analyn__region_load(&load, &stiffness, work, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        analyn__region_load(&load, &stiffness, work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
         (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
         total += (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
@@ -154,7 +154,7 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, int64_t*
     double missed;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
     }
     low = 0.0;
@@ -270,13 +270,13 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
     (*largest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             if (j != i)
             {
-                pushed += interaction__region_influence(work, tables, region, layout__WORK_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+                pushed += interaction__region_influence(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             }
         }
         turn = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
@@ -298,14 +298,14 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
     {
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
             (*slope) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
             move = (*cspan_at(&work, region + layout__REGION_RESIDUAL));
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
                 if (j != i)
                 {
-                    other = layout__WORK_REGIONS + layout__REGION_SIZE * j;
+                    other = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
                     coupling = interaction__region_influence(work, tables, region, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
                     (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
                     move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
@@ -319,7 +319,7 @@ static inline int64_t analyn__penetration_residuals(double* largest, double* slo
     (*rest) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         counted = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*cspan_at(&work, region + layout__REGION_STIFFNESS));
         (*slope) += counted * (*cspan_at(&work, region + layout__REGION_SLOPE));
         (*rest) += counted * (*cspan_at(&work, region + layout__REGION_MOVE));
@@ -334,7 +334,7 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
     int64_t region;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) += (*cspan_at(&work, region + layout__REGION_MOVE)) + (*cspan_at(&work, region + layout__REGION_SLOPE)) * move;
     }
     return INT64_C(0);

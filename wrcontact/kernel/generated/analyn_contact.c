@@ -15,9 +15,9 @@
 /* Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is
  * satisfied, else 0.
  */
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
 {
-    analyn_contact__solve_analyn(penetration, count, satisfied, tables, work, state, side, force, prescribed);
+    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     if ((*satisfied) == INT64_C(1))
     {
         planes__locate_along_track(work, tables, (*count));
@@ -30,7 +30,7 @@ static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_
  * is a number; third value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it
  * stands.
  */
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
 {
     int64_t by_penetration;
     int64_t repeat;
@@ -41,21 +41,21 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     {
         by_penetration = INT64_C(1);
     }
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, state, side, force, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)), by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, side, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), by_penetration);
         return 0;
     }
     if (by_penetration == INT64_C(0))
     {
-        (*penetration) = estimate__first_penetration(tables, work, state, force);
+        (*penetration) = estimate__first_penetration(work, tables, state, force);
     }
     (*count) = INT64_C(1);
     (*satisfied) = INT64_C(0);
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
         estimate = (*penetration);
-        analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, state, side, force, estimate, by_penetration);
+        analyn_contact__solve_estimated(penetration, count, satisfied, work, tables, state, side, force, estimate, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -67,25 +67,25 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value 1 when the force is satisfied, else 0.
  */
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration)
+static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double estimate, int64_t by_penetration)
 {
-    (*count) = analyn_contact__gather_regions(tables, work, state, side, estimate);
-    analyn_contact__solve_fine(penetration, satisfied, tables, work, state, (*count), force, estimate, by_penetration);
+    (*count) = analyn_contact__gather_regions(work, tables, state, side, estimate);
+    analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
     if (((*satisfied) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         (*count) = INT64_C(1);
-        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             deep_points__keep_deepest(work);
             pressed_regions__gather_overlaps(work, tables, state);
         }
         else
         {
-            regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
+            regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
         }
         estimate__start_penetrations(work, (*count), estimate);
-        analyn_contact__solve_fine(penetration, satisfied, tables, work, state, (*count), force, estimate, by_penetration);
+        analyn_contact__solve_fine(penetration, satisfied, work, tables, state, (*count), force, estimate, by_penetration);
     }
     return 0;
 }
@@ -93,23 +93,23 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
 /* Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
  * their number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double penetration)
 {
     int64_t i;
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = INT64_C(1);
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         count = pressed_regions__gather_overlaps(work, tables, state);
     }
     else
     {
-        regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
+        regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
         count = regions__find_regions(work, tables, side, state, penetration);
         count = regions__bound_regions(work, tables, state, count, penetration);
         planes__give_planes(work, tables, state, count);
@@ -121,7 +121,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when
  * the force is satisfied, else 0.
  */
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration)
+static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t* result_1, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double force, double penetration, int64_t by_penetration)
 {
     double start;
     double enlarge;
@@ -133,7 +133,7 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t*
     satisfied = INT64_C(0);
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        node_layout__prepare_regions(tables, work, state, count, enlarge);
+        node_layout__prepare_regions(work, tables, state, count, enlarge);
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, state, count, force, start, by_penetration);
         if (satisfied == INT64_C(0))
         {
@@ -150,10 +150,10 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, int64_t*
             enlarge *= analyn_contact__ENLARGED;
             start = penetration;
             laid = penetration;
-            if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
             {
                 /* nodes stay where the wheel stands; there are only more of them */
-                laid = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
+                laid = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
             }
             estimate__start_penetrations(work, count, laid);
         }

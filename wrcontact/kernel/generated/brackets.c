@@ -59,7 +59,7 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
     total = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         total += (*cspan_at(&work, region + layout__REGION_SHARE)) * (*cspan_at(&work, region + layout__REGION_CARRIED));
     }
     return total;
@@ -87,7 +87,7 @@ static OUT_OF_LINE int64_t brackets__height_residual(double* residual, int64_t* 
         (*status) = side__press_side(tables, work, state, index, approach);
         if ((*status) == layout__VALID)
         {
-            side__load_side(&count, status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)));
+            side__load_side(&count, status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
             (*residual) = approach;
             if (brackets__carried_load(work, count) > force)
             {

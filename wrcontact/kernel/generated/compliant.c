@@ -57,7 +57,7 @@ static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, arr
     status = side__press_side(tables, work, state, index, approach);
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)));
+        side__load_side(&count, &status, tables, work, state, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
     return status;
 }

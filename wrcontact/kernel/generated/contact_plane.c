@@ -32,23 +32,23 @@ static inline int64_t contact_plane__open_frame(double* z, double* slope, double
     profile_table__height_slope_bend(&height, rail_slope, &rail_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
     cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
     sine = (*rail_slope) * cosine;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)) = (double)(place - layout__WORK_FRAME);
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = shift;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
     traces__start_traces(work, 0.0, abscissa, y);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
@@ -76,8 +76,8 @@ static inline int64_t contact_plane__normal_gap(double* gap, double* result_1, d
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, work, tables, station, tolerance);
     traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, work, tables, station, tolerance);
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
     if ((on_rail == INT64_C(0)) || (on_wheel == INT64_C(0)))
     {
         (*gap) = contact_plane__NO_GAP;
@@ -92,7 +92,7 @@ static inline int64_t contact_plane__is_yawed(array_double_1d work)
 {
     int64_t yawed;
     yawed = INT64_C(0);
-    if ((*cspan_at(&work, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)
     {
         yawed = INT64_C(1);
     }

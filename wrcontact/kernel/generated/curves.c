@@ -31,14 +31,14 @@ static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, doubl
     double y_track;
     double z_track;
     profile_table__height_slope_bend(&z, slope, bend, tables, curves__curve_profile(tables, curve), u);
-    (*across) = u - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
-    (*down) = z - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
+    (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
+    (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
     (*stretch) = 1.0;
     if (curve == layout__WHEEL)
     {
-        locus__outline_jet(&y_track, &z_track, slope, stretch, bend, work, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), u, z, (*slope), (*bend));
-        (*across) = y_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
-        (*down) = z_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        locus__outline_jet(&y_track, &z_track, slope, stretch, bend, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), u, z, (*slope), (*bend));
+        (*across) = y_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
+        (*down) = z_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
     }
     return 0;
 }
@@ -56,7 +56,7 @@ static OUT_OF_LINE double curves__curve_speed(array_double_1d work, array_double
     double bend;
     double speed;
     speed = 1.0;
-    if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
+    if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
         profile_table__height_slope(&z, &slope, tables, curves__curve_profile(tables, curve), u);
         speed = sqrt(1.0 + slope * slope);
@@ -92,12 +92,12 @@ static OUT_OF_LINE int64_t curves__open_origin(array_double_1d work, array_doubl
 {
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
-        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
-        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
-            (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
         curves__open_curve(work, tables, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)));
         curves__open_curve(work, tables, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)));
@@ -114,7 +114,7 @@ static OUT_OF_LINE int64_t curves__open_curve(array_double_1d work, array_double
     double slope;
     double stretch;
     double bend;
-    point = layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
+    point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
     (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
     (*cspan_at(&work, point + layout__POINT_Z)) = 0.0;
     curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, curve, u);

@@ -21,14 +21,14 @@ static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, doubl
 {
     int64_t count;
     int64_t point;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     if (count < layout__DEEP_LIMIT)
     {
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * count;
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * count;
         (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
         (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
         (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
-        (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count + INT64_C(1));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count + INT64_C(1));
     }
     return INT64_C(0);
 }
@@ -41,16 +41,16 @@ static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work)
     double wheel;
     double depth;
     int64_t point;
-    entry = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
-    rail = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL));
-    wheel = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_WHEEL));
-    depth = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH));
-    while((entry > INT64_C(0)) && (rail < (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)) + layout__DEEP_POINT_RAIL))))
+    entry = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
+    rail = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL));
+    wheel = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_WHEEL));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH));
+    while((entry > INT64_C(0)) && (rail < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)) + layout__DEEP_POINT_RAIL))))
     {
-        deep_points__copy_point(work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)), layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
+        deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
         entry -= INT64_C(1);
     }
-    point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+    point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
     (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
     (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
     (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
@@ -63,10 +63,10 @@ static OUT_OF_LINE int64_t deep_points__is_listed(array_double_1d work, double x
     int64_t entry;
     int64_t listed;
     listed = INT64_C(0);
-    entry = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
+    entry = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
     if (entry >= INT64_C(0))
     {
-        if (x < (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL)) + deep_points__SAME_POINT)
+        if (x < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL)) + deep_points__SAME_POINT)
         {
             listed = INT64_C(1);
         }
@@ -81,10 +81,10 @@ static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work)
     int64_t entry;
     int64_t best;
     best = INT64_C(0);
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH)) > (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * best + layout__DEEP_POINT_DEPTH)))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * best + layout__DEEP_POINT_DEPTH)))
         {
             best = entry;
         }
@@ -99,10 +99,10 @@ static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work)
     int64_t entry;
     int64_t least;
     least = INT64_C(0);
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH)) < (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * least + layout__DEEP_POINT_DEPTH)))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * least + layout__DEEP_POINT_DEPTH)))
         {
             least = entry;
         }
@@ -113,8 +113,8 @@ static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work)
 /* Leave only the deepest of the list, which then has no bounds. */
 static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work)
 {
-    deep_points__copy_point(work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_OVERLAP + layout__OVERLAP_POINTS);
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
+    deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
     return INT64_C(0);
 }
 
@@ -123,12 +123,12 @@ static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64
 {
     int64_t count;
     int64_t i;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (i = entry; i < count - INT64_C(1); i += INT64_C(1))
     {
-        deep_points__copy_point(work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + INT64_C(1)), layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i);
+        deep_points__copy_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i);
     }
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count - INT64_C(1));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count - INT64_C(1));
     return INT64_C(0);
 }
 
@@ -137,10 +137,10 @@ static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t
 {
     int64_t point;
     int64_t before;
-    if ((entry > INT64_C(0)) && (entry < (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1)))
+    if ((entry > INT64_C(0)) && (entry < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1)))
     {
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        before = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1));
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        before = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1));
         if ((*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < (*cspan_at(&work, before + layout__DEEP_POINT_BETWEEN)))
         {
             (*cspan_at(&work, before + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN));
@@ -159,12 +159,12 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     int64_t point;
     int64_t following;
     int64_t less;
-    depth = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
     entry = INT64_C(0);
-    while(entry < (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1))
+    while(entry < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1))
     {
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
         if (depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < regions__MERGE * depth)
         {
             less = entry;
@@ -182,7 +182,7 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
             entry += INT64_C(1);
         }
     }
-    while((int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) > layout__REGION_LIMIT)
+    while((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > layout__REGION_LIMIT)
     {
         deep_points__drop_point(work, deep_points__shallowest_entry(work));
     }

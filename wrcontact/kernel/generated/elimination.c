@@ -33,8 +33,8 @@ static inline int64_t elimination__eliminate(array_double_1d work, int64_t size)
     {
         /* two columns at a time, so that every row is read and written once for both */
         k = INT64_C(2) * pair;
-        first = layout__WORK_EQUATIONS + INT64_C(106) * k;
-        second = layout__WORK_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
         inverse = 1.0 / (*cspan_at(&work, first + k));
         factor = (*cspan_at(&work, second + k)) * inverse;
         for (j = k + INT64_C(1); j < width; j += INT64_C(1))
@@ -44,7 +44,7 @@ static inline int64_t elimination__eliminate(array_double_1d work, int64_t size)
         next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
         for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
-            row = layout__WORK_EQUATIONS + INT64_C(106) * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
             next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
             for (j = k + INT64_C(2); j < width; j += INT64_C(1))
@@ -56,12 +56,12 @@ static inline int64_t elimination__eliminate(array_double_1d work, int64_t size)
     for (back = INT64_C(0); back < size; back += INT64_C(1))
     {
         k = size - INT64_C(1) - back;
-        pivot = layout__WORK_EQUATIONS + INT64_C(106) * k;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
         one = (*cspan_at(&work, pivot + size));
         other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
         for (j = k + INT64_C(1); j < size; j += INT64_C(1))
         {
-            row = layout__WORK_EQUATIONS + INT64_C(106) * j;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
             one -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
             other -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
         }

@@ -19,17 +19,17 @@ static inline double estimate__guess_penetration(double force, double A, double 
  *
  * Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
  */
-static inline double estimate__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
+static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
 {
     double A;
     double guess;
     double width;
     double B;
     double stiffness;
-    A = 0.5 * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
+    A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    widths__measure_widths(tables, work, state, layout__WORK_REGIONS, guess);
-    width = 0.5 * ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_HIGH)));
+    widths__measure_widths(work, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
+    width = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     B = node_coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
@@ -44,12 +44,12 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
 }
 
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
-static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force)
+static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force)
 {
     double result;
-    regions__open_contact_region(work, tables, layout__WORK_REGIONS, state);
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    result = estimate__estimate_penetration(tables, work, state, force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
+    regions__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    result = estimate__estimate_penetration(work, tables, state, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return result;
 }
 
@@ -63,7 +63,7 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
     double local;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
         if (local < estimate__LEAST_SHARE * penetration)
         {

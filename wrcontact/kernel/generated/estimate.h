@@ -19,8 +19,8 @@ static const double estimate__CEILING = 1000.0;
 static const double estimate__LEAST_SHARE = 0.1;
 
 static inline double estimate__guess_penetration(double force, double A, double contact_modulus);
-static inline double estimate__estimate_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
-static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, array_double_1d state, double force);
+static inline double estimate__estimate_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
+static inline double estimate__first_penetration(array_double_1d work, array_double_1d tables, array_double_1d state, double force);
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
 #endif

@@ -8,10 +8,10 @@
 /* Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and
  * 1: the force is satisfied.
  */
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, int64_t* result_2, array_double_1d tables, array_double_1d work, int64_t point, double force, double prescribed)
+static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, int64_t* result_2, array_double_1d work, array_double_1d tables, int64_t point, double force, double prescribed)
 {
     planes__locate_along_track(work, tables, INT64_C(1));
-    (*penetration) = hertz_contact__solve_hertz(work, tables, point, layout__WORK_REGIONS, force, prescribed);
+    (*penetration) = hertz_contact__solve_hertz(work, tables, point, layout__WORK_CONTACT + layout__CONTACT_REGIONS, force, prescribed);
     (*result_1) = INT64_C(1);
     (*result_2) = INT64_C(1);
     return 0;
@@ -62,16 +62,16 @@ static inline double hertz_contact__solve_hertz(array_double_1d work, array_doub
     half_length = sqrt(penetration / (one_alpha * A));
     half_width = sqrt(penetration / (one_beta * B));
     area = M_PI * half_length * half_width;
-    filling__place_patch(work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES, region, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = 1.5 * load / area;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width;
+    filling__place_patch(work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES, region, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = 1.5 * load / area;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width;
     filling__fill_single(work);
     return penetration;
 }

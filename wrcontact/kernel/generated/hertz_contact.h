@@ -14,6 +14,6 @@
 #include "planes.h"
 
 static inline double hertz_contact__solve_hertz(array_double_1d work, array_double_1d tables, int64_t point, int64_t region, double force, double prescribed);
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, int64_t* result_2, array_double_1d tables, array_double_1d work, int64_t point, double force, double prescribed);
+static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, int64_t* result_2, array_double_1d work, array_double_1d tables, int64_t point, double force, double prescribed);
 
 #endif

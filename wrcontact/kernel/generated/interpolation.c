@@ -20,7 +20,7 @@ static inline int64_t interpolation__quadratic_at(double* half_length, double* p
     (*pressure) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
         if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
         {
@@ -61,9 +61,9 @@ static inline int64_t interpolation__between_strips(double* half_length, double*
         low = (int64_t)(u);
         x = u - (double)(low);
         inner = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP))) + outward * low;
-        before = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
-        here = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
-        after = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
+        before = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
+        here = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
+        after = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
         length = quadrature__quadratic_value((*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), x);
         square = quadrature__quadratic_value((*cspan_at(&work, before + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_PRESSURE_SQUARE)), x);
         if ((length > 0.0) && (square > 0.0))
@@ -94,7 +94,7 @@ static inline int64_t interpolation__straight_at(double* half_length, double* pr
     low_pressure = 0.0;
     if (after > (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
     {
-        inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (after - INT64_C(1));
+        inner = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (after - INT64_C(1));
         low = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION));
         low_length = (*cspan_at(&work, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
         low_pressure = (*cspan_at(&work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
@@ -104,7 +104,7 @@ static inline int64_t interpolation__straight_at(double* half_length, double* pr
     high_pressure = 0.0;
     if (after <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST))))
     {
-        outer = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * after;
+        outer = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * after;
         high = (*cspan_at(&work, outer + layout__SOLVED_STRIP_STATION));
         high_length = (*cspan_at(&work, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
         high_pressure = (*cspan_at(&work, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE));

@@ -17,13 +17,13 @@ static OUT_OF_LINE int64_t moves__move_arc(array_double_1d work, array_double_1d
     int64_t i;
     double speed;
     double following;
-    u = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     remainder = length;
     for (i = INT64_C(0); i < moves__MOVE_ITERATIONS; i += INT64_C(1))
     {
         if (fabs(remainder) < moves__MOVE_SHARP)
         {
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
             return INT64_C(1);
         }
         speed = curves__curve_speed(work, tables, curve, u);
@@ -60,7 +60,7 @@ static OUT_OF_LINE int64_t moves__move_chord(array_double_1d work, array_double_
     double length;
     double along;
     double following;
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     curves__curve_jet(&from_across, &from_down, &slope, &stretch, &bend, work, tables, curve, start);
     if (!(stretch > 0.0))
     {
@@ -75,7 +75,7 @@ static OUT_OF_LINE int64_t moves__move_chord(array_double_1d work, array_double_
         length = sqrt(across * across + down * down);
         if (fabs(length - fabs(chord)) < moves__MOVE_SHARP)
         {
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
             return INT64_C(1);
         }
         along = (across + slope * down) * stretch;
@@ -103,8 +103,8 @@ static OUT_OF_LINE int64_t moves__move_to_station(array_double_1d work, array_do
     double chord;
     int64_t i;
     int64_t exists;
-    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
-    spacing = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING));
+    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
     exists = INT64_C(1);
     if (spacing == 0.0)
     {
@@ -141,7 +141,7 @@ static OUT_OF_LINE int64_t moves__move_across(array_double_1d work, array_double
     double stretch;
     double bend;
     double following;
-    u = curves__within(tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    u = curves__within(tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     for (i = INT64_C(0); i < moves__MOVE_ITERATIONS; i += INT64_C(1))
     {
         curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, u);
@@ -151,7 +151,7 @@ static OUT_OF_LINE int64_t moves__move_across(array_double_1d work, array_double
         }
         if (fabs(across - lateral) < moves__MOVE_SHARP)
         {
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
             return INT64_C(1);
         }
         following = curves__within(tables, layout__WHEEL, u - (across - lateral) / stretch);

@@ -60,18 +60,18 @@ static inline double node_layout__node_spacing(array_double_1d work, array_doubl
 }
 
 /* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
-static inline int64_t node_layout__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge)
+static inline int64_t node_layout__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge)
 {
     int64_t i;
     int64_t region;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        planes__enter_plane(work, layout__WORK_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(tables, work, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        planes__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
+        widths__measure_widths(work, tables, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_SPACING)) = node_layout__node_spacing(work, tables, region, enlarge);
-        node_layout__prepare_nodes(tables, work, state, region, layout__WORK_NODES + layout__NODES_SIZE * i, enlarge);
-        planes__leave_plane(work, layout__WORK_REGIONS + layout__REGION_SIZE * i);
+        node_layout__prepare_nodes(work, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
+        planes__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
@@ -79,7 +79,7 @@ static inline int64_t node_layout__prepare_regions(array_double_1d tables, array
 /* Nodes and coefficients of a region whose frame is open, up to its local
  * penetration times ``enlarge``.
  */
-static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
+static inline int64_t node_layout__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge)
 {
     int64_t yawed;
     double reach;
@@ -91,13 +91,13 @@ static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_d
     A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
     low_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)));
     high_reach = reach * node_layout__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (yawed == INT64_C(1)))
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (yawed == INT64_C(1)))
     {
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    nodes__lay_nodes(tables, work, state, region, nodes, low_reach, high_reach);
+    nodes__lay_nodes(work, tables, state, region, nodes, low_reach, high_reach);
     node_coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
         mean_normal__mean_normal(work, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
     }
@@ -117,10 +117,10 @@ static inline int64_t node_layout__covered(array_double_1d work, int64_t count)
     result = INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         low = (*cspan_at(&work, region + layout__REGION_LOW));
         high = (*cspan_at(&work, region + layout__REGION_HIGH));
-        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             /* its bounds may be the rail's ends, far away */
             if (low < (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
@@ -132,7 +132,7 @@ static inline int64_t node_layout__covered(array_double_1d work, int64_t count)
                 high = regions__BEYOND;
             }
         }
-        ends = layout__WORK_NODES + layout__NODES_SIZE * i;
+        ends = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i;
         if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))) && (high >= regions__BEYOND))
         {
             result = INT64_C(0);

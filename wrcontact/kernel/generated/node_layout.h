@@ -27,8 +27,8 @@ static const double node_layout__WIDEST = 110.0;
 
 static inline double node_layout__zone_share(array_double_1d tables, double A, double side);
 static inline double node_layout__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t node_layout__prepare_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
-static inline int64_t node_layout__prepare_regions(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t count, double enlarge);
+static inline int64_t node_layout__prepare_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge);
+static inline int64_t node_layout__prepare_regions(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t count, double enlarge);
 static inline int64_t node_layout__covered(array_double_1d work, int64_t count);
 
 #endif

@@ -22,19 +22,19 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
     strips = INT64_C(0);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
         (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
         if ((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0)
         {
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
-            node_patches__fill_strips(work, region, layout__WORK_NODES + layout__NODES_SIZE * index);
+            node_patches__fill_strips(work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
             angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                node_patches__add_cell(work, region, layout__WORK_NODES + layout__NODES_SIZE * index, k, angle);
+                node_patches__add_cell(work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, k, angle);
             }
         }
     }
@@ -71,7 +71,7 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
-        strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
+        strip = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
         d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
         load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
@@ -83,8 +83,8 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = along + slant * away;
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
     }
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
     return INT64_C(0);
 }
 
@@ -123,8 +123,8 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
         stop = analyn__clip_to_bound(work, region, low, outward, stop);
     }
     strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-    inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
-    outer = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
+    inner = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
+    outer = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
     if ((start > 0.0) || (stop < 1.0))
     {
         node_patches__narrow_strips(work, inner, outer, start, stop, spacing);
@@ -139,10 +139,10 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
         index = node_patches__patch_from(work, region, begin, strip + k, contact_angle);
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strip + k + INT64_C(1));
-        node_patches__add_load(work, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)(outward));
+        node_patches__add_load(work, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)(outward));
         node_patches__keep_largest(work, strip + low);
     }
     return INT64_C(0);
@@ -182,11 +182,11 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t reg
     int64_t joined;
     int64_t last;
     int64_t index;
-    index = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1);
+    index = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1);
     joined = INT64_C(0);
     if (index >= INT64_C(0))
     {
-        last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        last = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
         {
             joined = INT64_C(1);
@@ -238,16 +238,16 @@ static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t s
     int64_t low;
     int64_t here;
     int64_t high;
-    low = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
-    here = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
-    high = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
-    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)))
+    low = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
+    here = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
+    high = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)))
     {
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
     }
-    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)))
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)))
     {
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
     }
     return INT64_C(0);
 }

@@ -8,12 +8,6 @@
 
 #include "nodes.h"
 
-/* Offset of node 0 of a region's ``field`` in the workspace. */
-static inline int64_t nodes__node_field(int64_t region, int64_t field)
-{
-    return layout__WORK_NODES + (region * layout__NODE_FIELDS + field) * layout__NODE_LIMIT + layout__NODE_MIDDLE;
-}
-
 /* Half the width of the window of the lateral curvature, in nodes. */
 static inline int64_t nodes__window_nodes(array_double_1d tables)
 {
@@ -64,7 +58,7 @@ static inline double nodes__trace_tolerance(double spacing)
  * Where the lateral curvature is a prepared one, it is kept in nodes.B for
  * :func:`node_coefficients.weigh_nodes`.
  */
-static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach)
+static inline int64_t nodes__lay_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
     double gap;
     double rate;
@@ -79,11 +73,11 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     }
-    before = nodes__lay_side_nodes(tables, work, state, region, nodes, -INT64_C(1), low_reach, rate);
+    before = nodes__lay_side_nodes(work, tables, state, region, nodes, -INT64_C(1), low_reach, rate);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    after = nodes__lay_side_nodes(tables, work, state, region, nodes, INT64_C(1), high_reach, rate);
+    after = nodes__lay_side_nodes(work, tables, state, region, nodes, INT64_C(1), high_reach, rate);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
     return INT64_C(0);
 }
@@ -91,7 +85,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 /* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
  * [-].
  */
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
 {
     double station;
     double bend;
@@ -104,7 +98,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = lateral_curvature__relative_curvature(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         }
     }
     return 0;
@@ -116,7 +110,7 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
  * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
  * slope there.
  */
-static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
+static inline int64_t nodes__lay_side_nodes(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
     int64_t stride;
     int64_t window;
@@ -144,13 +138,13 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
     {
         if ((k == traced) && (ended == INT64_C(0)))
         {
-            nodes__trace_node(&gap, &next_rate, tables, work, state, region, nodes, direction * (traced + step));
+            nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
             if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = INT64_C(1);
                 traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-                nodes__trace_node(&gap, &next_rate, tables, work, state, region, nodes, direction * (traced + step));
+                nodes__trace_node(&gap, &next_rate, work, tables, state, region, nodes, direction * (traced + step));
             }
             if (gap >= contact_plane__NO_GAP)
             {

@@ -13,21 +13,21 @@
  *
  * Returns the penetration [m], the number of regions, and 1 when the force is satisfied, else 0.
  */
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t point, double force, double prescribed)
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t point, double force, double prescribed)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
     if (model == layout__MODEL_HERTZ)
     {
-        hertz_contact__hertz_contact(penetration, count, satisfied, tables, work, point, force, prescribed);
+        hertz_contact__hertz_contact(penetration, count, satisfied, work, tables, point, force, prescribed);
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        analyn_contact__analyn_contact(penetration, count, satisfied, tables, work, state, side, force, prescribed);
+        analyn_contact__analyn_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     }
     else
     {
-        strip_contact__strip_contact(penetration, count, satisfied, tables, work, state, side, force, prescribed);
+        strip_contact__strip_contact(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     }
     return 0;
 }

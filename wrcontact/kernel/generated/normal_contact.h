@@ -14,6 +14,6 @@
 #include "layout.h"
 #include "strip_contact.h"
 
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, int64_t point, double force, double prescribed);
+static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, int64_t point, double force, double prescribed);
 
 #endif

@@ -38,12 +38,12 @@ static inline int64_t outline__fill_outline(array_double_1d work, int64_t outlin
 static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t count)
 {
     int64_t rule;
-    if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
-        rule = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE)));
+        rule = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE)));
         if (rule == layout__RULE_ELLIPSE)
         {
-            outline__write_ellipse(work, outline, stations, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
+            outline__write_ellipse(work, outline, stations, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS);
         }
         else if (rule == layout__RULE_QUADRATIC)
         {
@@ -93,10 +93,10 @@ static inline int64_t outline__write_quadratic(array_double_1d work, int64_t out
     double station;
     double half_length;
     double pressure;
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
-    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
-    largest = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    peak = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    largest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    peak = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         station = start + (stop - start) * (double)(j) / (double)(stations - INT64_C(1));
@@ -133,8 +133,8 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
     double half_length;
     double pressure;
     int64_t patch;
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
-    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
     index = INT64_C(0);
     strip = INT64_C(0);
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
@@ -143,14 +143,14 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
         half_length = 0.0;
         pressure = 0.0;
         index = outline__patch_beside(work, index, station);
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
         {
             if (strip < (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
             {
                 strip = (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)));
             }
-            while((strip <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
+            while((strip <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
             {
                 strip += INT64_C(1);
             }
@@ -166,7 +166,7 @@ static inline int64_t outline__write_straight(array_double_1d work, int64_t outl
 /* The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do. */
 static inline int64_t outline__patch_beside(array_double_1d work, int64_t index, double station)
 {
-    while((index < (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1)) && (station > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
+    while((index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1)) && (station > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
     {
         index += INT64_C(1);
     }

@@ -29,8 +29,8 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     profile_table__height_slope_bend(&z_rail, &m, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
     square = 1.0 / (1.0 + m * m);
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*abscissa);
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) = y;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*abscissa);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) = y;
     /* the slope of (height - gap) cos, divided by cos; where wheel and rail are apart, and the rail's normals */
     /* mean little, that of height - gap */
     rise = outline_slope - m;
@@ -38,7 +38,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     {
         rise -= (height - (*gap)) * m * bend * square;
     }
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = rise;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = rise;
     (*result_1) = m - outline_slope;
     return 0;
 }
@@ -51,12 +51,12 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
  */
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d work, array_double_1d tables, int64_t direction, int64_t entry)
 {
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = 1.0;
     if (direction > INT64_C(0))
     {
-        (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
-        (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = -1.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = -1.0;
     }
     return INT64_C(0);
 }
@@ -90,11 +90,11 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d work, a
         }
         if (direction > INT64_C(0))
         {
-            (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + entry)) = adjacent;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + entry)) = adjacent;
         }
         else
         {
-            (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) = adjacent;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) = adjacent;
         }
         entry += direction;
         if (on_rail == INT64_C(0))

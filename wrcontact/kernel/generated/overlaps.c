@@ -26,27 +26,27 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d work, array_d
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
     node = raster__node_below(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
     start = overlap_samples__walk_overlap(work, tables, place, state, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlap_samples__walk_overlap(work, tables, place, state, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
-        if (((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0) && ((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))) <= 0.0) && ((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0))
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))) <= 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0))
         {
-            step = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-            y = 0.5 * ((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-            low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
-            high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
+            step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+            y = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
+            low = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), -step, y, height);
+            high = overlaps__bracket_end(work, tables, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), step, y, height);
             overlaps__list_between(work, tables, place, low, high, y, height);
         }
     }
     overlaps__list_beside_smallest_gap(work, tables, side, height);
-    if ((int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
         overlaps__find_saddles(work, tables, place, height);
         deep_points__merge_points(work);
     }
-    result = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     return result;
 }
 
@@ -176,9 +176,9 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d wo
     x = y_track - (*cspan_at(&tables, layout__TABLES_RAIL_Y));
     pressed__normal_line(&y, &depth, &rise, &bend, &curvature, &found, work, tables, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), height);
     deepest = 0.0;
-    if ((int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
-        deepest = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
+        deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
     }
     if ((found == INT64_C(1)) && (depth > deepest))
     {
@@ -222,11 +222,11 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d work, array_do
     double y;
     double depth;
     int64_t turned;
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
+    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
         touching__turning_point(&x, &y, &depth, &turned, work, tables, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), height, -1.0);
         (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
         (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = depth;

@@ -20,10 +20,10 @@ static OUT_OF_LINE int64_t planes__keep_frame(array_double_1d work, int64_t slot
 {
     int64_t kept;
     int64_t i;
-    kept = layout__WORK_FRAMES + INT64_C(24) * slot;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(24) * slot;
     for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_FRAME + i));
+        (*cspan_at(&work, kept + i)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i));
     }
     return INT64_C(0);
 }
@@ -33,10 +33,10 @@ static OUT_OF_LINE int64_t planes__use_frame(array_double_1d work, int64_t slot)
 {
     int64_t kept;
     int64_t i;
-    kept = layout__WORK_FRAMES + INT64_C(24) * slot;
+    kept = layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(24) * slot;
     for (i = INT64_C(0); i < layout__FRAME_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_FRAME + i)) = (*cspan_at(&work, kept + i));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i)) = (*cspan_at(&work, kept + i));
     }
     return INT64_C(0);
 }
@@ -56,7 +56,7 @@ static OUT_OF_LINE double planes__bound_abscissa(array_double_1d work, array_dou
     {
         traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, bound, regions__PLACE_TRACE);
-        abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
     return abscissa;
 }
@@ -71,7 +71,7 @@ static OUT_OF_LINE double planes__bound_station(array_double_1d work, array_doub
     if (fabs(abscissa) < regions__BEYOND)
     {
         profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-        station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        station = (abscissa - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     }
     return station;
 }
@@ -81,7 +81,7 @@ static OUT_OF_LINE int64_t planes__needs_own_plane(array_double_1d work, int64_t
 {
     double difference;
     int64_t needed;
-    difference = (*cspan_at(&work, region + layout__REGION_SIN)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, region + layout__REGION_COS)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    difference = (*cspan_at(&work, region + layout__REGION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, region + layout__REGION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     needed = INT64_C(0);
     if (fabs(difference) > planes__SPLIT)
     {
@@ -115,25 +115,25 @@ static OUT_OF_LINE int64_t planes__own_plane(array_double_1d work, array_double_
     double bend;
     double curvature;
     int64_t found;
-    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)));
+    touching__touching_pair(&y, &abscissa, &depth, &aside, &shift, &found, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)));
     if (found == INT64_C(1))
     {
         low = planes__bound_abscissa(work, tables, region, state, (*cspan_at(&work, region + layout__REGION_LOW)));
         high = planes__bound_abscissa(work, tables, region, state, (*cspan_at(&work, region + layout__REGION_HIGH)));
         planes__keep_frame(work, layout__REGION_LIMIT);
-        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
         (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
         (*cspan_at(&work, region + layout__REGION_RAIL)) = abscissa;
         (*cspan_at(&work, region + layout__REGION_WHEEL)) = y;
         profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
         regions__incline_region(work, tables, region, slope);
         (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
-        (*cspan_at(&work, region + layout__REGION_OFFSET)) = arc_length__rail_length(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), abscissa);
+        (*cspan_at(&work, region + layout__REGION_OFFSET)) = arc_length__rail_length(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), abscissa);
         (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work, region + layout__REGION_COS)) * cosine + (*cspan_at(&work, region + layout__REGION_SIN)) * sine;
         (*cspan_at(&work, region + layout__REGION_GAP)) = -depth;
-        contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), y, aside, shift);
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, region + layout__REGION_GAP));
+        contact_plane__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), y, aside, shift);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = (*cspan_at(&work, region + layout__REGION_GAP));
         contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__PLACE_TRACE);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
@@ -154,7 +154,7 @@ static OUT_OF_LINE int64_t planes__give_planes(array_double_1d work, array_doubl
     own = INT64_C(0);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         if (planes__needs_own_plane(work, region) == INT64_C(1))
         {
             own += planes__own_plane(work, tables, region, index, state);
@@ -176,8 +176,8 @@ static OUT_OF_LINE int64_t planes__locate_along_track(array_double_1d work, arra
     int64_t region;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
     }
     return INT64_C(0);
 }

@@ -219,7 +219,7 @@ static inline double prepare_tables__start_shift(array_double_1d tables, int64_t
 }
 
 /* Note in a row of the table of starts where the wheelset touches, from the step at its shift. */
-static inline int64_t prepare_tables__note_start(array_double_1d tables, array_double_1d work, int64_t row, int64_t status)
+static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status)
 {
     int64_t start;
     start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;

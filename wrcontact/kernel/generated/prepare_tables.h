@@ -40,7 +40,7 @@ static inline int64_t prepare_tables__append(array_double_1d tables, int64_t at,
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at);
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report);
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
-static inline int64_t prepare_tables__note_start(array_double_1d tables, array_double_1d work, int64_t row, int64_t status);
+static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status);
 static inline int64_t prepare_tables__open_starts(array_double_1d tables);
 
 #endif

@@ -153,7 +153,7 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d work, array_double_
     double z;
     double low_slope;
     double high_slope;
-    blur = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR));
+    blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
         wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
@@ -193,20 +193,20 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
     int64_t found;
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) += 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
-    abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
+    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    abscissa = arc_length__rail_abscissa(tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
     (*gap) = contact_plane__NO_GAP;
     (*rate) = 0.0;
     (*bend) = 0.0;
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
-        trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
+        trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
+        pressed__normal_line(&y, &overlap, &rise, &rise_rate, &found_curvature, &found, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)));
         if (found == INT64_C(1))
         {
-            (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;
+            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap;
             (*rate) = -rise;
             (*bend) = -rise_rate;
             (*curvature) = found_curvature;
@@ -215,8 +215,8 @@ static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, doubl
                 (*cspan_at(&work, trace + layout__TRACE_RATE)) = (y - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA))) / way;
             }
             (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
         }
     }
     return 0;

@@ -28,10 +28,10 @@ static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, dou
  */
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap)
 {
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(1);
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = gap;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(1);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap;
     return INT64_C(0);
 }
 
@@ -65,12 +65,12 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d work,
     double Dummy_0000_2;
     double Dummy_0000_3;
     double Dummy_0000_4;
-    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    height = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    depth = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
-    pressed_regions__touching_shift(&aside, &shift, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), point);
-    contact_plane__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    pressed_regions__touching_shift(&aside, &shift, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
+    contact_plane__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
@@ -95,13 +95,13 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
     double low;
     double high;
     int64_t count;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
     planes__keep_frame(work, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
         pressed_regions__open_pressed_region(work, tables, region, point);
         if (index != contact)
         {
@@ -115,7 +115,7 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d work
         high = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
         if (index > INT64_C(0))
         {
-            low = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
+            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
         }
         if (index < count - INT64_C(1))
         {

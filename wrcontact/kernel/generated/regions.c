@@ -74,11 +74,11 @@ static inline double regions__open_region(array_double_1d work, array_double_1d 
     }
     (*cspan_at(&work, region + layout__REGION_STATION)) = station;
     (*cspan_at(&work, region + layout__REGION_GAP)) = gap;
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
     (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     regions__incline_region(work, tables, region, slope);
     return found;
 }
@@ -114,13 +114,13 @@ static inline int64_t regions__open_contact_region(array_double_1d work, array_d
     contact_plane__normal_gap(&gap, &rate, &bend, &curvature, work, tables, state, 0.0, regions__PLACE_TRACE);
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
     (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
     (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
     (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
     (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
-    regions__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    regions__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     return INT64_C(0);
 }
 
@@ -140,8 +140,8 @@ static inline int64_t regions__find_regions(array_double_1d work, array_double_1
     double station;
     int64_t count;
     count = INT64_C(1);
-    reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + 2.0 * level / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+    reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + 2.0 * level / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
@@ -150,9 +150,9 @@ static inline int64_t regions__find_regions(array_double_1d work, array_double_1
             y = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_Y));
             abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
-            station = (abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+            station = (abscissa - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
             traces__start_traces(work, station, abscissa, y);
-            if (regions__open_region(work, tables, layout__WORK_REGIONS + layout__REGION_SIZE * count, state, station) < level)
+            if (regions__open_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * count, state, station) < level)
             {
                 if (regions__is_new(work, count) == INT64_C(1))
                 {
@@ -173,7 +173,7 @@ static inline int64_t regions__is_new(array_double_1d work, int64_t count)
     new = INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        distance = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_STATION)) - (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * count + layout__REGION_STATION));
+        distance = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * count + layout__REGION_STATION));
         if (fabs(distance) < regions__SEPARATE)
         {
             new = INT64_C(0);
@@ -198,19 +198,19 @@ static inline int64_t regions__bound_regions(array_double_1d work, array_double_
     {
         for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
         {
-            if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_STATION)) > (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)) + layout__REGION_STATION)))
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)) + layout__REGION_STATION)))
             {
-                regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
+                regions__swap_regions(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
         }
     }
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__BEYOND;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOW)) = -regions__BEYOND;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
     i = INT64_C(0);
     while(i < count - INT64_C(1))
     {
-        low = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        high = layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
+        low = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        high = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
         regions__find_saddle(&station, &gap, work, tables, low, high, state);
         if (gap < regions__MERGE * level)
         {
@@ -222,10 +222,10 @@ static inline int64_t regions__bound_regions(array_double_1d work, array_double_
             }
             for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
             {
-                regions__swap_regions(work, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
+                regions__swap_regions(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
             count -= INT64_C(1);
-            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
         }
         else
         {

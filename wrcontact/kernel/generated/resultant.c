@@ -44,13 +44,13 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
     double z;
     double force_y;
     double force_z;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
     load = (*cspan_at(&work, block + layout__REGION_CARRIED));
     if (load > 0.0)
     {
         /* of the region's plane */
-        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
+        cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
         {
             cosine = 1.0 / sqrt(1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)));
         }
@@ -60,7 +60,7 @@ static inline int64_t resultant__add_region(array_double_1d tables, array_double
         profile_table__height_slope(&height, &slope, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa);
         normal_cos = 1.0 / sqrt(1.0 + slope * slope);
         normal_sin = slope * normal_cos;
-        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
         {
             normal_cos = (*cspan_at(&work, block + layout__REGION_COS));
             normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));

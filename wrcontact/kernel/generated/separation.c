@@ -33,16 +33,16 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
     double slope;
     double stretch;
     double bend;
-    per_station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    lateral = (station - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION))) * per_station;
+    per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    lateral = (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station;
     (*exists) = moves__move_across(work, tables, lateral);
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
-    if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
+    if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
     {
         (*exists) = INT64_C(0);
     }
-    curves__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     bend = rail_bend - bend / stretch;
     (*result_0) = rail_down - down;
     (*result_1) = (rail_slope - slope) * per_station;
@@ -81,11 +81,11 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
     double size;
     on_rail = moves__move_to_station(work, tables, layout__RAIL, station);
     on_wheel = moves__move_to_station(work, tables, layout__WHEEL, station);
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, work, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     rail_cos = 1.0 / sqrt(1.0 + slope * slope);
     rail_sin = slope * rail_cos;
     rail_curvature = bend * rail_cos * rail_cos * rail_cos;
-    curves__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, work, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, work, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope);
     wheel_sin = slope * wheel_cos;
     wheel_curvature = bend / stretch * wheel_cos * wheel_cos * wheel_cos;
@@ -119,12 +119,12 @@ static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* resu
     double cosine;
     double along;
     double across;
-    profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    profile_table__height_slope_bend(&height, &slope, &bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     cosine = 1.0 / sqrt(1.0 + slope * slope);
-    along = cosine * ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-    across = cosine * (slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-    (*result_0) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * (1.0 - along);
-    (*result_1) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across * bend * cosine * cosine * cosine;
+    along = cosine * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    across = cosine * (slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * (1.0 - along);
+    (*result_1) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across * bend * cosine * cosine * cosine;
     return 0;
 }
 
@@ -149,9 +149,9 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     {
         separation__equidistant_rise(gap, rate, bend, &exists, work, tables, station);
     }
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
-    (*gap) += (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP));
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+    (*gap) += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
         separation__depth_lost(&lost, &more, work, tables);
         (*gap) += lost;
@@ -161,10 +161,10 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
     {
         (*gap) = contact_plane__NO_GAP;
     }
-    y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     profile_table__height_slope_bend(&z, &slope, &wheel_bend, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y);
     wheel_bend = pressed__mean_bend(work, tables, y, wheel_bend);
-    (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
+    (*curvature) = longitudinal_curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
     return 0;
 }
 
@@ -177,7 +177,7 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)))
+    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
         contact_plane__normal_gap(gap, rate, bend, curvature, work, tables, state, station, tolerance);
     }

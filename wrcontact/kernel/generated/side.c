@@ -31,7 +31,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     int64_t outline;
     int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    normal_contact__solve_normal(&penetration, count, &satisfied, tables, work, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
+    normal_contact__solve_normal(&penetration, count, &satisfied, work, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     if (satisfied == INT64_C(0))
     {
@@ -117,7 +117,7 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
         /* it overlaps most at the end of a profile */
         return layout__OFF_PROFILE;
     }
-    deepest = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     pressed_regions__touching_shift(&aside, &shift, work, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
     contact_point__describe_contact(tables, work, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
     pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
@@ -141,7 +141,7 @@ static inline double side__side_lever(array_double_1d tables, array_double_1d wo
     weight = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
         stiffness = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_COS));
         weight += stiffness;
         total += stiffness * gap__gap_per_roll(work, tables, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));

@@ -8,7 +8,7 @@
 /* Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1
  * when the force is satisfied, else 0.
  */
-static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed)
+static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed)
 {
     int64_t by_penetration;
     by_penetration = INT64_C(0);
@@ -16,7 +16,7 @@ static inline int64_t strip_contact__strip_contact(double* penetration, int64_t*
     {
         by_penetration = INT64_C(1);
     }
-    analyn_contact__solve_analyn(penetration, count, satisfied, tables, work, state, side, force, prescribed);
+    analyn_contact__solve_analyn(penetration, count, satisfied, work, tables, state, side, force, prescribed);
     if ((*satisfied) == INT64_C(1))
     {
         planes__locate_along_track(work, tables, (*count));

@@ -15,6 +15,6 @@
 #include "strip_surfaces.h"
 #include "strips.h"
 
-static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d state, int64_t side, double force, double prescribed);
+static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d tables, array_double_1d state, int64_t side, double force, double prescribed);
 
 #endif

@@ -28,11 +28,11 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
     double away;
     double by_curvature;
     double by_load;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         line_load = 0.0;
         square = 0.0;
         pressure = 0.0;
@@ -41,10 +41,10 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
             half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
             line_load = scale * half * (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
             bend = 0.0;
-            row = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
-                other = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
                 away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, other + layout__STRIP_STATION));
                 bend += (*cspan_at(&work, row + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) / ((*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)) + away * away);
             }
@@ -68,11 +68,11 @@ static inline int64_t strip_lengths__adopt_lengths(array_double_1d work)
     int64_t i;
     int64_t strip;
     double half;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) > 0.0)
         {
             half = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));

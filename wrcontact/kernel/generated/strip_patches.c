@@ -20,33 +20,33 @@ static inline int64_t strip_patches__fill_from_strips(array_double_1d work)
     double pressure;
     for (index = INT64_C(0); index < layout__REGION_LIMIT; index += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * index + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * index + layout__REGION_MOMENT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_CARRIED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_MOMENT)) = 0.0;
     }
     filling__clear_patches(work);
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     first = INT64_C(0);
-    while((first < count) && ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
+    while((first < count) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) < layout__SOLVED_PATCH_LIMIT))
     {
         last = first;
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
         {
             last = strip_edges__run_end(work, count, first);
             start = strip_edges__run_edge(work, count, first, last, -INT64_C(1));
             stop = strip_edges__run_edge(work, count, last, first, INT64_C(1));
-            region = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
+            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
             index = filling__begin_patch(work, region, start, first, layout__RULE_STRAIGHT, -atan((*cspan_at(&work, region + layout__REGION_INCLINATION))));
-            patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+            patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
             for (i = first; i < last + INT64_C(1); i += INT64_C(1))
             {
-                strip_patches__add_strip(work, patch, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i);
+                strip_patches__add_strip(work, patch, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * i);
             }
             (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
             (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(last);
             (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = strip_patches__run_area(work, first, last, start, stop);
             pressure = strip_patches__largest_pressure(work, first, last);
-            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
-            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, first, last);
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = pressure * pressure;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, first, last);
             filling__finish_patch(work);
         }
         first = last + INT64_C(1);
@@ -81,8 +81,8 @@ static inline double strip_patches__divided_bend(array_double_1d work, int64_t i
     double right;
     double upper;
     double lower;
-    left = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-    right = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
+    left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+    right = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
     upper = (after - value) / right;
     lower = (value - before) / left;
     return (upper - lower) / (left + right);
@@ -93,8 +93,8 @@ static inline double strip_patches__square_bend(array_double_1d work, int64_t i)
 {
     double before;
     double result;
-    before = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-    result = strip_patches__divided_bend(work, i, before, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
+    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
+    result = strip_patches__divided_bend(work, i, before, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
     return result;
 }
 
@@ -139,14 +139,14 @@ static inline double strip_patches__run_area(array_double_1d work, int64_t first
     double half;
     int64_t i;
     bend = strip_patches__cell_bend(work, first, first, last);
-    half = strip_patches__cell_area(0.0, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), bend, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start);
+    half = strip_patches__cell_area(0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), bend, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start);
     for (i = first; i < last; i += INT64_C(1))
     {
         bend = strip_patches__cell_bend(work, i, first, last);
-        half += strip_patches__cell_area((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), bend, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+        half += strip_patches__cell_area((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), bend, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
     }
     bend = strip_patches__cell_bend(work, last - INT64_C(1), first, last);
-    half += strip_patches__cell_area((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), 0.0, bend, stop - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
+    half += strip_patches__cell_area((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), 0.0, bend, stop - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
     return 2.0 * half;
 }
 
@@ -161,7 +161,7 @@ static inline double strip_patches__summit(array_double_1d work, int64_t i, doub
     bend = strip_patches__divided_bend(work, i, before, value, after);
     if (bend < 0.0)
     {
-        left = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+        left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
         slope = (value - before) / left + bend * left;
         value -= slope * slope / (4.0 * bend);
     }
@@ -178,16 +178,16 @@ static inline double strip_patches__largest_pressure(array_double_1d work, int64
     best = first;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE)))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE)))
         {
             best = i;
         }
     }
-    pressure = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
+    pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
     if ((best > first) && (best < last))
     {
-        before = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
-        pressure = strip_patches__summit(work, best, before, pressure, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)));
+        before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
+        pressure = strip_patches__summit(work, best, before, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)));
     }
     return pressure;
 }
@@ -202,16 +202,16 @@ static inline double strip_patches__largest_square(array_double_1d work, int64_t
     best = first;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE)))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE)))
         {
             best = i;
         }
     }
-    square = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
+    square = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
     if ((best > first) && (best < last))
     {
-        before = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-        square = strip_patches__summit(work, best, before, square, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
+        before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
+        square = strip_patches__summit(work, best, before, square, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
     }
     return square;
 }

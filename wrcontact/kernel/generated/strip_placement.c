@@ -20,36 +20,36 @@ static inline int64_t strip_placement__place_strips(array_double_1d work, int64_
     double length;
     double share;
     int64_t own;
-    (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
     weight = 0.0;
     width = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        zone = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * i;
-        strip_placement__measure_zone(work, zone, layout__WORK_REGIONS + layout__REGION_SIZE * i, layout__WORK_NODES + layout__NODES_SIZE * i, penetration);
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * i;
+        strip_placement__measure_zone(work, zone, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, penetration);
         weight += (*cspan_at(&work, zone + layout__STRIP_ZONE_WEIGHT));
         width += (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
     }
     strips = INT64_C(0);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        zone = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * i;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * i;
         length = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
         if ((length > 0.0) && (weight > 0.0))
         {
-            (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_EVEN)) = strip_placement__EVEN / width;
-            (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_GRADED)) = (1.0 - strip_placement__EVEN) / weight;
-            share = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_EVEN)) * length + (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_GRADED)) * (*cspan_at(&work, zone + layout__STRIP_ZONE_WEIGHT));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_EVEN)) = strip_placement__EVEN / width;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_GRADED)) = (1.0 - strip_placement__EVEN) / weight;
+            share = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_EVEN)) * length + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_GRADED)) * (*cspan_at(&work, zone + layout__STRIP_ZONE_WEIGHT));
             own = (int64_t)((double)(wanted) * share + 0.5);
             if (own < strip_placement__FEWEST)
             {
                 own = strip_placement__FEWEST;
             }
-            strip_placement__divide_zone(work, layout__WORK_REGIONS + layout__REGION_SIZE * i, layout__WORK_NODES + layout__NODES_SIZE * i, i, strips, own);
+            strip_placement__divide_zone(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, i, strips, own);
             strips += own;
         }
     }
-    (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(strips);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(strips);
     strip_placement__join_strips(work, strips);
     return INT64_C(0);
 }
@@ -209,9 +209,9 @@ static inline int64_t strip_placement__divide_zone(array_double_1d work, int64_t
     double start;
     double density;
     double cut;
-    zone = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-    even = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_EVEN));
-    graded = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_GRADED));
+    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
+    even = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_EVEN));
+    graded = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_GRADED));
     each = (even * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) + graded * (*cspan_at(&work, zone + layout__STRIP_ZONE_WEIGHT))) / (double)(own);
     done = 0.0;
     made = INT64_C(0);
@@ -252,9 +252,9 @@ static inline int64_t strip_placement__divide_zone(array_double_1d work, int64_t
  */
 static inline int64_t strip_placement__cut_strip(array_double_1d work, int64_t i, int64_t index, double offset, double start, double stop)
 {
-    (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) = offset + 0.5 * (start + stop);
-    (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) = stop - start;
-    (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = (double)(index);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) = offset + 0.5 * (start + stop);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) = stop - start;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = (double)(index);
     return INT64_C(0);
 }
 
@@ -269,13 +269,13 @@ static inline int64_t strip_placement__join_strips(array_double_1d work, int64_t
         joined = INT64_C(0);
         if (i < count - INT64_C(1))
         {
-            reach = 0.5 * ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH)));
-            if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) < reach * (1.0 + strip_placement__TOUCHING))
+            reach = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH)));
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) < reach * (1.0 + strip_placement__TOUCHING))
             {
                 joined = INT64_C(1);
             }
         }
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = (double)(joined);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = (double)(joined);
     }
     return INT64_C(0);
 }

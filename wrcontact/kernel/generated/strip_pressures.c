@@ -54,12 +54,12 @@ static inline int64_t strip_pressures__list_loaded(array_double_1d work)
     int64_t i;
     int64_t size;
     size = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
         {
-            (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
             size += INT64_C(1);
         }
     }
@@ -78,15 +78,15 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, int
     int64_t other;
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        row = layout__WORK_EQUATIONS + INT64_C(106) * rank;
-        i = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        influences = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        i = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        influences = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
         for (other = INT64_C(0); other < size; other += INT64_C(1))
         {
-            (*cspan_at(&work, row + other)) = (*cspan_at(&work, influences + (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)))));
+            (*cspan_at(&work, row + other)) = (*cspan_at(&work, influences + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)))));
         }
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
-        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
+        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
     }
     return INT64_C(0);
 }
@@ -107,10 +107,10 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
     rest_load = 0.0;
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        row = layout__WORK_EQUATIONS + INT64_C(106) * rank;
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
         /* what of it counts for the prescribed force */
-        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) + layout__REGION_SHARE));
+        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) + layout__REGION_SHARE));
         unit_load += half * (*cspan_at(&work, row + size));
         rest_load += half * (*cspan_at(&work, row + (size + INT64_C(1))));
     }
@@ -125,15 +125,15 @@ static inline int64_t strip_pressures__read_solution(array_double_1d work, int64
     int64_t i;
     int64_t rank;
     int64_t row;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
     }
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        row = layout__WORK_EQUATIONS + INT64_C(106) * rank;
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
     }
     return INT64_C(0);
 }
@@ -151,12 +151,12 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
     int64_t row;
     int64_t j;
     int64_t changed;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     changed = INT64_C(0);
     for (back = INT64_C(0); back < count; back += INT64_C(1))
     {
         i = count - INT64_C(1) - back;
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((single == INT64_C(0)) || (changed == INT64_C(0)))
         {
             if ((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0)
@@ -170,10 +170,10 @@ static inline int64_t strip_pressures__exchange_strips(array_double_1d work, dou
             else
             {
                 pushed = ((*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) - strip_pressures__TOUCH) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-                row = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+                row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))
                 {
-                    pushed -= (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                    pushed -= (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
                 }
                 if (pushed > 0.0)
                 {

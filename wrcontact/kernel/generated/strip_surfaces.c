@@ -65,13 +65,13 @@ static inline int64_t strip_surfaces__describe_strips(array_double_1d work)
     double square;
     double below;
     double inside;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        own = layout__WORK_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        own = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
         strip_surfaces__node_cell(&k, &x, work, strip, region);
         strip_surfaces__read_surfaces(work, strip, region, own, k, x);
         line = (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)) + x * ((*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k)));
@@ -85,7 +85,7 @@ static inline int64_t strip_surfaces__describe_strips(array_double_1d work)
             loaded = INT64_C(1);
             square = level / length;
         }
-        below = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
+        below = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
         below *= (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
         inside = strip_surfaces__INSIDE * strip_surfaces__INSIDE * below / length;
         if (inside > square)
@@ -113,7 +113,7 @@ static inline int64_t strip_surfaces__limit_lengths(array_double_1d work, int64_
     int64_t strip;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_surfaces__SHORTEST * longest)
         {
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SHORTEST * longest;
@@ -137,18 +137,18 @@ static inline int64_t strip_surfaces__load_one(array_double_1d work, int64_t cou
     found = INT64_C(0);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
         {
             found = INT64_C(1);
         }
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)) < (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_GAP)))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_GAP)))
         {
             smallest = i;
         }
     }
     if (found == INT64_C(0))
     {
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = (double)(1);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = (double)(1);
     }
     return INT64_C(0);
 }

@@ -32,18 +32,18 @@ static inline int64_t strips__solve_strips(double* result_0, int64_t* result_1, 
     int64_t found;
     int64_t sweep_end;
     int64_t sweep;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip_influence__measure_distances(work, i, i);
     }
-    penetration = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = INT64_C(0);
     sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
     {
         strip_influence__fill_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))));
-        strip_pressures__solve_pressures(&penetration, &found, work, tables, state, force, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+        strip_pressures__solve_pressures(&penetration, &found, work, tables, state, force, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;

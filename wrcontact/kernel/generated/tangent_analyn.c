@@ -183,8 +183,8 @@ static inline int64_t tangent_analyn__load_regions_t(double* total, double* tota
     (*total) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         (*cspan_at(&work_t, region + layout__REGION_LOAD)) = load_t;
         (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
         (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = stiffness_t;
@@ -239,17 +239,17 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
     size = count + INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = 0.0;
     }
     tangent_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
     total_t = v1_t;
     total = v1;
-    last = layout__WORK_EQUATIONS + INT64_C(106) * count;
+    last = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * count;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        row = layout__WORK_EQUATIONS + INT64_C(106) * i;
+        block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
         pushed_t = 0.0;
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
@@ -258,12 +258,12 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
             share = 0.0;
             if (j != i)
             {
-                tangent_interaction__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_REGIONS + layout__REGION_SIZE * j);
+                tangent_interaction__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j);
                 share_t = v2_t;
                 share = v2;
             }
-            pushed_t = pushed_t + (share_t * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
-            pushed = pushed + share * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+            pushed_t = pushed_t + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
+            pushed = pushed + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
             (*cspan_at(&work_t, row + j)) = 0.0;
             (*cspan_at(&work, row + j)) = share;
         }
@@ -278,16 +278,16 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
     }
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * j;
-        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), 1.0);
+        block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
+        tangent_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), 1.0);
         per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_EQUATIONS + INT64_C(106) * i + j)) = 0.0;
-            (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + j)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + j)) * per_level;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = 0.0;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) * per_level;
         }
-        (*cspan_at(&work_t, layout__WORK_EQUATIONS + INT64_C(106) * j + j)) = 0.0;
-        (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * j + j)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * j + j)) + 1.0;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) + 1.0;
         (*cspan_at(&work_t, last + j)) = 0.0;
         (*cspan_at(&work, last + j)) = 0.0;
         if (prescribed == INT64_C(0))
@@ -312,8 +312,8 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
     elimination__eliminate(work, size);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_EQUATIONS + INT64_C(106) * i + size));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + size));
     }
     tangent_analyn__load_regions_t(&n3, &n4, work, work_t, count);
     penetration_t = (*cspan_at(&work, last + size));

@@ -6,9 +6,9 @@
 #include "tangent_analyn_contact.h"
 
 /* Tangent of ``analyn_contact``. */
-static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
-    tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, tables, work, work_t, state, side, force, force_t, prescribed, prescribed_t);
+    tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) == INT64_C(1))
     {
         tangent_planes__locate_along_track_t(work, work_t, tables, (*count));
@@ -18,7 +18,7 @@ static inline int64_t tangent_analyn_contact__analyn_contact_t(double* penetrati
 }
 
 /* Tangent of ``solve_analyn``. */
-static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t by_penetration;
     double v1;
@@ -33,14 +33,14 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
     {
         by_penetration = INT64_C(1);
     }
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, state, side, force, force_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)), by_penetration);
+        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), by_penetration);
         return 0;
     }
     if (by_penetration == INT64_C(0))
     {
-        tangent_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, state, force, force_t);
+        tangent_estimate__first_penetration_t(&v1, &v1_t, work, work_t, tables, state, force, force_t);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
     }
@@ -50,7 +50,7 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
     {
         estimate_t = (*penetration_t);
         estimate = (*penetration);
-        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, state, side, force, force_t, estimate, estimate_t, by_penetration);
+        tangent_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, estimate, estimate_t, by_penetration);
         if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
         {
             break;
@@ -60,32 +60,32 @@ static inline int64_t tangent_analyn_contact__solve_analyn_t(double* penetration
 }
 
 /* Tangent of ``solve_estimated``. */
-static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double estimate, double estimate_t, int64_t by_penetration)
+static inline int64_t tangent_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double estimate, double estimate_t, int64_t by_penetration)
 {
     int64_t n1;
-    n1 = tangent_analyn_contact__gather_regions_t(tables, work, work_t, state, side, estimate, estimate_t);
+    n1 = tangent_analyn_contact__gather_regions_t(work, work_t, tables, state, side, estimate, estimate_t);
     (*count) = n1;
-    tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, tables, work, work_t, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
+    tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
     if (((*satisfied) == INT64_C(0)) && ((*count) > INT64_C(1)))
     {
         (*count) = INT64_C(1);
-        if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
         {
             tangent_deep_points__keep_deepest_t(work, work_t);
             tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
         }
         else
         {
-            tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
+            tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
         }
         tangent_estimate__start_penetrations_t(work, work_t, (*count), estimate, estimate_t);
-        tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, tables, work, work_t, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
+        tangent_analyn_contact__solve_fine_t(penetration, penetration_t, satisfied, work, work_t, tables, state, (*count), force, force_t, estimate, estimate_t, by_penetration);
     }
     return 0;
 }
 
 /* Tangent of ``gather_regions``. */
-static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double penetration, double penetration_t)
+static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double penetration, double penetration_t)
 {
     int64_t i;
     int64_t n1;
@@ -94,20 +94,20 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d t
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
-        (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = INT64_C(1);
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         n1 = tangent_pressed_regions__gather_overlaps_t(work, work_t, tables, state);
         count = n1;
     }
     else
     {
-        tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
+        tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
         n2 = tangent_regions__find_regions_t(work, work_t, tables, side, state, penetration, penetration_t);
         count = n2;
         n3 = tangent_regions__bound_regions_t(work, work_t, tables, state, count, penetration, penetration_t);
@@ -119,7 +119,7 @@ static inline int64_t tangent_analyn_contact__gather_regions_t(array_double_1d t
 }
 
 /* Tangent of ``solve_fine``. */
-static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t by_penetration)
+static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t by_penetration)
 {
     double start_t;
     double start;
@@ -134,7 +134,7 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
     satisfied = INT64_C(0);
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        tangent_node_layout__prepare_regions_t(tables, work, work_t, state, count, enlarge, 0.0);
+        tangent_node_layout__prepare_regions_t(work, work_t, tables, state, count, enlarge, 0.0);
         tangent_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, state, count, force, force_t, start, start_t, by_penetration);
         if (satisfied == INT64_C(0))
         {
@@ -154,10 +154,10 @@ static inline int64_t tangent_analyn_contact__solve_fine_t(double* result_0_0001
             start = penetration;
             laid_t = penetration_t;
             laid = penetration;
-            if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
             {
-                laid_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH));
-                laid = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
+                laid_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+                laid = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
             }
             tangent_estimate__start_penetrations_t(work, work_t, count, laid, laid_t);
         }

@@ -29,7 +29,7 @@ static inline int64_t tangent_compliant__load_at_height_t(array_double_1d tables
     status = n2;
     if (status == layout__VALID)
     {
-        tangent_side__load_side_t(&count, &status, tables, work, work_t, state, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)));
+        tangent_side__load_side_t(&count, &status, tables, work, work_t, state, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
     return status;
 }

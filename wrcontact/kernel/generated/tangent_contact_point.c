@@ -50,10 +50,10 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = y;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r_t * cos_phi + r * cos_phi_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, layout__TABLES_RADIUS));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
@@ -64,20 +64,20 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
         (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track_t;
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = -y_track;
     }
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -(rail_slope_t / (1.0 + rail_slope * rail_slope));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = -atan(rail_slope);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = r;
-    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_BEND));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_BEND));
+    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        tangent_lateral_curvature__relative_curvature_t(&v4, &v4_t, tables, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
         (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * v4_t;
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = 2.0 * v4;
     }
@@ -88,7 +88,7 @@ static inline int64_t tangent_contact_point__describe_contact_t(array_double_1d 
         {
             touches = INT64_C(0);
         }
-        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) == INT64_C(1))
+        if (contact_point__is_end(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) == INT64_C(1))
         {
             touches = INT64_C(0);
         }

@@ -15,19 +15,19 @@ static inline int64_t tangent_curves__curve_jet_t(double* across, double* across
     double z_track;
     double z_track_t;
     tangent_profile_table__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, curve), u, u_t);
-    (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
-    (*across) = u - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
-    (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
-    (*down) = z - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
+    (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
+    (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
+    (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
+    (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
     (*stretch_t) = 0.0;
     (*stretch) = 1.0;
     if (curve == layout__WHEEL)
     {
-        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, slope, slope_t, stretch, stretch_t, bend, bend_t, work, work_t, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), u, u_t, z, z_t, (*slope), (*slope_t), (*bend), (*bend_t));
-        (*across_t) = y_track_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
-        (*across) = y_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
-        (*down_t) = z_track_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
-        (*down) = z_track - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        tangent_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, slope, slope_t, stretch, stretch_t, bend, bend_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), u, u_t, z, z_t, (*slope), (*slope_t), (*bend), (*bend_t));
+        (*across_t) = y_track_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
+        (*across) = y_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
+        (*down_t) = z_track_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        (*down) = z_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
     }
     return 0;
 }
@@ -53,7 +53,7 @@ static inline int64_t tangent_curves__curve_speed_t(double* speed, double* speed
     double v4;
     (*speed_t) = 0.0;
     (*speed) = 1.0;
-    if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
+    if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
         tangent_profile_table__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, curve), u, u_t);
         v1 = 1.0 + slope * slope;
@@ -97,16 +97,16 @@ static inline int64_t tangent_curves__open_origin_t(array_double_1d work, array_
 {
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
-        (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work_t, region + layout__REGION_STATION));
-        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
-        (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work_t, region + layout__REGION_GAP));
-        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work_t, region + layout__REGION_STATION));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work_t, region + layout__REGION_GAP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
-            (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
-            (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
         tangent_curves__open_curve_t(work, work_t, tables, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
         tangent_curves__open_curve_t(work, work_t, tables, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
@@ -128,7 +128,7 @@ static inline int64_t tangent_curves__open_curve_t(array_double_1d work, array_d
     double stretch_t;
     double bend;
     double bend_t;
-    point = layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
+    point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
     (*cspan_at(&work_t, point + layout__POINT_Y)) = 0.0;
     (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
     (*cspan_at(&work_t, point + layout__POINT_Z)) = 0.0;

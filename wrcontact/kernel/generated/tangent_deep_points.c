@@ -24,8 +24,8 @@ static inline int64_t tangent_deep_points__copy_point_t(array_double_1d work, ar
 /* Tangent of ``keep_deepest``. */
 static inline int64_t tangent_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t)
 {
-    tangent_deep_points__copy_point_t(work, work_t, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_OVERLAP + layout__OVERLAP_POINTS);
-    (*cspan_at(&work_t, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
+    tangent_deep_points__copy_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
     return INT64_C(0);
 }

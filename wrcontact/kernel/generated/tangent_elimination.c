@@ -39,8 +39,8 @@ static inline int64_t tangent_elimination__eliminate_t(array_double_1d work, arr
     for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
     {
         k = INT64_C(2) * pair;
-        first = layout__WORK_EQUATIONS + INT64_C(106) * k;
-        second = layout__WORK_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
         v1 = 1.0 / (*cspan_at(&work, first + k));
         inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
         inverse = v1;
@@ -56,7 +56,7 @@ static inline int64_t tangent_elimination__eliminate_t(array_double_1d work, arr
         next_inverse = v2;
         for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
-            row = layout__WORK_EQUATIONS + INT64_C(106) * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
             factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
             factor = (*cspan_at(&work, row + k)) * inverse;
             v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
@@ -72,14 +72,14 @@ static inline int64_t tangent_elimination__eliminate_t(array_double_1d work, arr
     for (back = INT64_C(0); back < size; back += INT64_C(1))
     {
         k = size - INT64_C(1) - back;
-        pivot = layout__WORK_EQUATIONS + INT64_C(106) * k;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
         one_t = (*cspan_at(&work_t, pivot + size));
         one = (*cspan_at(&work, pivot + size));
         other_t = (*cspan_at(&work_t, pivot + (size + INT64_C(1))));
         other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
         for (j = k + INT64_C(1); j < size; j += INT64_C(1))
         {
-            row = layout__WORK_EQUATIONS + INT64_C(106) * j;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
             one_t = one_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + size)));
             one = one - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
             other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));

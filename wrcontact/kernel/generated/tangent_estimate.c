@@ -32,7 +32,7 @@ static inline int64_t tangent_estimate__guess_penetration_t(double* v8, double* 
 }
 
 /* Tangent of ``estimate_penetration``. */
-static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t)
+static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
 {
     double A_t;
     double A;
@@ -53,14 +53,14 @@ static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, doubl
     double stiffness;
     double v6;
     double v7;
-    A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_CURVATURE));
-    A = 0.5 * (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_CURVATURE));
+    A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     tangent_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
     guess_t = v1_t;
     guess = v1;
-    tangent_widths__measure_widths_t(tables, work, work_t, state, layout__WORK_REGIONS, guess, guess_t);
-    v2 = (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_HIGH));
-    width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_HIGH)));
+    tangent_widths__measure_widths_t(work, work_t, tables, state, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
+    v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
+    width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
     B_t = node_coefficients__FLOOR * A_t;
     B = node_coefficients__FLOOR * A;
@@ -87,14 +87,14 @@ static inline int64_t tangent_estimate__estimate_penetration_t(double* v8, doubl
 }
 
 /* Tangent of ``first_penetration``. */
-static inline int64_t tangent_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double force, double force_t)
+static inline int64_t tangent_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, double force, double force_t)
 {
     double v2;
-    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_REGIONS, state);
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    v2 = force / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE));
-    tangent_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, state, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SHARE)));
+    tangent_regions__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, state);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
+    tangent_estimate__estimate_penetration_t(v1, v1_t, work, work_t, tables, state, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
     return 0;
 }
 
@@ -107,7 +107,7 @@ static inline int64_t tangent_estimate__start_penetrations_t(array_double_1d wor
     double local;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
         local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
         if (local < estimate__LEAST_SHARE * penetration)

@@ -32,9 +32,9 @@ static inline int64_t tangent_filling__clear_totals_t(array_double_1d work, arra
 /* Tangent of ``clear_patches``. */
 static inline int64_t tangent_filling__clear_patches_t(array_double_1d work, array_double_1d work_t)
 {
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
-    tangent_filling__clear_totals_t(work, work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS, 0.0, 0.0);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    tangent_filling__clear_totals_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS, 0.0, 0.0);
     return INT64_C(0);
 }
 
@@ -43,18 +43,18 @@ static inline int64_t tangent_filling__begin_patch_t(array_double_1d work, array
 {
     int64_t patch;
     int64_t index;
-    index = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    index = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     if (index == layout__SOLVED_PATCH_LIMIT)
     {
         return index - INT64_C(1);
     }
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = (double)(index + INT64_C(1));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
-    patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = (double)(index + INT64_C(1));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = 0.0;
+    patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
     tangent_filling__clear_totals_t(work, work_t, patch + layout__SOLVED_PATCH_TOTALS, start, start_t);
     tangent_filling__place_patch_t(work, work_t, patch, region, first, rule, contact_angle, contact_angle_t);
     return index;
@@ -95,28 +95,28 @@ static inline int64_t tangent_filling__place_patch_t(array_double_1d work, array
 /* Tangent of ``fill_single``. */
 static inline int64_t tangent_filling__fill_single_t(array_double_1d work, array_double_1d work_t)
 {
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 1.0;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 1.0;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 1.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 1.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH));
     return INT64_C(0);
 }
 
@@ -127,15 +127,15 @@ static inline int64_t tangent_filling__finish_patch_t(array_double_1d work, arra
     int64_t totals;
     double v1;
     double v2;
-    if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1));
         totals = patch + layout__SOLVED_PATCH_TOTALS;
-        v1 = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = tangent_rates__root_rate(v1, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
+        v1 = sqrt((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = tangent_rates__root_rate(v1, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1;
-        v2 = sqrt((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = tangent_rates__root_rate(v2, (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        v2 = sqrt((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
+        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = tangent_rates__root_rate(v2, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2;
         tangent_filling__complete_totals_t(work, work_t, totals);
     }
@@ -167,42 +167,42 @@ static inline int64_t tangent_filling__finish_patches_t(array_double_1d work, ar
     int64_t rank;
     int64_t heaviest;
     int64_t ranked;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         one = patch + layout__SOLVED_PATCH_TOTALS;
-        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_LOAD));
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
-        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_AREA));
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
-        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MOMENT));
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
-        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)))
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_AREA));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MOMENT));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)))
         {
-            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
-            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
         }
-        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)))
+        if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)))
         {
-            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         }
         if (index == INT64_C(0))
         {
-            (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_START));
-            (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_START));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
         }
-        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_STOP));
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_STOP));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_STOP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_STOP));
     }
-    tangent_filling__complete_totals_t(work, work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
+    tangent_filling__complete_totals_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS);
     for (rank = INT64_C(1); rank < count + INT64_C(1); rank += INT64_C(1))
     {
         heaviest = filling__heaviest_patch(work);
         if (heaviest >= INT64_C(0))
         {
-            ranked = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * heaviest;
+            ranked = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * heaviest;
             (*cspan_at(&work_t, ranked + layout__SOLVED_PATCH_RANK)) = 0.0;
             (*cspan_at(&work, ranked + layout__SOLVED_PATCH_RANK)) = (double)(rank);
         }

@@ -6,12 +6,12 @@
 #include "tangent_hertz_contact.h"
 
 /* Tangent of ``hertz_contact``. */
-static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, int64_t* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t point, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t tangent_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, int64_t* result_3, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t point, double force, double force_t, double prescribed, double prescribed_t)
 {
     double v1;
     double v1_t;
     tangent_planes__locate_along_track_t(work, work_t, tables, INT64_C(1));
-    tangent_hertz_contact__solve_hertz_t(&v1, &v1_t, work, work_t, tables, point, layout__WORK_REGIONS, force, force_t, prescribed, prescribed_t);
+    tangent_hertz_contact__solve_hertz_t(&v1, &v1_t, work, work_t, tables, point, layout__WORK_CONTACT + layout__CONTACT_REGIONS, force, force_t, prescribed, prescribed_t);
     (*penetration_t) = v1_t;
     (*penetration) = v1;
     (*result_2) = INT64_C(1);
@@ -116,27 +116,27 @@ static inline int64_t tangent_hertz_contact__solve_hertz_t(double* penetration, 
     v16 = M_PI * half_length;
     area_t = M_PI * half_length_t * half_width + v16 * half_width_t;
     area = v16 * half_width;
-    tangent_filling__place_patch_t(work, work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES, region, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load_t;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area_t;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    tangent_filling__place_patch_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES, region, INT64_C(0), layout__RULE_ELLIPSE, (*cspan_at(&work, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__SIDE_OUTPUTS_CONTACT_ANGLE)));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = load;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = area;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)) = 0.0;
     v17 = 1.5 * load;
     v18 = v17 / area;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (1.5 * load_t - v18 * area_t) / area;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = v18;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length_t;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width_t;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width_t;
-    (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = (1.5 * load_t - v18 * area_t) / area;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = v18;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = half_length;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START)) = -half_width;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_WIDTH)) = 2.0 * half_width;
     tangent_filling__fill_single_t(work, work_t);
     return 0;
 }

@@ -18,7 +18,7 @@ static inline int64_t tangent_interpolation__quadratic_at_t(double* half_length,
     (*pressure) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         own_t = station_t - (*cspan_at(&work_t, region + layout__REGION_OFFSET));
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
         if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
@@ -77,9 +77,9 @@ static inline int64_t tangent_interpolation__between_strips_t(double* half_lengt
         x_t = u_t;
         x = u - (double)(low);
         inner = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP))) + outward * low;
-        before = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
-        here = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
-        after = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
+        before = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
+        here = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
+        after = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
         tangent_quadrature__quadratic_value_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), x, x_t);
         length_t = v3_t;
         length = v3;
@@ -135,7 +135,7 @@ static inline int64_t tangent_interpolation__straight_at_t(double* half_length, 
     low_pressure = 0.0;
     if (after > (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
     {
-        inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (after - INT64_C(1));
+        inner = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (after - INT64_C(1));
         low_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION));
         low = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION));
         low_length_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
@@ -151,7 +151,7 @@ static inline int64_t tangent_interpolation__straight_at_t(double* half_length, 
     high_pressure = 0.0;
     if (after <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST))))
     {
-        outer = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * after;
+        outer = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * after;
         high_t = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_STATION));
         high = (*cspan_at(&work, outer + layout__SOLVED_STRIP_STATION));
         high_length_t = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));

@@ -21,10 +21,10 @@ static inline int64_t tangent_mean_normal__rail_per_station_t(double* v3, double
     v2 = sqrt(v1);
     along_t = tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t);
     along = v2;
-    if (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0))
+    if (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0))
     {
-        along_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-        along = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        along_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        along = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     }
     (*v3) = 1.0 / along;
     (*result_1) = (-(*v3)) * along_t / along;

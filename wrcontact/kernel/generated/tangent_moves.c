@@ -18,10 +18,10 @@ static inline int64_t tangent_moves__move_to_station_t(array_double_1d work, arr
     int64_t i;
     int64_t n2;
     int64_t exists;
-    way_t = station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION));
-    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
-    spacing_t = (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_SPACING));
-    spacing = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_SPACING));
+    way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    spacing_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
+    spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
     exists = INT64_C(1);
     if (spacing == 0.0)
     {
@@ -63,13 +63,13 @@ static inline int64_t tangent_moves__arc_rule_t(array_double_1d work, array_doub
     double v3_t;
     double v4;
     int64_t exists;
-    start_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     n1 = moves__move_arc(work, tables, curve, length);
     exists = n1;
     if (exists == INT64_C(1))
     {
-        u = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+        u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
         v2 = curves__curve_speed(work, tables, curve, u);
         place_t = length_t / v2;
         place = length / v2;
@@ -85,8 +85,8 @@ static inline int64_t tangent_moves__arc_rule_t(array_double_1d work, array_doub
             place_t = place_t - v3_t / v4;
             place = place - v3 / v4;
         }
-        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = place_t;
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = place_t;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
 }
@@ -122,14 +122,14 @@ static inline int64_t tangent_moves__chord_rule_t(array_double_1d work, array_do
     double v5;
     double v6;
     int64_t exists;
-    start_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     tangent_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, start, start_t);
     n1 = moves__move_chord(work, tables, curve, chord);
     exists = n1;
     if (exists == INT64_C(1))
     {
-        u = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+        u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
         tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, curve, u, 0.0);
         across_t = across_t - from_across_t;
         across = across - from_across;
@@ -144,8 +144,8 @@ static inline int64_t tangent_moves__chord_rule_t(array_double_1d work, array_do
         along = v4 * stretch;
         v5 = -(length - fabs(chord));
         v6 = length / along;
-        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = (-(length_t - tangent_rates__size_rate(chord, chord_t))) * v6;
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = (-(length_t - tangent_rates__size_rate(chord, chord_t))) * v6;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
 }
@@ -171,11 +171,11 @@ static inline int64_t tangent_moves__across_rule_t(array_double_1d work, array_d
     exists = n1;
     if (exists == INT64_C(1))
     {
-        u = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, u, 0.0);
         v2 = -(across - lateral);
-        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = (-(across_t - lateral_t)) / stretch;
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = (-(across_t - lateral_t)) / stretch;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
 }

@@ -82,7 +82,7 @@ static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, doubl
 }
 
 /* Tangent of ``prepare_regions``. */
-static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double enlarge, double enlarge_t)
+static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t)
 {
     int64_t i;
     int64_t region;
@@ -90,20 +90,20 @@ static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d tab
     double v1_t;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        tangent_planes__enter_plane_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i, i);
-        tangent_widths__measure_widths_t(tables, work, work_t, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), node_layout__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        tangent_planes__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
+        tangent_widths__measure_widths_t(work, work_t, tables, state, region, node_layout__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), node_layout__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
         tangent_node_layout__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
         (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
-        tangent_node_layout__prepare_nodes_t(tables, work, work_t, state, region, layout__WORK_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
-        tangent_planes__leave_plane_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * i);
+        tangent_node_layout__prepare_nodes_t(work, work_t, tables, state, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
+        tangent_planes__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     return INT64_C(0);
 }
 
 /* Tangent of ``prepare_nodes``. */
-static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
 {
     int64_t yawed;
     double reach_t;
@@ -132,16 +132,16 @@ static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d table
     tangent_node_layout__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
     high_reach_t = reach_t * v2 + reach * v2_t;
     high_reach = reach * v2;
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (yawed == INT64_C(1)))
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (yawed == INT64_C(1)))
     {
         v3 = (double)(nodes__node_stride(tables));
         v4 = (*cspan_at(&work, region + layout__REGION_SPACING)) * v3;
-        (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
-    tangent_nodes__lay_nodes_t(tables, work, work_t, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
+    tangent_nodes__lay_nodes_t(work, work_t, tables, state, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     tangent_node_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
         tangent_mean_normal__mean_normal_t(work, work_t, tables, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     }

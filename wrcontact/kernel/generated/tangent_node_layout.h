@@ -22,7 +22,7 @@
 
 static inline int64_t tangent_node_layout__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t);
 static inline int64_t tangent_node_layout__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t);
-static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
-static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t count, double enlarge, double enlarge_t);
+static inline int64_t tangent_node_layout__prepare_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double enlarge, double enlarge_t);
+static inline int64_t tangent_node_layout__prepare_regions_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double enlarge, double enlarge_t);
 
 #endif

@@ -19,7 +19,7 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
     strips = INT64_C(0);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = 0.0;
         (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
         (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = 0.0;
@@ -28,14 +28,14 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
         {
             (*cspan_at(&work_t, region + layout__REGION_STRIP)) = 0.0;
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
-            tangent_node_patches__fill_strips_t(work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * index);
+            tangent_node_patches__fill_strips_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
             angle_t = -((*cspan_at(&work_t, region + layout__REGION_INCLINATION)) / (1.0 + (*cspan_at(&work, region + layout__REGION_INCLINATION)) * (*cspan_at(&work, region + layout__REGION_INCLINATION))));
             angle = -atan((*cspan_at(&work, region + layout__REGION_INCLINATION)));
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                tangent_node_patches__add_cell_t(work, work_t, region, layout__WORK_NODES + layout__NODES_SIZE * index, k, angle, angle_t);
+                tangent_node_patches__add_cell_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, k, angle, angle_t);
             }
         }
     }
@@ -88,7 +88,7 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
-        strip = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
+        strip = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
         d_t = deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
         d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
         load_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d_t;
@@ -115,10 +115,10 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
         (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
     }
-    k6 = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH;
+    k6 = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH;
     (*cspan_at(&work_t, k6)) = 0.5 * spacing_t;
     (*cspan_at(&work, k6)) = 0.5 * spacing;
-    k7 = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH;
+    k7 = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH;
     (*cspan_at(&work_t, k7)) = 0.5 * spacing_t;
     (*cspan_at(&work, k7)) = 0.5 * spacing;
     return INT64_C(0);
@@ -173,8 +173,8 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
         stop = v1;
     }
     strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-    inner = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
-    outer = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
+    inner = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
+    outer = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
     if ((start > 0.0) || (stop < 1.0))
     {
         tangent_node_patches__narrow_strips_t(work, work_t, inner, outer, start, start_t, stop, stop_t, spacing, spacing_t);
@@ -194,13 +194,13 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
         }
         n2 = tangent_node_patches__patch_from_t(work, work_t, region, begin, begin_t, strip + k, contact_angle, contact_angle_t);
         index = n2;
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end_t;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
         (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strip + k + INT64_C(1));
         v3 = (double)(outward);
-        tangent_node_patches__add_load_t(work, work_t, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        tangent_node_patches__add_load_t(work, work_t, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
         tangent_node_patches__keep_largest_t(work, work_t, strip + low);
     }
     return INT64_C(0);
@@ -248,11 +248,11 @@ static inline int64_t tangent_node_patches__patch_from_t(array_double_1d work, a
     int64_t last;
     int64_t n1;
     int64_t index;
-    index = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1);
+    index = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) - INT64_C(1);
     joined = INT64_C(0);
     if (index >= INT64_C(0))
     {
-        last = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        last = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         if (start - (*cspan_at(&work, last + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
         {
             joined = INT64_C(1);
@@ -339,20 +339,20 @@ static inline int64_t tangent_node_patches__keep_largest_t(array_double_1d work,
     double v1_t;
     double v2;
     double v2_t;
-    low = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
-    here = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
-    high = layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
-    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)))
+    low = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
+    here = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
+    high = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)))
     {
         tangent_node_patches__peak_square_t(&v1, &v1_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v1_t;
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v1;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v1_t;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_HALF_LENGTH_SQUARE)) = v1;
     }
-    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)))
+    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)))
     {
         tangent_node_patches__peak_square_t(&v2, &v2_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
-        (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = v2_t;
-        (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = v2;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = v2_t;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PRESSURE_SQUARE)) = v2;
     }
     return INT64_C(0);
 }

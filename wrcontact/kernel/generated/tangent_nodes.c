@@ -19,7 +19,7 @@ static inline int64_t tangent_nodes__trace_tolerance_t(double* tolerance, double
 }
 
 /* Tangent of ``lay_nodes``. */
-static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
+static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
 {
     double v1;
     double v1_t;
@@ -47,15 +47,15 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        tangent_lateral_curvature__relative_curvature_t(&v2, &v2_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2_t;
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v2;
     }
-    n3 = tangent_nodes__lay_side_nodes_t(tables, work, work_t, state, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
+    n3 = tangent_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
     before = n3;
     (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    n4 = tangent_nodes__lay_side_nodes_t(tables, work, work_t, state, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
+    n4 = tangent_nodes__lay_side_nodes_t(work, work_t, tables, state, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
     after = n4;
     (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
@@ -63,7 +63,7 @@ static inline int64_t tangent_nodes__lay_nodes_t(array_double_1d tables, array_d
 }
 
 /* Tangent of ``trace_node``. */
-static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t at)
 {
     double v1;
     double station_t;
@@ -89,7 +89,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            tangent_lateral_curvature__relative_curvature_t(&v3, &v3_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
             (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v3_t;
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v3;
         }
@@ -98,7 +98,7 @@ static inline int64_t tangent_nodes__trace_node_t(double* gap, double* gap_t, do
 }
 
 /* Tangent of ``lay_side_nodes``. */
-static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
+static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
 {
     int64_t stride;
     int64_t window;
@@ -131,12 +131,12 @@ static inline int64_t tangent_nodes__lay_side_nodes_t(array_double_1d tables, ar
     {
         if ((k == traced) && (ended == INT64_C(0)))
         {
-            tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, state, region, nodes, direction * (traced + step));
+            tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
             if ((gap >= contact_plane__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
                 tangent_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, state, region, nodes, direction * (traced + step));
+                tangent_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, work, work_t, tables, state, region, nodes, direction * (traced + step));
             }
             if (gap >= contact_plane__NO_GAP)
             {

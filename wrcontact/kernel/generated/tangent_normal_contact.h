@@ -12,6 +12,6 @@
 #include "tangent_hertz_contact.h"
 #include "tangent_strip_contact.h"
 
-static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, int64_t point, double force, double force_t, double prescribed, double prescribed_t);
+static inline int64_t tangent_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, int64_t point, double force, double force_t, double prescribed, double prescribed_t);
 
 #endif

@@ -21,12 +21,12 @@ static inline int64_t tangent_outline__fill_outline_t(array_double_1d work, arra
 static inline int64_t tangent_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t count)
 {
     int64_t rule;
-    if ((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))) > INT64_C(0))
     {
-        rule = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE)));
+        rule = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RULE)));
         if (rule == layout__RULE_ELLIPSE)
         {
-            tangent_outline__write_ellipse_t(work, work_t, outline, stations, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS);
+            tangent_outline__write_ellipse_t(work, work_t, outline, stations, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS);
         }
         else if (rule == layout__RULE_QUADRATIC)
         {
@@ -94,14 +94,14 @@ static inline int64_t tangent_outline__write_quadratic_t(array_double_1d work, a
     double half_length;
     double pressure_t;
     double pressure;
-    start_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
-    stop_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
-    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
-    largest_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    largest = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    peak_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
-    peak = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    stop = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    largest_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    largest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    peak_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    peak = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         v1 = stop - start;
@@ -159,10 +159,10 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
     double pressure_t;
     double pressure;
     int64_t patch;
-    start_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
-    start = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
-    stop_t = (*cspan_at(&work_t, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
-    stop = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_START));
+    stop_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
+    stop = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_STOP));
     index = INT64_C(0);
     strip = INT64_C(0);
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
@@ -178,14 +178,14 @@ static inline int64_t tangent_outline__write_straight_t(array_double_1d work, ar
         pressure_t = 0.0;
         pressure = 0.0;
         index = outline__patch_beside(work, index, station);
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
         {
             if (strip < (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST))))
             {
                 strip = (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)));
             }
-            while((strip <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
+            while((strip <= (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
             {
                 strip = strip + INT64_C(1);
             }

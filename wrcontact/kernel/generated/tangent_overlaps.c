@@ -59,7 +59,7 @@ static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d work, ar
     count = n1;
     for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
     {
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         tangent_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &found, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t);
         (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = x_t;
         (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = y_t;
@@ -67,8 +67,8 @@ static inline int64_t tangent_overlaps__overlaps_rule_t(array_double_1d work, ar
     }
     for (entry = INT64_C(0); entry < count - INT64_C(1); entry += INT64_C(1))
     {
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
         v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
         tangent_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, &found, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t);
         (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;

@@ -250,8 +250,8 @@ static inline int64_t tangent_pressed__mean_bend_t(double* result_0, double* res
     double v1;
     double v2;
     double v3;
-    blur_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_BLUR));
-    blur = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_BLUR));
+    blur_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
+    blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
         wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
@@ -310,9 +310,9 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     double v3;
     (*cspan_at(&state, layout__STATE_NODE_COUNT)) = (*cspan_at(&state, layout__STATE_NODE_COUNT)) + 1.0;
     rail = (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL)));
-    way_t = station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION));
-    way = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
-    tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    tangent_arc_length__rail_abscissa_t(&v1, &v1_t, tables, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
     abscissa_t = v1_t;
     abscissa = v1;
     (*gap_t) = 0.0;
@@ -325,14 +325,14 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
-        trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
+        trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate_t = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)));
+        tangent_pressed__line_rule_t(&y, &y_t, &overlap, &overlap_t, &rise, &rise_t, &rise_rate, &rise_rate_t, &found_curvature, &found_curvature_t, &found, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)));
         if (found == INT64_C(1))
         {
-            (*gap_t) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap_t;
-            (*gap) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) - overlap;
+            (*gap_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap_t;
+            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - overlap;
             (*rate_t) = -rise_t;
             (*rate) = -rise;
             (*bend_t) = -rise_rate_t;
@@ -348,10 +348,10 @@ static inline int64_t tangent_pressed__pressed_gap_t(double* gap, double* gap_t,
             }
             (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t;
             (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y;
-            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-            (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)) = station_t;
-            (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
         }
     }
     return 0;

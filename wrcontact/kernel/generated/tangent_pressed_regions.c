@@ -35,14 +35,14 @@ static inline int64_t tangent_pressed_regions__touching_shift_t(double* result_0
 /* Tangent of ``press_frame``. */
 static inline int64_t tangent_pressed_regions__press_frame_t(array_double_1d work, array_double_1d work_t, double height, double height_t, double depth, double depth_t, double gap, double gap_t)
 {
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT)) = height;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) = depth_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PRESSED)) = 0.0;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) = (double)(1);
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAISED)) = gap_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAISED)) = gap;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(1);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap;
     return INT64_C(0);
 }
 
@@ -94,16 +94,16 @@ static inline int64_t tangent_pressed_regions__give_own_frame_t(array_double_1d 
     double v6;
     double v7;
     double v7_t;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    abscissa_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    height_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    height = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_HEIGHT));
-    depth_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH));
-    depth = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
-    tangent_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), point);
-    tangent_contact_plane__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    abscissa_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
+    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
+    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    tangent_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
+    tangent_contact_plane__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     v6 = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
@@ -142,13 +142,13 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
     double v2;
     double v2_t;
     int64_t count;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     contact = deep_points__deepest_entry(work);
     tangent_planes__keep_frame_t(work, work_t, layout__REGION_LIMIT);
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * index;
-        point = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
         tangent_pressed_regions__open_pressed_region_t(work, work_t, tables, region, point);
         if (index != contact)
         {
@@ -166,8 +166,8 @@ static inline int64_t tangent_pressed_regions__gather_overlaps_t(array_double_1d
         high = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP));
         if (index > INT64_C(0))
         {
-            low_t = (*cspan_at(&work_t, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
-            low = (*cspan_at(&work, layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
+            low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
+            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE));
         }
         if (index < count - INT64_C(1))
         {

@@ -102,15 +102,15 @@ static inline int64_t tangent_regions__open_region_t(double* found, double* foun
     (*cspan_at(&work, region + layout__REGION_STATION)) = station;
     (*cspan_at(&work_t, region + layout__REGION_GAP)) = gap_t;
     (*cspan_at(&work, region + layout__REGION_GAP)) = gap;
-    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
     (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
     (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
     (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     tangent_regions__incline_region_t(work, work_t, tables, region, slope, slope_t);
     return 0;
 }
@@ -167,10 +167,10 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d wor
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
     (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
     (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
     (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
     (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
@@ -179,8 +179,8 @@ static inline int64_t tangent_regions__open_contact_region_t(array_double_1d wor
     (*cspan_at(&work, region + layout__REGION_LOW)) = -regions__BEYOND;
     (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_HIGH)) = regions__BEYOND;
-    v1 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    tangent_regions__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    tangent_regions__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     return INT64_C(0);
 }
 
@@ -210,10 +210,10 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d work, arra
     int64_t count;
     count = INT64_C(1);
     v1 = 2.0 * level;
-    v2 = v1 / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    reach_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    v2 = v1 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    reach_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + (2.0 * level_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     reach = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + v2;
-    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+    smallest_gap__list_minima(work, tables, side, state, reach, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     i_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_LAST))) + INT64_C(1);
     for (i = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_FIRST))); i < i_end; i += INT64_C(1))
     {
@@ -224,12 +224,12 @@ static inline int64_t tangent_regions__find_regions_t(array_double_1d work, arra
             abscissa_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             abscissa = (*cspan_at(&work, side + layout__SIDE_SEARCH_CANDIDATES + layout__CANDIDATE_SIZE * i + layout__CANDIDATE_RAIL));
             tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-            v3 = abscissa - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-            v4 = height - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-            station_t = (abscissa_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v3 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + v4 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-            station = v3 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+            v3 = abscissa - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+            v4 = height - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+            station_t = (abscissa_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v3 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+            station = v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
             tangent_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
-            tangent_regions__minimum_rule_t(&n5, &n5_t, work, work_t, tables, layout__WORK_REGIONS + layout__REGION_SIZE * count, state, station, station_t);
+            tangent_regions__minimum_rule_t(&n5, &n5_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * count, state, station, station_t);
             if (n5 < level)
             {
                 if (regions__is_new(work, count) == INT64_C(1))
@@ -259,21 +259,21 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d work, arr
     {
         for (j = INT64_C(0); j < count - INT64_C(1) - i; j += INT64_C(1))
         {
-            if ((*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * j + layout__REGION_STATION)) > (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)) + layout__REGION_STATION)))
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)) + layout__REGION_STATION)))
             {
-                tangent_regions__swap_regions_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
+                tangent_regions__swap_regions_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
         }
     }
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_LOW)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_LOW)) = -regions__BEYOND;
-    (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOW)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOW)) = -regions__BEYOND;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
     i = INT64_C(0);
     while(i < count - INT64_C(1))
     {
-        low = layout__WORK_REGIONS + layout__REGION_SIZE * i;
-        high = layout__WORK_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
+        low = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
+        high = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (i + INT64_C(1));
         tangent_regions__saddle_rule_t(&station, &station_t, &gap, &gap_t, work, work_t, tables, low, high, state);
         if (gap < regions__MERGE * level)
         {
@@ -287,11 +287,11 @@ static inline int64_t tangent_regions__bound_regions_t(array_double_1d work, arr
             }
             for (j = i + INT64_C(1); j < count - INT64_C(1); j += INT64_C(1))
             {
-                tangent_regions__swap_regions_t(work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * j, layout__WORK_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
+                tangent_regions__swap_regions_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (j + INT64_C(1)));
             }
             count = count - INT64_C(1);
-            (*cspan_at(&work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
-            (*cspan_at(&work, layout__WORK_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = 0.0;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (count - INT64_C(1)) + layout__REGION_HIGH)) = regions__BEYOND;
         }
         else
         {
@@ -347,7 +347,7 @@ static inline int64_t tangent_regions__minimum_rule_t(double* found, double* fou
     {
         place_t = 0.0;
         place = (*cspan_at(&work, region + layout__REGION_STATION));
-        tangent_traces__start_traces_t(work, work_t, place, place_t, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
+        tangent_traces__start_traces_t(work, work_t, place, place_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
         tangent_contact_plane__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, place, place_t, regions__PLACE_TRACE, 0.0);
         v2 = -rate;
         place_t = (-rate_t) / bend;
@@ -382,9 +382,9 @@ static inline int64_t tangent_regions__saddle_rule_t(double* station, double* st
     v1 = ((*station) - (*cspan_at(&work, low + layout__REGION_STATION))) / way;
     place_t = (*cspan_at(&work_t, low + layout__REGION_STATION)) + way_t * v1;
     place = (*cspan_at(&work, low + layout__REGION_STATION)) + way * v1;
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) == (*station))
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) == (*station))
     {
-        tangent_traces__start_traces_t(work, work_t, (*station), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
+        tangent_traces__start_traces_t(work, work_t, (*station), 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), 0.0);
         tangent_contact_plane__normal_gap_t(&saddle, &saddle_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, work, work_t, tables, state, (*station), 0.0, regions__PLACE_TRACE, 0.0);
         if ((bend < 0.0) && (fabs(rate) < (-10.0) * regions__PLACE_SHARP * bend))
         {

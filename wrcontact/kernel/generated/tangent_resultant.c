@@ -57,14 +57,14 @@ static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, ar
     double v10;
     double force_z_t;
     double force_z;
-    block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+    block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
     load_t = (*cspan_at(&work_t, block + layout__REGION_CARRIED));
     load = (*cspan_at(&work, block + layout__REGION_CARRIED));
     if (load > 0.0)
     {
-        cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
+        cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
         {
             v1 = 1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION));
             v2 = sqrt(v1);
@@ -85,7 +85,7 @@ static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, ar
         normal_cos = v7;
         normal_sin_t = slope_t * normal_cos + slope * normal_cos_t;
         normal_sin = slope * normal_cos;
-        if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
         {
             normal_cos_t = (*cspan_at(&work_t, block + layout__REGION_COS));
             normal_cos = (*cspan_at(&work, block + layout__REGION_COS));

@@ -35,21 +35,21 @@ static inline int64_t tangent_separation__vertical_rise_t(double* result_0, doub
     double v3;
     double v4;
     double v5;
-    per_station_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    per_station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    v1 = station - (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_STATION));
-    lateral_t = (station_t - (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * per_station_t;
+    per_station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    v1 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION));
+    lateral_t = (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * per_station_t;
     lateral = v1 * per_station;
     n2 = tangent_moves__across_rule_t(work, work_t, tables, lateral, lateral_t);
     (*exists) = n2;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
-    if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
+    if (curves__within(tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
     {
         (*exists) = INT64_C(0);
     }
-    tangent_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    tangent_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     v3 = bend / stretch;
     bend_t = rail_bend_t - (bend_t - v3 * stretch_t) / stretch;
     bend = rail_bend - v3;
@@ -127,7 +127,7 @@ static inline int64_t tangent_separation__equidistant_rise_t(double* result_0, d
     on_rail = n1;
     n2 = tangent_moves__move_to_station_t(work, work_t, tables, layout__WHEEL, station, station_t);
     on_wheel = n2;
-    tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
@@ -139,7 +139,7 @@ static inline int64_t tangent_separation__equidistant_rise_t(double* result_0, d
     v7 = v6 * rail_cos;
     rail_curvature_t = ((bend_t * rail_cos + bend * rail_cos_t) * rail_cos + v6 * rail_cos_t) * rail_cos + v7 * rail_cos_t;
     rail_curvature = v7 * rail_cos;
-    tangent_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    tangent_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, tables, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     v8 = 1.0 + slope * slope;
     v9 = sqrt(v8);
     v10 = 1.0 / v9;
@@ -216,27 +216,27 @@ static inline int64_t tangent_separation__depth_lost_t(double* result_0, double*
     double v8;
     double v9;
     double v10;
-    tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    tangent_profile_table__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
     cosine_t = (-v3) * tangent_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
     cosine = v3;
-    v4 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    along_t = cosine_t * v4 + cosine * ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
+    v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    along_t = cosine_t * v4 + cosine * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
     along = cosine * v4;
-    v5 = slope * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    across_t = cosine_t * v5 + cosine * (slope_t * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    v5 = slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    across_t = cosine_t * v5 + cosine * (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
     across = cosine * v5;
     v6 = 1.0 - along;
-    v7 = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across;
+    v7 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across;
     v8 = v7 * bend;
     v9 = v8 * cosine;
     v10 = v9 * cosine;
-    (*result_0) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * v6;
-    (*result_1) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) * v6 + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * (-along_t);
+    (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6;
+    (*result_1) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6 + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * (-along_t);
     (*result_2) = v10 * cosine;
-    (*result_3) = (((((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH)) * across_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t;
+    (*result_3) = (((((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t;
     return 0;
 }
 
@@ -269,11 +269,11 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
     {
         tangent_separation__equidistant_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, work, work_t, tables, station, station_t);
     }
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)) = station_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
-    (*gap_t) = (*gap_t) + (*cspan_at(&work_t, layout__WORK_ORIGIN + layout__ORIGIN_GAP));
-    (*gap) = (*gap) + (*cspan_at(&work, layout__WORK_ORIGIN + layout__ORIGIN_GAP));
-    if (((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+    (*gap_t) = (*gap_t) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
+    (*gap) = (*gap) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
         tangent_separation__depth_lost_t(&lost, &lost_t, &more, &more_t, work, work_t, tables);
         (*gap_t) = (*gap_t) + lost_t;
@@ -286,13 +286,13 @@ static inline int64_t tangent_separation__moved_separation_t(double* gap, double
         (*gap_t) = 0.0;
         (*gap) = contact_plane__NO_GAP;
     }
-    y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     tangent_profile_table__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), y, y_t);
     tangent_pressed__mean_bend_t(&v1, &v1_t, work, work_t, tables, y, y_t, wheel_bend, wheel_bend_t);
     wheel_bend_t = v1_t;
     wheel_bend = v1;
-    tangent_longitudinal_curvature__longitudinal_curvature_t(&v2, &v2_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
+    tangent_longitudinal_curvature__longitudinal_curvature_t(&v2, &v2_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
     (*curvature_t) = v2_t;
     (*curvature) = v2;
     return 0;
@@ -303,7 +303,7 @@ static inline int64_t tangent_separation__separation_t(double* gap, double* gap_
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)))
+    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
     {
         tangent_contact_plane__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, work, work_t, tables, state, station, station_t, tolerance, tolerance_t);
     }

@@ -30,7 +30,7 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     int64_t outline;
     int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, tables, work, work_t, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
+    tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, work, work_t, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
     if (satisfied == INT64_C(0))
@@ -125,7 +125,7 @@ static inline int64_t tangent_side__press_side_t(array_double_1d tables, array_d
     {
         return layout__OFF_PROFILE;
     }
-    deepest = layout__WORK_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     tangent_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, work, work_t, tables, side + layout__SIDE_SEARCH_PLACE, deepest);
     tangent_contact_point__describe_contact_t(tables, work, work_t, state, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     tangent_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
@@ -157,7 +157,7 @@ static inline int64_t tangent_side__side_lever_t(double* lever, double* lever_t,
     weight = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
-        block = layout__WORK_REGIONS + layout__REGION_SIZE * region;
+        block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
         v1 = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE));
         stiffness_t = ((*cspan_at(&work_t, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) + (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work_t, block + layout__REGION_SHARE))) * (*cspan_at(&work, block + layout__REGION_COS)) + v1 * (*cspan_at(&work_t, block + layout__REGION_COS));
         stiffness = v1 * (*cspan_at(&work, block + layout__REGION_COS));

@@ -6,7 +6,7 @@
 #include "tangent_strip_contact.h"
 
 /* Tangent of ``strip_contact``. */
-static inline int64_t tangent_strip_contact__strip_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t tangent_strip_contact__strip_contact_t(double* penetration, double* penetration_t, int64_t* count, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     int64_t by_penetration;
     by_penetration = INT64_C(0);
@@ -14,7 +14,7 @@ static inline int64_t tangent_strip_contact__strip_contact_t(double* penetration
     {
         by_penetration = INT64_C(1);
     }
-    tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, tables, work, work_t, state, side, force, force_t, prescribed, prescribed_t);
+    tangent_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, work, work_t, tables, state, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) == INT64_C(1))
     {
         tangent_planes__locate_along_track_t(work, work_t, tables, (*count));

@@ -22,11 +22,11 @@ static inline int64_t tangent_strip_edges__run_edge_t(double* edge, double* edge
     double v3;
     double reach_t;
     double reach;
-    station_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    station = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
+    station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
+    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
     v1 = 0.5 * (double)(outward);
-    (*edge_t) = station_t + v1 * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    (*edge) = station + v1 * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    (*edge_t) = station_t + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    (*edge) = station + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
     if (last != first)
     {
         limit_t = (*edge_t);
@@ -39,22 +39,22 @@ static inline int64_t tangent_strip_edges__run_edge_t(double* edge, double* edge
         }
         if ((after >= INT64_C(0)) && (after < count))
         {
-            if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
             {
-                limit_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-                limit = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
+                limit_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
+                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
             }
         }
         inner = last - outward;
-        fall_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        fall = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
+        fall_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
+        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
         (*edge_t) = limit_t;
         (*edge) = limit;
         if (fall > 0.0)
         {
-            v2 = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall;
-            v3 = station - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION));
-            reach_t = ((*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) - v2 * fall_t) / fall * v3 + v2 * (station_t - (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
+            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall;
+            v3 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION));
+            reach_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) - v2 * fall_t) / fall * v3 + v2 * (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
             reach = v2 * v3;
             if (reach * (double)(outward) < (limit - station) * (double)(outward))
             {
@@ -80,12 +80,12 @@ static inline int64_t tangent_strip_edges__fit_edges_t(array_double_1d work, arr
     double v2_t;
     double stop_t;
     double stop;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     first = INT64_C(0);
     while(first < count)
     {
         last = first;
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
         {
             last = strip_edges__run_end(work, count, first);
             if (last > first + INT64_C(2))
@@ -127,11 +127,11 @@ static inline int64_t tangent_strip_edges__fit_edge_t(array_double_1d work, arra
     double near_t;
     double near;
     direction = (double)(outward);
-    width_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    width = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    width_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
     v1 = 0.5 * direction;
-    inner_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - v1 * width_t;
-    inner = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - v1 * width;
+    inner_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - v1 * width_t;
+    inner = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - v1 * width;
     outer_t = inner_t + direction * width_t;
     outer = inner + direction * width;
     beyond = last + outward;
@@ -141,9 +141,9 @@ static inline int64_t tangent_strip_edges__fit_edge_t(array_double_1d work, arra
         pair = beyond;
     }
     touching = INT64_C(0);
-    if ((pair >= INT64_C(0)) && (pair < (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
+    if ((pair >= INT64_C(0)) && (pair < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
         {
             touching = INT64_C(1);
         }
@@ -154,8 +154,8 @@ static inline int64_t tangent_strip_edges__fit_edge_t(array_double_1d work, arra
         if (((edge - outer) * direction > 0.0) && (touching == INT64_C(1)))
         {
             v2 = 0.5 * direction;
-            far_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_STATION)) + v2 * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_WIDTH));
-            far = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_STATION)) + v2 * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_WIDTH));
+            far_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_STATION)) + v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_WIDTH));
+            far = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_STATION)) + v2 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * beyond + layout__STRIP_WIDTH));
             tangent_strip_edges__move_strip_t(work, work_t, beyond, edge, edge_t, far, far_t);
         }
     }
@@ -163,12 +163,12 @@ static inline int64_t tangent_strip_edges__fit_edge_t(array_double_1d work, arra
     {
         before = last - outward;
         v3 = 0.5 * direction;
-        near_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION)) - v3 * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_WIDTH));
-        near = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION)) - v3 * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_WIDTH));
+        near_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION)) - v3 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_WIDTH));
+        near = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION)) - v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_WIDTH));
         tangent_strip_edges__move_strip_t(work, work_t, before, near, near_t, edge, edge_t);
         tangent_strip_edges__move_strip_t(work, work_t, last, edge, edge_t, outer, outer_t);
-        (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LOADED)) = (double)(0);
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LOADED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LOADED)) = (double)(0);
     }
     return INT64_C(0);
 }
@@ -183,16 +183,16 @@ static inline int64_t tangent_strip_edges__move_strip_t(array_double_1d work, ar
     int64_t k;
     double x;
     double x_t;
-    strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     v1 = stop - start;
     (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = tangent_rates__size_rate(v1, stop_t - start_t);
     (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = fabs(v1);
     v2 = start + stop;
     (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = 0.5 * (start_t + stop_t);
     (*cspan_at(&work, strip + layout__STRIP_STATION)) = 0.5 * v2;
-    region = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
     tangent_strip_surfaces__node_cell_t(&k, &x, &x_t, work, work_t, strip, region);
-    tangent_strip_surfaces__read_surfaces_t(work, work_t, strip, region, layout__WORK_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), k, x, x_t);
-    tangent_strip_influence__measure_distances_t(work, work_t, i, (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
+    tangent_strip_surfaces__read_surfaces_t(work, work_t, strip, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), k, x, x_t);
+    tangent_strip_influence__measure_distances_t(work, work_t, i, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     return INT64_C(0);
 }

@@ -22,18 +22,18 @@ static inline int64_t tangent_strip_influence__measure_distances_t(array_double_
     double v4;
     double distance_t;
     double distance;
-    strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     for (j = INT64_C(0); j < others; j += INT64_C(1))
     {
         if (j != i)
         {
-            other = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
             v1 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, other + layout__STRIP_STATION));
             apart_t = tangent_rates__size_rate(v1, (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, other + layout__STRIP_STATION)));
             apart = fabs(v1);
             if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))))
             {
-                tangent_interaction__region_lead_t(&v2, &v2_t, work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))));
+                tangent_interaction__region_lead_t(&v2, &v2_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, other + layout__STRIP_REGION))));
                 lead_t = v2_t;
                 lead = v2;
                 v3 = apart * apart + lead * lead;
@@ -43,10 +43,10 @@ static inline int64_t tangent_strip_influence__measure_distances_t(array_double_
             }
             distance_t = apart_t / apart;
             distance = log(apart);
-            (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance_t;
-            (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance;
-            (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance_t;
-            (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i + j)) = distance;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * j + i)) = distance;
         }
     }
     return INT64_C(0);
@@ -128,16 +128,16 @@ static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d
     double v7;
     double v8;
     double v9;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        row = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-        distances = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+        distances = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_DISTANCES + INT64_C(104) * i;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             if (j != i)
             {
-                tangent_strip_influence__line_influence_t(&v1, &v1_t, tables, table, (*cspan_at(&work, distances + j)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)), (*cspan_at(&work_t, distances + j)) - (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)));
+                tangent_strip_influence__line_influence_t(&v1, &v1_t, tables, table, (*cspan_at(&work, distances + j)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)), (*cspan_at(&work_t, distances + j)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_LOG_HALF_LENGTH)));
                 (*cspan_at(&work_t, row + j)) = v1_t;
                 (*cspan_at(&work, row + j)) = v1;
             }
@@ -146,22 +146,22 @@ static inline int64_t tangent_strip_influence__fill_influences_t(array_double_1d
         {
             if ((j >= INT64_C(0)) && (j < count) && (j != i))
             {
-                v3 = 0.5 * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH));
-                v4 = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION));
+                v3 = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH));
+                v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION));
                 v5 = fabs(v4);
                 v6 = v3 / v5;
-                tangent_strip_influence__near_share_t(&v2, &v2_t, v6, (0.5 * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH)) - v6 * tangent_rates__size_rate(v4, (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION)))) / v5);
+                tangent_strip_influence__near_share_t(&v2, &v2_t, v6, (0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_WIDTH)) - v6 * tangent_rates__size_rate(v4, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_STATION)))) / v5);
                 (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) + v2_t;
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) + v2;
             }
         }
-        v7 = 8.0 * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-        v8 = v7 / (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
+        v7 = 8.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
+        v8 = v7 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
         v9 = log(v8);
-        (*cspan_at(&work_t, row + i)) = 2.0 * ((8.0 * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) - v8 * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH))) / (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) / v8);
+        (*cspan_at(&work_t, row + i)) = 2.0 * ((8.0 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) - v8 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) / v8);
         (*cspan_at(&work, row + i)) = 2.0 * v9;
     }
-    if ((int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (count - INT64_C(1)) + layout__STRIP_REGION))))
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (count - INT64_C(1)) + layout__STRIP_REGION))))
     {
         tangent_strip_influence__turn_influences_t(work, work_t, count);
     }
@@ -179,11 +179,11 @@ static inline int64_t tangent_strip_influence__turn_influences_t(array_double_1d
     {
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            if ((int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_REGION))))
+            if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))) != (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_REGION))))
             {
-                tangent_interaction__planes_cosine_t(&v1, &v1_t, work, work_t, layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_REGION))));
-                (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1 + (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1_t;
-                (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1;
+                tangent_interaction__planes_cosine_t(&v1, &v1_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_REGION))));
+                (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1 + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1_t;
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) * v1;
             }
         }
     }

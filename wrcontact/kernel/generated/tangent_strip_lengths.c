@@ -48,11 +48,11 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
     double v15;
     double v16;
     double v17;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         line_load_t = 0.0;
         line_load = 0.0;
         square_t = 0.0;
@@ -70,10 +70,10 @@ static inline int64_t tangent_strip_lengths__correct_lengths_t(array_double_1d w
             line_load = v3;
             bend_t = 0.0;
             bend = 0.0;
-            row = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
             for (j = INT64_C(0); j < count; j += INT64_C(1))
             {
-                other = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
                 away_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, other + layout__STRIP_STATION));
                 away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, other + layout__STRIP_STATION));
                 v4 = (*cspan_at(&work, row + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
@@ -123,12 +123,12 @@ static inline int64_t tangent_strip_lengths__adopt_lengths_t(array_double_1d wor
     double v1;
     double half_t;
     double half;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     longest_t = 0.0;
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) > 0.0)
         {
             v1 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));

@@ -60,13 +60,13 @@ static inline int64_t tangent_strip_pressures__list_loaded_t(array_double_1d wor
     int64_t i;
     int64_t size;
     size = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
         {
-            (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = 0.0;
-            (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = 0.0;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
             size = size + INT64_C(1);
         }
     }
@@ -84,19 +84,19 @@ static inline int64_t tangent_strip_pressures__write_equations_t(array_double_1d
     int64_t k1;
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        row = layout__WORK_EQUATIONS + INT64_C(106) * rank;
-        i = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        influences = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        i = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        influences = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
         for (other = INT64_C(0); other < size; other += INT64_C(1))
         {
-            k1 = influences + (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)));
+            k1 = influences + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)));
             (*cspan_at(&work_t, row + other)) = (*cspan_at(&work_t, k1));
             (*cspan_at(&work, row + other)) = (*cspan_at(&work, k1));
         }
-        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
-        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
-        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PENETRATION_SHARE));
+        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
     }
     return INT64_C(0);
 }
@@ -122,9 +122,9 @@ static inline int64_t tangent_strip_pressures__equilibrium_penetration_t(double*
     rest_load = 0.0;
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        row = layout__WORK_EQUATIONS + INT64_C(106) * rank;
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        k1 = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) + layout__REGION_SHARE;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        k1 = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) + layout__REGION_SHARE;
         half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, k1)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, k1));
         half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, k1));
         unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, row + size)) + half * (*cspan_at(&work_t, row + size)));
@@ -147,16 +147,16 @@ static inline int64_t tangent_strip_pressures__read_solution_t(array_double_1d w
     int64_t rank;
     int64_t row;
     int64_t k1;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
     }
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
-        row = layout__WORK_EQUATIONS + INT64_C(106) * rank;
-        k1 = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
+        k1 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y;
         (*cspan_at(&work_t, k1)) = penetration_t * (*cspan_at(&work, row + size)) + penetration * (*cspan_at(&work_t, row + size)) - (*cspan_at(&work_t, row + (size + INT64_C(1))));
         (*cspan_at(&work, k1)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
     }
@@ -176,12 +176,12 @@ static inline int64_t tangent_strip_pressures__exchange_strips_t(array_double_1d
     int64_t row;
     int64_t j;
     int64_t changed;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     changed = INT64_C(0);
     for (back = INT64_C(0); back < count; back += INT64_C(1))
     {
         i = count - INT64_C(1) - back;
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((single == INT64_C(0)) || (changed == INT64_C(0)))
         {
             if ((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0)
@@ -198,11 +198,11 @@ static inline int64_t tangent_strip_pressures__exchange_strips_t(array_double_1d
                 v1 = (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE)) - strip_pressures__TOUCH;
                 pushed_t = (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE)) * penetration + v1 * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
                 pushed = v1 * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-                row = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
+                row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))
                 {
-                    pushed_t = pushed_t - ((*cspan_at(&work_t, row + j)) * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)));
-                    pushed = pushed - (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                    pushed_t = pushed_t - ((*cspan_at(&work_t, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)));
+                    pushed = pushed - (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
                 }
                 if (pushed > 0.0)
                 {

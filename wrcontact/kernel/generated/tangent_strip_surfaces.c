@@ -95,14 +95,14 @@ static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d 
     double inside_t;
     double inside;
     double v9;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     longest_t = 0.0;
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        own = layout__WORK_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
+        own = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
         tangent_strip_surfaces__node_cell_t(&k, &x, &x_t, work, work_t, strip, region);
         tangent_strip_surfaces__read_surfaces_t(work, work_t, strip, region, own, k, x, x_t);
         v1 = (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + (k + INT64_C(1)))) - (*cspan_at(&work, own + layout__NODES_LINE + INT64_C(128) + k));
@@ -127,8 +127,8 @@ static inline int64_t tangent_strip_surfaces__describe_strips_t(array_double_1d 
             square = v4;
         }
         v5 = (*cspan_at(&work, strip + layout__STRIP_GAP)) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
-        below_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - ((*cspan_at(&work_t, strip + layout__STRIP_GAP)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE))) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
-        below = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - v5;
+        below_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - ((*cspan_at(&work_t, strip + layout__STRIP_GAP)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_PENETRATION_SHARE))) / (*cspan_at(&work, strip + layout__STRIP_PENETRATION_SHARE));
+        below = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - v5;
         below_t = below_t * (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) + below * (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT));
         below = below * (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
         v6 = strip_surfaces__INSIDE * strip_surfaces__INSIDE;
@@ -164,7 +164,7 @@ static inline int64_t tangent_strip_surfaces__limit_lengths_t(array_double_1d wo
     int64_t strip;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) < strip_surfaces__SHORTEST * longest)
         {
             (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = strip_surfaces__SHORTEST * longest_t;
@@ -191,19 +191,19 @@ static inline int64_t tangent_strip_surfaces__load_one_t(array_double_1d work, a
     found = INT64_C(0);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
         {
             found = INT64_C(1);
         }
-        if ((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)) < (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_GAP)))
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_GAP)))
         {
             smallest = i;
         }
     }
     if (found == INT64_C(0))
     {
-        (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = (double)(1);
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * smallest + layout__STRIP_LOADED)) = (double)(1);
     }
     return INT64_C(0);
 }

@@ -15,19 +15,19 @@ static inline int64_t tangent_strips__solve_strips_t(double* result_0, double* r
     int64_t found;
     int64_t sweep_end;
     int64_t sweep;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         tangent_strip_influence__measure_distances_t(work, work_t, i, i);
     }
-    penetration_t = (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    penetration = (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = INT64_C(0);
     sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
     {
         tangent_strip_influence__fill_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))));
-        tangent_strip_pressures__solve_pressures_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, (*cspan_at(&work, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), (*cspan_at(&work_t, layout__WORK_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
+        tangent_strip_pressures__solve_pressures_t(&penetration, &penetration_t, &found, work, work_t, tables, state, force, force_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)), by_penetration);
         if (found == INT64_C(0))
         {
             (*result_0) = penetration;

@@ -8,20 +8,20 @@
 /* Tangent of ``start_traces``. */
 static inline int64_t tangent_traces__start_traces_t(array_double_1d work, array_double_1d work_t, double station, double station_t, double abscissa, double abscissa_t, double y, double y_t)
 {
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)) = station_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)) = station;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y_t;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y;
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
-    (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y_t;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
     return INT64_C(0);
 }
 
@@ -74,7 +74,7 @@ static inline int64_t tangent_traces__trace_profile_t(double* result_0, double* 
     double ordinate;
     double v12;
     double v13;
-    tangent_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)));
+    tangent_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     u_t = v1_t;
     u = v1;
     (*exists) = INT64_C(0);
@@ -156,7 +156,7 @@ static inline int64_t tangent_traces__trace_rail_t(double* ordinate, double* ord
     double slope_t;
     double height;
     double height_t;
-    tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), layout__WORK_FRAME + layout__FRAME_RAIL, layout__WORK_FRAME + layout__FRAME_PLANE, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
+    tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
     return 0;
 }
 
@@ -172,14 +172,14 @@ static inline int64_t tangent_traces__trace_wheel_t(double* ordinate, double* or
     double z_t;
     double v1;
     double v1_t;
-    place = layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        lifted_t = station_t - ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-        lifted = station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_FRAME + layout__FRAME_WHEEL, layout__WORK_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
-        (*ordinate_t) = (*ordinate_t) - ((*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-        (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        lifted_t = station_t - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+        tangent_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
+        (*ordinate_t) = (*ordinate_t) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+        (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         tangent_longitudinal_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));
         (*curvature_t) = v1_t;
         (*curvature) = v1;
@@ -256,17 +256,17 @@ static inline int64_t tangent_traces__trace_outline_t(double* ordinate, double* 
     double v14;
     double v15;
     wheel = (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL)));
-    place = layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE)));
-    trace = layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    cosine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    sine_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    sine = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    left_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_ASIDE));
-    left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_ASIDE));
-    above_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    above = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    tangent_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)));
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
+    trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
+    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    left = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    above_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    above = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    tangent_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     y_t = v1_t;
     y = v1;
     (*exists) = INT64_C(0);

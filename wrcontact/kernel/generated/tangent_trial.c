@@ -64,9 +64,9 @@ static inline int64_t tangent_trial__balance_side_t(array_double_1d tables, arra
     if (status == layout__VALID)
     {
         tangent_side__load_side_t(&count, &status, tables, work, work_t, state, index, force, force_t, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
-        v5 = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH));
-        v6 = v5 / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        carried_t = approach_t + ((*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_DEPTH)) - v6 * (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        v5 = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        carried_t = approach_t + ((*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         carried = approach + v6;
         (*cspan_at(&work_t, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + carried_t;
         (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + carried;

@@ -6,7 +6,7 @@
 #include "tangent_widths.h"
 
 /* Tangent of ``measure_widths``. */
-static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t)
+static inline int64_t tangent_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t)
 {
     double bend_t;
     double bend;
@@ -82,12 +82,12 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant_t = 0.0;
     slant = 0.0;
-    start_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION));
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        tangent_locus__outline_x_t(&v7, &v7_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        tangent_locus__outline_x_t(&v7, &v7_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         slant_t = v7_t;
         slant = v7;
     }
@@ -101,14 +101,14 @@ static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, a
     low = v8;
     if (yawed == INT64_C(1))
     {
-        tangent_locus__outline_x_t(&v9, &v9_t, work, work_t, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        tangent_locus__outline_x_t(&v9, &v9_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         slant_t = slant_t - v9_t;
         slant = slant - v9;
-        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)))
+        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
         {
-            v10 = start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
+            v10 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
             v11 = slant / v10;
-            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION)))) / v10;
+            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v11 * (start_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v10;
             (*cspan_at(&work, region + layout__REGION_SLANT)) = v11;
         }
     }

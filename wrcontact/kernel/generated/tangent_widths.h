@@ -15,6 +15,6 @@
 #include "widths.h"
 
 static inline int64_t tangent_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t);
-static inline int64_t tangent_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t);
+static inline int64_t tangent_widths__measure_widths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration, double local_penetration_t);
 
 #endif

@@ -109,7 +109,7 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
     y_t = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = zone_width__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         near = zone_width__PRESSED_SHARP;
     }
@@ -127,12 +127,12 @@ static inline int64_t tangent_zone_width__zone_width_t(double* result_0_0001, do
         }
         else
         {
-            station_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_STATION));
-            station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
-            abscissa_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-            y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            abscissa_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         }
         rise_t = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
         rise = gap - (*cspan_at(&work, region + layout__REGION_GAP));
@@ -241,8 +241,8 @@ static inline int64_t tangent_zone_width__width_rule_t(double* width, double* wi
         tolerance_t = v3_t;
         tolerance = v3;
         tangent_zone_width__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
-        rail_rate = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        wheel_rate = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        rail_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        wheel_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         missing = level_t - gap_t + (*cspan_at(&work_t, region + layout__REGION_GAP));
         moved = 0.0;
         if (rate * direction > 0.0)
@@ -250,10 +250,10 @@ static inline int64_t tangent_zone_width__width_rule_t(double* width, double* wi
             moved = missing / (rate * direction);
         }
         tangent_zone_width__width_jet_t(&gap, &gap_t, &rate, &rate_t, work, work_t, tables, region, state, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
-        x_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        x = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        y_t = (*cspan_at(&work_t, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        x_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         out = x_t - rail_rate;
         if ((out != 0.0) && ((x < (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_START)) + zone_width__WIDTH_TRACE) || (x > (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))) + layout__PROFILE_STOP)) - zone_width__WIDTH_TRACE)))
         {

@@ -14,17 +14,17 @@ static inline int64_t totals__write_patches(array_double_1d work, int64_t side)
     int64_t index;
     int64_t patch;
     int64_t rank;
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT))));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH));
-    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID));
-    index_end = (int64_t)((*cspan_at(&work, layout__WORK_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT))));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_WIDTH));
+    (*cspan_at(&work, side + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_CENTROID));
+    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
-        patch = layout__WORK_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
+        patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         rank = (int64_t)((*cspan_at(&work, patch + layout__SOLVED_PATCH_RANK)));
         if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
         {

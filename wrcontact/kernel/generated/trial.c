@@ -22,7 +22,7 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
         status = layout__VALID;
         if (force > 0.0)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(tables, work, state, force) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(work, tables, state, force) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         }
     }
     return status;
@@ -71,7 +71,7 @@ static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_dou
     if (status == layout__VALID)
     {
         side__load_side(&count, &status, tables, work, state, index, force, (*cspan_at(&tables, layout__TABLES_ABSENT)));
-        carried = approach + ((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_DEPTH))) / (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        carried = approach + ((*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + carried;
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, count);
     }

@@ -8,7 +8,7 @@
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
  * both sides that follow from them, and the station its load is thought to act at.
  */
-static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double local_penetration)
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration)
 {
     double bend;
     double low;
@@ -39,11 +39,11 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
     high = zone_width__zone_width(work, tables, region, state, 1.0, local_penetration, high);
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
     slant = 0.0;
-    start = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     yawed = contact_plane__is_yawed(work);
     if (yawed == INT64_C(1))
     {
-        slant = locus__outline_x(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant = locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     }
     if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
     {
@@ -52,10 +52,10 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
     low = zone_width__zone_width(work, tables, region, state, -1.0, local_penetration, low);
     if (yawed == INT64_C(1))
     {
-        slant -= locus__outline_x(work, tables, layout__WORK_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        if (start > (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)))
+        slant -= locus__outline_x(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
         {
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION)));
+            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
         }
     }
     (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = widths__side_curvature(high_reached, high, 0.5 * (low + high));

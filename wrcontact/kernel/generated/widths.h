@@ -17,6 +17,6 @@ static const double widths__LEAST_BEND = 1.0;
 static const double widths__MOST_BEND = 100.0;
 
 static inline double widths__side_curvature(double reached, double own, double mean);
-static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t region, double local_penetration);
+static inline int64_t widths__measure_widths(array_double_1d work, array_double_1d tables, array_double_1d state, int64_t region, double local_penetration);
 
 #endif

@@ -70,7 +70,7 @@ static inline double zone_width__zone_width(array_double_1d work, array_double_1
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = zone_width__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         near = zone_width__PRESSED_SHARP;
     }
@@ -88,9 +88,9 @@ static inline double zone_width__zone_width(array_double_1d work, array_double_1
         }
         else
         {
-            station = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_STATION));
-            abscissa = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            y = (*cspan_at(&work, layout__WORK_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         }
         rise = gap - (*cspan_at(&work, region + layout__REGION_GAP));
         if (rise < level)

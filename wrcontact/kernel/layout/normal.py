@@ -5,8 +5,7 @@ from typing import Final
 from .contact import REGION_LIMIT
 from .record import OPEN, Float, centred, record, run
 
-NODE_FIELDS: Final[int] = 6          # node arrays of each
-NODE_LIMIT: Final[int] = 256         # their length
+NODE_LIMIT: Final[int] = 256         # nodes of a region
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
 STRIP_LIMIT: Final[int] = 104        # strips of one wheel: 64, and 12 at least in each region
 

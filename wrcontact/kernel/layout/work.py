@@ -10,15 +10,9 @@ from .wheelset import Bracket, Broyden, Supports
 
 
 @record
-class Work:
-    array = "work"
-    inputs: Inputs
-    known: bool                     # whether the outputs are those of the inputs, and with which status
-    status: int
-    outputs: Outputs
-    # with another number of stations than STATION_COUNT; one right after the other
-    outlines: Outline * 2
-    sides: Sides
+class Contact:
+    """The contact of one wheel while it is solved, from its frame to its solved patches."""
+
     frame: Frame
     regions: Regions
     nodes: NodesOfRegions
@@ -28,6 +22,19 @@ class Work:
     origin: Origin
     frames: KeptFrames
     overlap: Overlap
+
+
+@record
+class Work:
+    array = "work"
+    inputs: Inputs
+    known: bool                     # whether the outputs are those of the inputs, and with which status
+    status: int
+    outputs: Outputs
+    # with another number of stations than STATION_COUNT; one right after the other
+    outlines: Outline * 2
+    sides: Sides
+    contact: Contact
     supports: Supports
     broyden: Broyden
     height_bracket: Bracket

@@ -26,7 +26,7 @@ static void fill_starts(array_double_1d tables, double *work)
     for (int64_t row = 0; row < layout__START_COUNT; row += 1)
     {
         parts[2].data[layout__INPUTS_LATERAL_SHIFT] = prepare_tables__start_shift(tables, row);
-        prepare_tables__note_start(tables, parts[1], row, wrcontact_step(&handle));
+        prepare_tables__note_start(parts[1], tables, row, wrcontact_step(&handle));
     }
     prepare_tables__open_starts(tables);
 }

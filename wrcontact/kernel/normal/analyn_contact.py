@@ -15,7 +15,7 @@ from ..contact.deep_points import keep_deepest
 from ..contact.planes import give_planes, locate_along_track
 from ..contact.pressed_regions import gather_overlaps
 from ..contact.regions import bound_regions, find_regions, open_contact_region
-from ..layout import REGION_LIMIT, SideSearch, State, Tables, Work
+from ..layout import REGION_LIMIT, Contact, SideSearch, State, Tables
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
 from .node_layout import covered, prepare_regions
@@ -29,18 +29,19 @@ COVER_REPEATS: Final[int] = 6
 ENLARGED: Final[float] = 1.4
 
 
-def analyn_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float,
+def analyn_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                    prescribed: float):
     """Fill the solved patches by ANALYN; penetration [m], number of regions, and 1 when the force is
     satisfied, else 0."""
-    penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
+    penetration, count, satisfied = solve_analyn(tables, contact, state, side, force, prescribed)
     if satisfied == 1:
-        locate_along_track(tables, work.frame, work.regions, count)
-        fill_from_nodes(work.regions, work.nodes, work.solved, count)
+        locate_along_track(tables, contact.frame, contact.regions, count)
+        fill_from_nodes(contact.regions, contact.nodes, contact.solved, count)
     return penetration, count, satisfied
 
 
-def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, force: float, prescribed: float):
+def solve_analyn(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
+                 prescribed: float):
     """Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
     is a number; third value 1 when the force is satisfied, else 0.  A pressed wheel has its regions where it
     stands."""
@@ -48,61 +49,62 @@ def solve_analyn(tables: Tables, work: Work, state: State, side: SideSearch, for
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = 1
-    if work.frame.pressed:
-        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, work.frame.depth,
-                                                        by_penetration)
+    if contact.frame.pressed:
+        penetration, count, satisfied = solve_estimated(tables, contact, state, side, force,
+                                                        contact.frame.depth, by_penetration)
         return penetration, count, satisfied
     if by_penetration == 0:
-        penetration = first_penetration(tables, work, state, force)
+        penetration = first_penetration(tables, contact, state, force)
     count = 1
     satisfied = 0
     for repeat in range(ESTIMATE_REPEATS):
         estimate = penetration
-        penetration, count, satisfied = solve_estimated(tables, work, state, side, force, estimate,
+        penetration, count, satisfied = solve_estimated(tables, contact, state, side, force, estimate,
                                                         by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
             break
     return penetration, count, satisfied
 
 
-def solve_estimated(tables: Tables, work: Work, state: State, side: SideSearch, force: float, estimate: float,
-                    by_penetration: int):
+def solve_estimated(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
+                    estimate: float, by_penetration: int):
     """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
     value 1 when the force is satisfied, else 0."""
-    count = gather_regions(tables, work, state, side, estimate)
-    penetration, satisfied = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+    count = gather_regions(tables, contact, state, side, estimate)
+    penetration, satisfied = solve_fine(tables, contact, state, count, force, estimate, by_penetration)
     if satisfied == 0 and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
         count = 1
-        if work.frame.pressed:
-            keep_deepest(work.overlap)
-            gather_overlaps(tables, work.frame, work.frames, work.regions, work.overlap, state)
+        if contact.frame.pressed:
+            keep_deepest(contact.overlap)
+            gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap, state)
         else:
-            open_contact_region(tables, work.frame, work.regions[0], state)
-        start_penetrations(work.regions, count, estimate)
-        penetration, satisfied = solve_fine(tables, work, state, count, force, estimate, by_penetration)
+            open_contact_region(tables, contact.frame, contact.regions[0], state)
+        start_penetrations(contact.regions, count, estimate)
+        penetration, satisfied = solve_fine(tables, contact, state, count, force, estimate, by_penetration)
     return penetration, count, satisfied
 
 
-def gather_regions(tables: Tables, work: Work, state: State, side: SideSearch, penetration: float):
+def gather_regions(tables: Tables, contact: Contact, state: State, side: SideSearch, penetration: float):
     """Open the regions that ``penetration`` [m] reaches, with their bounds and first local penetrations;
     their number."""
     for i in range(REGION_LIMIT):
-        work.regions[i].width_penetration = 0.0
-        work.regions[i].slant = 0.0
+        contact.regions[i].width_penetration = 0.0
+        contact.regions[i].slant = 0.0
     count = 1
-    if work.frame.pressed:
-        count = gather_overlaps(tables, work.frame, work.frames, work.regions, work.overlap, state)
+    if contact.frame.pressed:
+        count = gather_overlaps(tables, contact.frame, contact.frames, contact.regions, contact.overlap,
+                                state)
     else:
-        open_contact_region(tables, work.frame, work.regions[0], state)
-        count = find_regions(tables, work.frame, work.regions, side, state, penetration)
-        count = bound_regions(tables, work.frame, work.regions, state, count, penetration)
-        give_planes(tables, work.frame, work.frames, work.regions, state, count)
-    start_penetrations(work.regions, count, penetration)
+        open_contact_region(tables, contact.frame, contact.regions[0], state)
+        count = find_regions(tables, contact.frame, contact.regions, side, state, penetration)
+        count = bound_regions(tables, contact.frame, contact.regions, state, count, penetration)
+        give_planes(tables, contact.frame, contact.frames, contact.regions, state, count)
+    start_penetrations(contact.regions, count, penetration)
     return count
 
 
-def solve_fine(tables: Tables, work: Work, state: State, count: int, force: float, penetration: float,
+def solve_fine(tables: Tables, contact: Contact, state: State, count: int, force: float, penetration: float,
                by_penetration: int):
     """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and 1 when
     the force is satisfied, else 0."""
@@ -110,19 +112,19 @@ def solve_fine(tables: Tables, work: Work, state: State, count: int, force: floa
     enlarge = 1.0
     satisfied = 0
     for repeat in range(COVER_REPEATS):
-        prepare_regions(tables, work, state, count, enlarge)
-        penetration, satisfied = solve_penetrations(tables, work.regions, work.nodes, state, count, force,
-                                                    start, by_penetration)
+        prepare_regions(tables, contact, state, count, enlarge)
+        penetration, satisfied = solve_penetrations(tables, contact.regions, contact.nodes, state, count,
+                                                    force, start, by_penetration)
         if satisfied == 0:
             return start, satisfied
-        if covered(work.frame, work.regions, work.nodes, count) == 1:
+        if covered(contact.frame, contact.regions, contact.nodes, count) == 1:
             break
         if repeat < COVER_REPEATS - 1:
             enlarge *= ENLARGED
             start = penetration
             laid = penetration
-            if work.frame.pressed:
+            if contact.frame.pressed:
                 # nodes stay where the wheel stands; there are only more of them
-                laid = work.frame.depth
-            start_penetrations(work.regions, count, laid)
+                laid = contact.frame.depth
+            start_penetrations(contact.regions, count, laid)
     return penetration, satisfied

@@ -4,7 +4,7 @@ result."""
 from typing import Final
 
 from ..contact.regions import open_contact_region
-from ..layout import Regions, State, Tables, Work
+from ..layout import Contact, Regions, State, Tables
 from .hertz import hertz_stiffness
 from .node_coefficients import FLOOR
 from .widths import measure_widths
@@ -24,16 +24,16 @@ def guess_penetration(force: float, A: float, contact_modulus: float):
     return (share * share * (1.0 + TYPICAL_RATIO) * A) ** (1.0 / 3.0)
 
 
-def estimate_penetration(tables: Tables, work: Work, state: State, force: float):
+def estimate_penetration(tables: Tables, contact: Contact, state: State, force: float):
     """Hertz's penetration [m] for the interpenetration's own width: B = penetration / width^2 at a guessed
     penetration.
 
     Exact for constant curvatures; within 12 % for nine of ten poses of S1002 on UIC60.
     """
-    region = work.regions[0]
+    region = contact.regions[0]
     A = 0.5 * region.curvature
     guess = guess_penetration(force, A, tables.contact_modulus)
-    measure_widths(tables, work, state, region, guess)
+    measure_widths(tables, contact, state, region, guess)
     width = 0.5 * (region.width_low + region.width_high)
     B = FLOOR * A
     if guess > CEILING * A * width * width:
@@ -44,12 +44,12 @@ def estimate_penetration(tables: Tables, work: Work, state: State, force: float)
     return (force / stiffness) ** (2.0 / 3.0)
 
 
-def first_penetration(tables: Tables, work: Work, state: State, force: float):
+def first_penetration(tables: Tables, contact: Contact, state: State, force: float):
     """Estimate of the penetration [m] under the prescribed ``force`` [N]."""
-    open_contact_region(tables, work.frame, work.regions[0], state)
-    region = work.regions[0]
+    open_contact_region(tables, contact.frame, contact.regions[0], state)
+    region = contact.regions[0]
     region.width_penetration = 0.0
-    return estimate_penetration(tables, work, state, force / region.share)
+    return estimate_penetration(tables, contact, state, force / region.share)
 
 
 def start_penetrations(regions: Regions, count: int, penetration: float):

@@ -3,17 +3,17 @@
 from math import isfinite, pi, sqrt
 
 from ..contact.planes import locate_along_track
-from ..layout import RULE_ELLIPSE, Region, SideOutputs, SolvedPatches, Tables, Work
+from ..layout import RULE_ELLIPSE, Contact, Region, SideOutputs, SolvedPatches, Tables
 from ..patch.filling import fill_single, place_patch
 from .hertz import hertz_coefficients, hertz_stiffness
 from .node_coefficients import FLOOR
 
 
-def hertz_contact(tables: Tables, work: Work, point: SideOutputs, force: float, prescribed: float):
+def hertz_contact(tables: Tables, contact: Contact, point: SideOutputs, force: float, prescribed: float):
     """Fill the solved patches by Hertz's ellipse; penetration [m], number of regions, 1, and
     1: the force is satisfied."""
-    locate_along_track(tables, work.frame, work.regions, 1)
-    penetration = solve_hertz(tables, point, work.regions[0], work.solved, force, prescribed)
+    locate_along_track(tables, contact.frame, contact.regions, 1)
+    penetration = solve_hertz(tables, point, contact.regions[0], contact.solved, force, prescribed)
     return penetration, 1, 1
 
 

@@ -11,6 +11,7 @@ from ..layout import (
     LATERAL_ADAPTIVE,
     LOAD_VERTICAL,
     MODEL_ANALYN_STRIP,
+    Contact,
     Frame,
     Nodes,
     NodesOfRegions,
@@ -18,7 +19,6 @@ from ..layout import (
     Regions,
     State,
     Tables,
-    Work,
 )
 from .hertz import table_value
 from .mean_normal import mean_normal
@@ -73,32 +73,33 @@ def node_spacing(tables: Tables, region: Region, enlarge: float):
     return spacing
 
 
-def prepare_regions(tables: Tables, work: Work, state: State, count: int, enlarge: float):
+def prepare_regions(tables: Tables, contact: Contact, state: State, count: int, enlarge: float):
     """Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``."""
     for i in range(count):
-        region = work.regions[i]
-        enter_plane(work.frame, work.frames, work.regions[i], i)
-        measure_widths(tables, work, state, region, MEASURED * region.local_penetration)
+        region = contact.regions[i]
+        enter_plane(contact.frame, contact.frames, contact.regions[i], i)
+        measure_widths(tables, contact, state, region, MEASURED * region.local_penetration)
         region.spacing = node_spacing(tables, region, enlarge)
-        prepare_nodes(tables, work, state, region, work.nodes[i], enlarge)
-        leave_plane(work.frame, work.frames, work.regions[i])
+        prepare_nodes(tables, contact, state, region, contact.nodes[i], enlarge)
+        leave_plane(contact.frame, contact.frames, contact.regions[i])
     return 0
 
 
-def prepare_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, enlarge: float):
+def prepare_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
+                  enlarge: float):
     """Nodes and coefficients of a region whose frame is open, up to its local
     penetration times ``enlarge``."""
-    yawed = is_yawed(work.frame)
+    yawed = is_yawed(contact.frame)
     reach = region.local_penetration * enlarge
     A = 0.5 * region.curvature
     low_reach = reach * zone_share(tables, A, region.side_low)
     high_reach = reach * zone_share(tables, A, region.side_high)
-    if work.frame.pressed and yawed == 1:
-        work.frame.blur = region.spacing * float(node_stride(tables)) * work.frame.wheel_plane.cos
-    lay_nodes(tables, work, state, region, nodes, low_reach, high_reach)
+    if contact.frame.pressed and yawed == 1:
+        contact.frame.blur = region.spacing * float(node_stride(tables)) * contact.frame.wheel_plane.cos
+    lay_nodes(tables, contact, state, region, nodes, low_reach, high_reach)
     weigh_nodes(tables, region, nodes, window_nodes(tables), yawed)
-    if work.frame.pressed or tables.load == LOAD_VERTICAL:
-        mean_normal(tables, work.frame, region, nodes, region.local_penetration)
+    if contact.frame.pressed or tables.load == LOAD_VERTICAL:
+        mean_normal(tables, contact.frame, region, nodes, region.local_penetration)
     region.square = region.local_penetration / nodes.length[0]
     return 0
 

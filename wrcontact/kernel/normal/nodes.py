@@ -12,40 +12,25 @@ from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..layout import (
     LATERAL_ADAPTIVE,
-    NODE_FIELDS,
     NODE_LIMIT,
     NODE_MIDDLE,
     RAIL,
     SEPARATION_EQUIDISTANT_CHORD,
     SEPARATION_VERTICAL,
     WHEEL,
-    WORK_NODES,
+    Contact,
     NodeRun,
     Nodes,
     Region,
     State,
     Tables,
-    Work,
 )
 from ..surface.lateral_curvature import relative_curvature
-
-# node fields, for what still reads them by index
-NODE_GAP: Final[int] = 0
-NODE_A: Final[int] = 1
-NODE_RISE: Final[int] = 2
-NODE_LINE: Final[int] = 3
-NODE_LENGTH: Final[int] = 4
-NODE_B: Final[int] = 5
 
 #: Window of the lateral curvature as a share of the half-width of the interpenetration (docs/method.md).
 WINDOW: Final[float] = 4.0 / 15.0
 TRACE_SHARE: Final[float] = 1e-3     # of the spacing: tolerance of the abscissae
 FINEST_TRACE: Final[float] = 5e-8    # [m]; the residual is removed to second order
-
-
-def node_field(region: int, field: int):
-    """Offset of node 0 of a region's ``field`` in the workspace."""
-    return WORK_NODES + (region * NODE_FIELDS + field) * NODE_LIMIT + NODE_MIDDLE
 
 
 def window_nodes(tables: Tables):
@@ -77,7 +62,7 @@ def trace_tolerance(spacing: float):
     return tolerance
 
 
-def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, low_reach: float,
+def lay_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, low_reach: float,
               high_reach: float):
     """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
     on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
@@ -86,46 +71,46 @@ def lay_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: N
     Where the lateral curvature is a prepared one, it is kept in nodes.B for
     :func:`node_coefficients.weigh_nodes`.
     """
-    start_traces(work.frame, region.station, region.rail, region.wheel)
-    open_origin(tables, work.frame, work.origin, region, region.spacing)
-    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, region.station,
+    start_traces(contact.frame, region.station, region.rail, region.wheel)
+    open_origin(tables, contact.frame, contact.origin, region, region.spacing)
+    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, state, region.station,
                                             trace_tolerance(region.spacing))
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
     if tables.lateral != LATERAL_ADAPTIVE:
-        nodes.B[0] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa,
-                                        work.frame.traces[RAIL].abscissa)
-    before = lay_side_nodes(tables, work, state, region, nodes, -1, low_reach, rate)
+        nodes.B[0] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
+                                        contact.frame.traces[RAIL].abscissa)
+    before = lay_side_nodes(tables, contact, state, region, nodes, -1, low_reach, rate)
     region.first = -before
-    after = lay_side_nodes(tables, work, state, region, nodes, 1, high_reach, rate)
+    after = lay_side_nodes(tables, contact, state, region, nodes, 1, high_reach, rate)
     region.last = after
     return 0
 
 
-def trace_node(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, at: int):
+def trace_node(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes, at: int):
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
     [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(tables, work.frame, work.origin, state, station,
+    gap, rate, bend, curvature = separation(tables, contact.frame, contact.origin, state, station,
                                             trace_tolerance(region.spacing))
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
         if tables.lateral != LATERAL_ADAPTIVE:
-            nodes.B[at] = relative_curvature(tables, work.frame.traces[WHEEL].abscissa,
-                                             work.frame.traces[RAIL].abscissa)
+            nodes.B[at] = relative_curvature(tables, contact.frame.traces[WHEEL].abscissa,
+                                             contact.frame.traces[RAIL].abscissa)
     return gap, rate
 
 
-def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nodes: Nodes, direction: int,
-                   reach: float, rate: float):
+def lay_side_nodes(tables: Tables, contact: Contact, state: State, region: Region, nodes: Nodes,
+                   direction: int, reach: float, rate: float):
     """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
     risen above ``reach`` [m] or the bound is passed.
 
     Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
     slope there.
     """
-    start_traces(work.frame, region.station, region.rail, region.wheel)
+    start_traces(contact.frame, region.station, region.rail, region.wheel)
     stride = node_stride(tables)
     window = window_nodes(tables)
     k = 0
@@ -136,12 +121,13 @@ def lay_side_nodes(tables: Tables, work: Work, state: State, region: Region, nod
     ended = 0
     while left > 0 and k < NODE_LIMIT - NODE_MIDDLE - 2 - stride:
         if k == traced and ended == 0:
-            gap, next_rate = trace_node(tables, work, state, region, nodes, direction * (traced + step))
+            gap, next_rate = trace_node(tables, contact, state, region, nodes, direction * (traced + step))
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
-                start_traces(work.frame, region.station, region.rail, region.wheel)
-                gap, next_rate = trace_node(tables, work, state, region, nodes, direction * (traced + step))
+                start_traces(contact.frame, region.station, region.rail, region.wheel)
+                gap, next_rate = trace_node(tables, contact, state, region, nodes,
+                                            direction * (traced + step))
             if gap >= NO_GAP:
                 ended = 1
                 end_region(region, direction, region.station + region.spacing * float(direction * k))

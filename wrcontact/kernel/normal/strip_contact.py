@@ -3,7 +3,7 @@
 from math import isfinite
 
 from ..contact.planes import locate_along_track
-from ..layout import SideSearch, State, Tables, Work
+from ..layout import Contact, SideSearch, State, Tables
 from .analyn_contact import solve_analyn
 from .strip_patches import fill_from_strips
 from .strip_placement import place_strips
@@ -11,21 +11,21 @@ from .strip_surfaces import describe_strips
 from .strips import solve_strips
 
 
-def strip_contact(tables: Tables, work: Work, state: State, side: SideSearch, force: float,
+def strip_contact(tables: Tables, contact: Contact, state: State, side: SideSearch, force: float,
                   prescribed: float):
     """Fill the solved patches by the strip correction of ANALYN; penetration [m], number of regions, and 1
     when the force is satisfied, else 0."""
     by_penetration = 0
     if isfinite(prescribed):
         by_penetration = 1
-    penetration, count, satisfied = solve_analyn(tables, work, state, side, force, prescribed)
+    penetration, count, satisfied = solve_analyn(tables, contact, state, side, force, prescribed)
     if satisfied == 1:
-        locate_along_track(tables, work.frame, work.regions, count)
-        problem = work.strip_problem
-        place_strips(problem, work.regions, work.nodes, count, tables.strips, penetration)
-        describe_strips(problem, work.regions, work.nodes)
-        penetration, satisfied = solve_strips(problem, work.regions, work.nodes, work.equations, tables,
-                                              state, force, by_penetration)
+        locate_along_track(tables, contact.frame, contact.regions, count)
+        problem = contact.strip_problem
+        place_strips(problem, contact.regions, contact.nodes, count, tables.strips, penetration)
+        describe_strips(problem, contact.regions, contact.nodes)
+        penetration, satisfied = solve_strips(problem, contact.regions, contact.nodes, contact.equations,
+                                              tables, state, force, by_penetration)
         if satisfied == 1:
-            fill_from_strips(problem, work.regions, work.solved)
+            fill_from_strips(problem, contact.regions, contact.solved)
     return penetration, count, satisfied

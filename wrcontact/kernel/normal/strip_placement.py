@@ -8,7 +8,7 @@ narrower where the gap bends and near the contact (docs/method.md, section 9).
 from math import sqrt
 from typing import Final
 
-from ..layout import Nodes, NodesOfRegions, Region, Regions, StripProblem, StripZone, Strips
+from ..layout import Nodes, NodesOfRegions, Region, Regions, StripProblem, Strips, StripZone
 
 #: Strips lie where the gap is below this share of ANALYN's penetration,
 ZONE: Final[float] = 0.9

@@ -5,7 +5,7 @@ from typing import Final
 
 from ..contact.contact_plane import is_yawed
 from ..contact.zone_width import zone_width
-from ..layout import WHEEL, Region, State, Tables, Work
+from ..layout import WHEEL, Contact, Region, State, Tables
 from ..surface.locus import outline_x
 
 #: The narrower half of a region counts as at most so many times narrower than the mean.
@@ -15,7 +15,7 @@ LEAST_BEND: Final[float] = 1.0
 MOST_BEND: Final[float] = 100.0
 
 
-def measure_widths(tables: Tables, work: Work, state: State, region: Region, local_penetration: float):
+def measure_widths(tables: Tables, contact: Contact, state: State, region: Region, local_penetration: float):
     """Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
     both sides that follow from them, and the station its load is thought to act at."""
     # the first guess: the gap's own second derivative, as far as it is a usual one
@@ -30,20 +30,20 @@ def measure_widths(tables: Tables, work: Work, state: State, region: Region, loc
         grown = sqrt(local_penetration / region.width_penetration)
         low = region.width_low * grown
         high = region.width_high * grown
-    high = zone_width(tables, work.frame, work.origin, region, state, 1.0, local_penetration, high)
+    high = zone_width(tables, contact.frame, contact.origin, region, state, 1.0, local_penetration, high)
     high_reached = region.reached
     slant = 0.0
-    start = work.frame.station
-    yawed = is_yawed(work.frame)
+    start = contact.frame.station
+    yawed = is_yawed(contact.frame)
     if yawed == 1:
-        slant = outline_x(tables, work.frame.place, work.frame.traces[WHEEL].abscissa)
+        slant = outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
     if not region.width_penetration > 0.0:
         low = high
-    low = zone_width(tables, work.frame, work.origin, region, state, -1.0, local_penetration, low)
+    low = zone_width(tables, contact.frame, contact.origin, region, state, -1.0, local_penetration, low)
     if yawed == 1:
-        slant -= outline_x(tables, work.frame.place, work.frame.traces[WHEEL].abscissa)
-        if start > work.frame.station:
-            region.slant = slant / (start - work.frame.station)
+        slant -= outline_x(tables, contact.frame.place, contact.frame.traces[WHEEL].abscissa)
+        if start > contact.frame.station:
+            region.slant = slant / (start - contact.frame.station)
     region.side_high = side_curvature(high_reached, high, 0.5 * (low + high))
     region.side_low = side_curvature(region.reached, low, 0.5 * (low + high))
     region.width_high = high

@@ -16,16 +16,16 @@ from ..layout import (
     SET_HERTZ,
     SET_INFLUENCE,
     SETTING_COUNT,
+    SIDES_BOTH,
     START_COUNT,
     STARTS_SIZE,
-    SIDES_BOTH,
     STATION_COUNT,
     UNLOADED,
     YAW_LIMIT,
+    Outputs,
     Profile,
     Setup,
     Tables,
-    Work,
 )
 from .curvatures import write_curvatures
 from .pieces import FULL, MM, write_profile
@@ -189,14 +189,14 @@ def start_shift(tables: Tables, row: int):
     return tables.starts.first_shift + float(row) / tables.starts.per_metre
 
 
-def note_start(tables: Tables, work: Work, row: int, status: int):
+def note_start(tables: Tables, outputs: Outputs, row: int, status: int):
     """Note in a row of the table of starts where the wheelset touches, from the step at its shift."""
     start = tables.starts.rows[row]
     if status <= UNLOADED:
         start.known = True
-        start.roll = work.outputs.roll
-        start.left = work.outputs.left[0].y_wheel
-        start.right = work.outputs.left[1].y_wheel
+        start.roll = outputs.roll
+        start.left = outputs.left[0].y_wheel
+        start.right = outputs.left[1].y_wheel
     return 0
 
 

@@ -276,15 +276,15 @@ def penetrations_rule(work: Work, tables: Tables, state: State, count: int, forc
     Linear equations for the rates of the penetrations, from how loads follow the
     local ones and move at fixed ones.
     """
-    regions = work.regions
-    nodes = work.nodes
+    regions = work.contact.regions
+    nodes = work.contact.nodes
     given = penetration
     penetration, met = solve_penetrations(tables, regions, nodes, state, count, force, penetration,
                                           prescribed)
     if met == 0:
         return penetration, met
     size = count + 1
-    equations = work.equations
+    equations = work.contact.equations
     for i in range(count):
         region = regions[i]
         region.local_penetration = held(region.local_penetration)

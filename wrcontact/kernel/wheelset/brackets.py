@@ -87,9 +87,9 @@ def height_residual(tables: Tables, work: Work, state: State, index: int, force:
         approach = permitted_approach(support, work.sides[index], height)
         status = press_side(tables, work, state, index, approach)
         if status == VALID:
-            count, status = load_side(tables, work, state, index, 0.0, work.frame.depth)
+            count, status = load_side(tables, work, state, index, 0.0, work.contact.frame.depth)
             residual = approach
-            if carried_load(work.regions, count) > force:
+            if carried_load(work.contact.regions, count) > force:
                 residual = -approach
             support.height = height + residual
     return residual, satisfied, status

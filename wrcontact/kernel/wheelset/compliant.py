@@ -40,5 +40,5 @@ def load_at_height(tables: Tables, work: Work, state: State, index: int, height:
         return OFF_PROFILE
     status = press_side(tables, work, state, index, approach)
     if status == VALID:
-        count, status = load_side(tables, work, state, index, 0.0, work.frame.depth)
+        count, status = load_side(tables, work, state, index, 0.0, work.contact.frame.depth)
     return status

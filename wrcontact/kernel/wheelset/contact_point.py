@@ -27,8 +27,8 @@ def describe_contact(tables: Tables, work: Work, state: State, index: int, y: fl
     folded.
     """
     place = work.sides[index].place
-    frame = work.frame
-    region = work.regions[0]
+    frame = work.contact.frame
+    region = work.contact.regions[0]
     out = work.outputs.left[index]
     z, slope, y_track, rail_slope, mismatch = open_frame(tables, frame, place, y, aside, shift)
     sin_phi, cos_phi = around_wheel(place, slope)

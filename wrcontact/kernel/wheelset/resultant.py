@@ -26,12 +26,12 @@ def clear_resultant(resultant: Resultant):
 def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant: Resultant):
     """Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on
     the right, -1 on the left."""
-    block = work.regions[region]
+    block = work.contact.regions[region]
     load = block.carried
     if load > 0.0:
         # of the region's plane
-        cosine = work.frame.plane.cos
-        if work.frame.pressed or block.own:
+        cosine = work.contact.frame.plane.cos
+        if work.contact.frame.pressed or block.own:
             cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
         # from the region's smallest gap to its centre of load, along its plane
         away = block.moment / load - block.offset - block.station
@@ -39,7 +39,7 @@ def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant
         height, slope = height_slope(tables.rail, abscissa)
         normal_cos = 1.0 / sqrt(1.0 + slope * slope)
         normal_sin = slope * normal_cos
-        if work.frame.pressed or tables.load == LOAD_VERTICAL:
+        if work.contact.frame.pressed or tables.load == LOAD_VERTICAL:
             normal_cos = block.cos
             normal_sin = block.sin
         x = block.x_track + block.slant * away

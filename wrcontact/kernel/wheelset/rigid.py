@@ -3,7 +3,7 @@
 from math import fabs
 from typing import Final
 
-from ..layout import UNLOADED, VALID, State, Tables, Work
+from ..layout import VALID, State, Tables, Work
 from ..search.first_root import solve_roll
 from ..search.starts import nearest_start
 from .requested import is_requested, side_force

@@ -41,15 +41,15 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
     """Normal contact of the side whose frame is open, and its part of the resultant; number
     of its regions and outcome."""
     out = work.outputs.left[index]
-    penetration, count, satisfied = solve_normal(tables, work, state, work.sides[index], out, force,
+    penetration, count, satisfied = solve_normal(tables, work.contact, state, work.sides[index], out, force,
                                                  prescribed)
     out.penetration = penetration
     if satisfied == 0:
         return count, NOT_CONVERGED
-    write_patches(work.solved, out)
+    write_patches(work.contact.solved, out)
     if tables.depth == DEPTH_ALL:
         outline = Outline.at(work, outline_place(tables, work, index))
-        write_outline(outline, tables.stations, work.solved, work.regions, count)
+        write_outline(outline, tables.stations, work.contact.solved, work.contact.regions, count)
     for region in range(count):
         add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
     return count, VALID
@@ -89,13 +89,13 @@ def press_side(tables: Tables, work: Work, state: State, index: int, approach: f
     height = side.best + approach
     clear_side(tables, work, index)
     clear_resultant(work.supports[index].resultant)
-    if find_overlaps(tables, work.frame, work.overlap, side, state, height) == 0:
+    if find_overlaps(tables, work.contact.frame, work.contact.overlap, side, state, height) == 0:
         # it overlaps most at the end of a profile
         return OFF_PROFILE
-    deepest = work.overlap.points[deepest_entry(work.overlap)]
+    deepest = work.contact.overlap.points[deepest_entry(work.contact.overlap)]
     aside, shift = touching_shift(tables, side.place, deepest)
     describe_contact(tables, work, state, index, deepest.wheel, aside, shift)
-    press_frame(work.frame, height, deepest.depth, 0.0)
+    press_frame(work.contact.frame, height, deepest.depth, 0.0)
     return VALID
 
 
@@ -106,7 +106,7 @@ def side_lever(tables: Tables, work: Work, index: int, count: int):
     total = 0.0
     weight = 0.0
     for region in range(count):
-        block = work.regions[region]
+        block = work.contact.regions[region]
         stiffness = block.stiffness * block.share * block.cos
         weight += stiffness
         total += stiffness * gap_per_roll(tables, at, block.wheel)

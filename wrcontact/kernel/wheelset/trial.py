@@ -26,7 +26,8 @@ def estimate_approach(tables: Tables, work: Work, state: State, index: int, forc
     if status == UNLOADED:
         status = VALID
         if force > 0.0:
-            support.approach = first_penetration(tables, work, state, force) / work.frame.plane.cos
+            support.approach = first_penetration(tables, work.contact, state,
+                                                 force) / work.contact.frame.plane.cos
     return status
 
 
@@ -54,7 +55,8 @@ def balance_side(tables: Tables, work: Work, state: State, index: int, force: fl
     status = press_side(tables, work, state, index, approach)
     if status == VALID:
         count, status = load_side(tables, work, state, index, force, tables.absent)
-        carried = approach + (work.outputs.left[index].penetration - work.frame.depth) / work.frame.plane.cos
+        carried = approach + (work.outputs.left[index].penetration
+                              - work.contact.frame.depth) / work.contact.frame.plane.cos
         support.height = side.best + carried
         support.lever = side_lever(tables, work, index, count)
     return status
