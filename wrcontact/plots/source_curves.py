@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..study.figure import rows_of
-from .style import CONTACT_COLOUR, QUIET, WHEEL_COLOUR, ZONE_COLOUR
+from .style import CONTACT_COLOUR, MM, QUIET, WHEEL_COLOUR, ZONE_COLOUR
 from .sweep import WHEEL_ZONES
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side, after Okabe and Ito
