@@ -343,8 +343,8 @@ class Lowered(ast.NodeTransformer):
 
     def imports(self):
         """The constants that the lowered text names come from layout.py, records do not."""
-        wanted = {name for name in self.layout.values
-                  if any(re.search(rf"\b{name}\b", text) for _, _, text in self.edits)}
+        wanted = self.layout.values.keys() & {word for _, _, text in self.edits
+                                              for word in re.findall(r"\w+", text)}
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
                 names = {alias.name for alias in node.names} - set(self.layout.classes) - {"offset"} | wanted

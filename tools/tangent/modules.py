@@ -30,7 +30,7 @@ class Kernel:
         for module in modules:
             for name in module.functions:
                 self.homes.setdefault(name, []).append(module.name)
-        self.known_returns, self.wanted, self.known_writes = {}, set(), {}
+        self.known_returns, self.wanted, self.known_writes, self.known_active = {}, set(), {}, {}
 
     def home(self, module, name):
         """The module that defines the function ``name`` as ``module`` sees it; None
@@ -73,6 +73,12 @@ class Kernel:
 
     def is_active(self, module, name):
         """Whether a function has rates to hand on."""
+        if (module, name) not in self.known_active:
+            self.known_active[module, name] = self.hands_on_rates(module, name)
+        return self.known_active[module, name]
+
+    def hands_on_rates(self, module, name):
+        """``is_active``, found from the function's parameters, results and statements."""
         kinds = [kind for _, kind in parameters(self.node(module, name))]
         arrays = [parameter for parameter, kind in parameters(self.node(module, name)) if kind == "array"]
         follows = "float" in kinds or bool(ACTIVE_ARRAYS & set(arrays))
