@@ -13,10 +13,10 @@ What Pyccel writes is tidied like this:
   them. The compiler can fold them, and nothing has to be initialised at run time (where threads could race):
   ``<module>__init`` is gone, and the wrappers for CPython with it.
 * Headers include ``native/spans.h`` and each other, instead of Pyccel's own library of containers.
-* Functions are ``static``, in the order of the Python source, each under its docstring. Three translation units
-  include them: ``unit.c`` holds a step, ``prepare_unit.c`` what lays out the tables once, ``tangent_unit.c`` the
-  derivatives, which tools/tangent writes. The modules in SELDOM are not inlined, the functions in INLINED always
-  (tools/transpile/tidy.py). Locals that Pyccel adds and nobody reads are dropped.
+* Functions are ``static``, in the order of the Python source, each under its docstring. Three translation
+  units include them: ``unit.c`` holds a step, ``prepare_unit.c`` what lays out the tables once,
+  ``tangent_unit.c`` the derivatives, which tools/tangent writes. Modules in SELDOM are not inlined, functions
+  in INLINED always (tools/transpile/tidy.py). Locals that Pyccel adds and nobody reads are dropped.
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
 The steps are the files of tools/transpile: ``modules`` reads the Python, ``translator`` runs Pyccel, ``tidy``

@@ -12,7 +12,7 @@ import types
 from pathlib import Path
 
 import lower_records
-from tangent import RULE_MODULE, tangent_modules
+from tangent import RULE_MODULES, tangent_modules
 
 KERNEL = Path(__file__).resolve().parents[2] / "wrcontact" / "kernel"
 FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
@@ -41,7 +41,7 @@ def read_modules(kernel):
         for name, text in tangent_modules(sources).items():
             Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
         tangents = [Module(path) for path in sorted(Path(folder).glob("*.py"))]
-    modules = [*(module for module in sources if module.name != RULE_MODULE), *tangents]
+    modules = [*(module for module in sources if module.name not in RULE_MODULES), *tangents]
     for module in modules:
         module.refuse_silent_traps()
     return modules

@@ -12,9 +12,8 @@ EDGE = "/*........................................*/"        # Pyccel's line abo
 SELDOM = {"separation": "separation"} | dict.fromkeys((
     "arc_length", "brackets", "compliant", "curves", "deep_points", "elastic", "moves", "overlap_samples",
     "overlaps", "planes", "pressed", "pressed_regions", "touching", "trial"))
-#: Small functions of the innermost loops that are always inlined, also where the compiler has no room left for
-#: them: without it rigid steps take 2 to 5 % more instructions. (So the order of the units does not matter much:
-#: it is that of the rooms.)
+#: Small functions of the innermost loops that are always inlined. Without it the compiler leaves them out
+#: where the unit has grown enough, and a rigid step takes up to 5 % more instructions.
 INLINED = {("locus", "around_wheel")}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "
