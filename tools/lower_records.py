@@ -10,88 +10,23 @@ before anything is translated.
     def f(...) -> Region                              def f(...) -> int
     f(work.frame, work.regions[0], y)                 f(work, WORK_REGIONS, y)
 
-The classes of layout.py say where each field is and in which array each record lives; those with
-``array = "..."`` are that array's head. What is not a field, and a record of another class than the
-one asked for, is refused with its line.
+The classes of the room layout (record_layout.py) say where each field is and in which array each record
+lives; those with ``array = "..."`` are that array's head. What is not a field, and a record of another
+class than the one asked for, is refused with its line.
 """
 
 import ast
 import re
 from collections import namedtuple
 from copy import deepcopy
-from ctypes import Array, sizeof
+from ctypes import sizeof
+
+from record_layout import Layout, Refused, constant, is_record, is_root, is_run
 
 #: Arrays in which records live, in the order in which a function gets them.
 ARRAYS = ("setup", "tables", "work", "state", "report")
 # records, or numbers, at the sum of ``terms`` in ``array``
 Ref = namedtuple("Ref", "kind array terms")
-
-
-class Refused(Exception):
-    """The module cannot be lowered; the message says where and why."""
-
-
-def constant(name):
-    """REGION_LOAD of RegionLoad."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).upper()
-
-
-class Layout:
-    """The record classes of the module layout.py, which is imported."""
-
-    def __init__(self, module):
-        named = {name: kind for name, kind in vars(module).items() if is_record(kind) or is_run(kind)}
-        self.classes = {name: kind for name, kind in named.items() if getattr(kind, "_fields_", True)}
-        # where each class is met in the arrays; values of the constants
-        self.places, self.values = {}, {}
-        for name, kind in self.classes.items():
-            if not is_record(kind):
-                continue
-            self.values[f"{constant(name)}_SIZE"] = sizeof(kind) // 8
-            for field, _ in kind._fields_:
-                self.values[self.offset(kind, field)] = getattr(kind, field).offset // 8
-        for name, value in self.values.items():
-            if getattr(module, name, value) != value:
-                raise Refused(f"layout.py: {name} is {getattr(module, name)}, and {value} in a record")
-        for kind in self.classes.values():
-            if getattr(kind, "array", None):
-                self.walk(kind, kind.array, [], True)
-
-    def walk(self, kind, array, terms, single):
-        self.places.setdefault(kind, []).append((array, terms if single else None))
-        if is_run(kind):
-            if is_record(kind._type_) or is_run(kind._type_):
-                self.walk(kind._type_, array, terms, False)
-            return
-        for field, inner in kind._fields_:
-            if is_record(inner) or is_run(inner):
-                self.walk(inner, array, [*terms, self.offset(kind, field)], single)
-        for target in kind.targets.values():
-            self.walk(target, array, [], False)
-
-    @staticmethod
-    def offset(kind, field):
-        return f"{constant(kind.__name__)}_{field.lstrip('_').upper()}"
-
-    def home(self, kind):
-        """The array that records of a class live in, and their offset's terms where there is
-        only one of them, else None."""
-        arrays = {array for array, _ in self.places.get(kind, ())}
-        if not arrays:
-            raise Refused(f"{kind.__name__} is in none of the arrays")
-        if len(arrays) > 1:
-            raise Refused(f"{kind.__name__} is met in {', '.join(sorted(arrays))}")
-        return arrays.pop(), self.places[kind][0][1] if len(self.places[kind]) == 1 else None
-
-
-def is_record(kind):
-    """Whether a type is a class of records."""
-    return isinstance(kind, type) and hasattr(kind, "_fields_")
-
-
-def is_run(kind):
-    """Whether a type is a run of numbers or records, one after the other."""
-    return isinstance(kind, type) and issubclass(kind, Array) and hasattr(kind, "_length_")
 
 
 def total(terms):
@@ -342,9 +277,9 @@ class Lowered(ast.NodeTransformer):
         self.edits.append(((first.lineno, first.col_offset), (last.end_lineno, last.end_col_offset), text))
 
     def imports(self):
-        """The constants that the lowered text names come from layout.py, records do not."""
-        wanted = {name for name in self.layout.values
-                  if any(re.search(rf"\b{name}\b", text) for _, _, text in self.edits)}
+        """The constants that the lowered text names come from layout, records do not."""
+        wanted = self.layout.values.keys() & {word for _, _, text in self.edits
+                                              for word in re.findall(r"\w+", text)}
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
                 names = {alias.name for alias in node.names} - set(self.layout.classes) - {"offset"} | wanted
@@ -357,11 +292,6 @@ class Lowered(ast.NodeTransformer):
             head, tail = self.lines[start[0] - 1][:start[1]], self.lines[stop[0] - 1][stop[1]:]
             self.lines[start[0] - 1:stop[0]] = [head + text.encode() + tail]
         return b"\n".join(self.lines)
-
-
-def is_root(kind):
-    """Whether a type is the class of records at the head of an array."""
-    return getattr(kind, "array", None) is not None
 
 
 def integer(expression):
@@ -383,7 +313,7 @@ def added_arrays(parameters, layout):
 
 
 def lower(texts, module):
-    """Modules without records, {name: text}, from modules with, and the imported layout.py."""
+    """Modules without records, {name: text}, from modules with, and the imported layout."""
     layout = Layout(module)
     functions = [(name, node) for name, text in texts.items() for node in ast.parse(text).body
                  if isinstance(node, ast.FunctionDef)]

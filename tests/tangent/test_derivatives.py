@@ -304,7 +304,8 @@ def differentiated(tmp_path_factory):
     for name, text in tangent_modules(modules).items():
         Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
     sys.path.insert(0, str(folder.parent))
-    yield [importlib.import_module(f"differentiated_kernel.{name}") for name in ("tangent_implicit", "step")]
+    yield [importlib.import_module(f"differentiated_kernel.{name}")
+           for name in ("tangent_wheelset_rules", "step")]
     sys.path.remove(str(folder.parent))
 
 

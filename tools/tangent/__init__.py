@@ -8,21 +8,20 @@ the seed. Values are computed as they were, operation by operation, so that they
 and every branch is the one that a step takes.
 
 Tables are constant, and so is ``state``, which never changes an answer. Searches and iterations are
-not differentiated; what they find is, by the rules of implicit.py: RULES (rules.py) tells which
-function stands in for which, and there
+not differentiated; what they find is, by the rules in wrcontact/kernel/tangent: RULES (rules.py) says
+which function is the rule of which, and there
 
-    held(x)             x as a constant
-    moving(x, other)    x, with the rate of ``other``
-    seeded(x, rate)     x, with this rate
-    rate_of(x)          the rate of x as a value
-    differentiated(f(...))  the call of a function for which there is a rule, differentiated as it is written
+    held(x)                   x as a constant
+    moving(x, other)          x, with the rate of ``other``
+    seeded(x, rate)           x, with this rate
+    rate_of(x)                the rate of x as a value
+    differentiated(f(...))    the call of a function that has a rule, differentiated as it is written
 
 and a plain call of a function that has a rule is the kernel's own: whatever it writes has no rate
 until the rule gives it one.
 """
 
-
 from .modules import tangent_modules
-from .rules import RULE_MODULE
+from .rules import RULE_MODULES
 
-__all__ = ["RULE_MODULE", "tangent_modules"]
+__all__ = ["RULE_MODULES", "tangent_modules"]

@@ -2,6 +2,7 @@
 
 import ast
 from collections import namedtuple
+from functools import cache
 
 from .rules import ACTIVE_ARRAYS, RATES
 from .scope import Scope, parameters
@@ -21,14 +22,13 @@ class Expressions(Scope):
         self.active = {name for name, kind in self.kinds.items() if kind == "float"
                        and name in dict(parameters(node))}
         self.names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} | set(self.kinds)
+        assignments = [(part.targets[0] if isinstance(part, ast.Assign) else part.target, part.value)
+                       for part in ast.walk(node) if isinstance(part, (ast.Assign, ast.AugAssign))]
         before = -1
         while len(self.active) != before:
             before = len(self.active)
-            for statement in ast.walk(node):
-                if isinstance(statement, ast.Assign):
-                    self.note_active(statement.targets[0], statement.value)
-                elif isinstance(statement, ast.AugAssign):
-                    self.note_active(statement.target, statement.value)
+            for target, value in assignments:
+                self.note_active(target, value)
 
     def note_active(self, target, value):
         targets = target.elts if isinstance(target, ast.Tuple) else [target]
@@ -217,12 +217,17 @@ def has_call(node):
 
 
 def is_atom(text):
-    """Whether a text is a name, a number, an array's element or a call."""
-    node = ast.parse(text, mode="eval").body
-    return isinstance(node, (ast.Name, ast.Constant, ast.Subscript))
+    """Whether a text is a name, a number or an array's element."""
+    return isinstance(expression(text), (ast.Name, ast.Constant, ast.Subscript))
 
 
 def closed(text):
     """A text as part of a larger expression."""
-    node = ast.parse(text, mode="eval").body
-    return text if isinstance(node, (ast.Name, ast.Constant, ast.Subscript, ast.Call)) else f"({text})"
+    whole = isinstance(expression(text), (ast.Name, ast.Constant, ast.Subscript, ast.Call))
+    return text if whole else f"({text})"
+
+
+@cache
+def expression(text):
+    """The syntax tree of an expression."""
+    return ast.parse(text, mode="eval").body

@@ -3,7 +3,7 @@ the modules that result."""
 
 import ast
 
-from .rules import ACTIVE_ARRAYS, HELPERS, INTRINSICS, PARTS, RATE_SOLVER, ROOT, RULE_MODULE, RULES, SEARCHES
+from .rules import ACTIVE_ARRAYS, HELPERS, INTRINSICS, PARTS, RATE_SOLVER, ROOT, RULE_MODULES, RULES, SEARCHES
 from .scope import Scope, parameters
 from .statements import Differentiated
 
@@ -11,7 +11,7 @@ from .statements import Differentiated
 def tangent_modules(modules):
     """Text of every differentiated module by name, from the kernel's parsed modules."""
     kernel = Kernel(modules)
-    kernel.reach(RULE_MODULE, ROOT)
+    kernel.reach(kernel.rule_homes[ROOT], ROOT)
     texts = {"tangent_rates": HELPERS}
     for place in kernel.modules:
         functions = [(module.name, name) for module in modules for name in module.functions
@@ -30,7 +30,9 @@ class Kernel:
         for module in modules:
             for name in module.functions:
                 self.homes.setdefault(name, []).append(module.name)
-        self.known_returns, self.wanted, self.known_writes = {}, set(), {}
+        #: The module of each rule.
+        self.rule_homes = {name: home for home in RULE_MODULES for name in self.modules[home].functions}
+        self.known_returns, self.wanted, self.known_writes, self.known_active = {}, set(), {}, {}
 
     def home(self, module, name):
         """The module that defines the function ``name`` as ``module`` sees it; None
@@ -73,6 +75,12 @@ class Kernel:
 
     def is_active(self, module, name):
         """Whether a function has rates to hand on."""
+        if (module, name) not in self.known_active:
+            self.known_active[module, name] = self.hands_on_rates(module, name)
+        return self.known_active[module, name]
+
+    def hands_on_rates(self, module, name):
+        """``is_active``, found from the function's parameters, results and statements."""
         kinds = [kind for _, kind in parameters(self.node(module, name))]
         arrays = [parameter for parameter, kind in parameters(self.node(module, name)) if kind == "array"]
         follows = "float" in kinds or bool(ACTIVE_ARRAYS & set(arrays))
@@ -83,11 +91,11 @@ class Kernel:
         """(module, function) whose tangent a call of ``name`` in ``module`` stands for; None where
         the call stays as it is."""
         home = self.home(module, name)
-        if (home is None or name in INTRINSICS or name in SEARCHES or module == RULE_MODULE
+        if (home is None or name in INTRINSICS or name in SEARCHES or module in RULE_MODULES
             and name in {*RULES, RATE_SOLVER}):
             return None
         if name in RULES:
-            return RULE_MODULE, RULES[name]
+            return self.rule_homes[RULES[name]], RULES[name]
         return (home, name) if self.is_active(home, name) else None
 
     def reach(self, module, name):
@@ -111,8 +119,9 @@ class Kernel:
         """The module beside whose tangents that of a function stands: a rule beside
         what it is the rule of."""
         replaced = {**{rule: function for function, rule in RULES.items()}, **PARTS}
-        return self.home(RULE_MODULE,
-                         replaced[name]) if module == RULE_MODULE and name in replaced else module
+        if module in RULE_MODULES and name in replaced:
+            return self.home(module, replaced[name])
+        return module
 
     def module_text(self, place, functions):
         """The text of one differentiated module, of functions each of which is (module, name)."""

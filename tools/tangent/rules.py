@@ -1,7 +1,7 @@
 """What the differentiation knows of the kernel by name: rules for iterations, arrays that follow the
 inputs, rates of functions."""
 
-#: What stands in for an iteration when the kernel is differentiated: a function of implicit.py.
+#: What stands in for an iteration when the kernel is differentiated: a function of RULE_MODULES.
 RULES = {
     "open_region": "minimum_rule", "zone_width": "width_rule", "find_saddle": "saddle_rule",
     "solve_penetrations": "penetrations_rule", "touching_pair": "pair_rule",
@@ -14,7 +14,8 @@ SEARCHES = {"list_minima"}
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: Called by the rules as it is: it solves for rates.
 RATE_SOLVER = "eliminate"
-RULE_MODULE = "implicit"
+#: The modules of the room kernel/tangent, which are differentiated and not translated themselves.
+RULE_MODULES = ("contact_rules", "intrinsics", "normal_rules", "wheelset_rules")
 ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
 INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated"}

@@ -1,8 +1,10 @@
 """Kinds of names and expressions in one function of the kernel."""
 
 import ast
+from functools import cache
 
 
+@cache
 def parameters(node):
     """(name, kind) of the parameters of a function, as annotated."""
     kinds = {"float": "float", "int": "int", "'float[:]'": "array"}
@@ -67,7 +69,14 @@ class Scope:
         homes = [self.module,
                  *(home for home, names in self.kernel.modules[self.module].imports.items() if name in names)]
         for home in homes:
-            for node in self.kernel.modules[home].tree.body:
-                if isinstance(node, ast.AnnAssign) and node.target.id == name:
-                    return ast.unparse(node.annotation)[len("Final["):-1]
+            kinds = constant_kinds(self.kernel.modules[home].tree)
+            if name in kinds:
+                return kinds[name]
         raise KeyError(f"{self.module}.py: {name} has no kind")
+
+
+@cache
+def constant_kinds(tree):
+    """Kind of every constant of a module, by name."""
+    return {node.target.id: ast.unparse(node.annotation)[len("Final["):-1] for node in tree.body
+            if isinstance(node, ast.AnnAssign)}

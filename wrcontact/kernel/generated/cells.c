@@ -22,6 +22,18 @@ static inline int64_t cells__write_cell(array_double_1d work, int64_t cell, doub
     return INT64_C(0);
 }
 
+/* Abscissae, gaps [m] and mismatches [-] at both ends of a cell. */
+static inline int64_t cells__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell)
+{
+    (*result_0) = (*cspan_at(&work, cell + layout__CELL_LOW));
+    (*result_1) = (*cspan_at(&work, cell + layout__CELL_HIGH));
+    (*result_2) = (*cspan_at(&work, cell + layout__CELL_GAP_LOW));
+    (*result_3) = (*cspan_at(&work, cell + layout__CELL_GAP_HIGH));
+    (*result_4) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW));
+    (*result_5) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH));
+    return 0;
+}
+
 /* Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
  * while a smaller one is possible, refine where the slope turns. ``least`` and ``most`` bound the
  * second derivative [1/m].
@@ -57,12 +69,7 @@ static inline int64_t cells__search_cell(array_double_1d work, array_double_1d t
     {
         depth -= INT64_C(1);
         cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
-        low = (*cspan_at(&work, cell + layout__CELL_LOW));
-        high = (*cspan_at(&work, cell + layout__CELL_HIGH));
-        gap_low = (*cspan_at(&work, cell + layout__CELL_GAP_LOW));
-        gap_high = (*cspan_at(&work, cell + layout__CELL_GAP_HIGH));
-        mismatch_low = (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW));
-        mismatch_high = (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH));
+        cells__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
         width = high - low;
         lowest = gap_low;
         cells__keep_smaller(work, side, low, gap_low);
@@ -145,12 +152,7 @@ static inline int64_t cells__list_cell(array_double_1d work, array_double_1d tab
     {
         depth -= INT64_C(1);
         cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
-        low = (*cspan_at(&work, cell + layout__CELL_LOW));
-        high = (*cspan_at(&work, cell + layout__CELL_HIGH));
-        gap_low = (*cspan_at(&work, cell + layout__CELL_GAP_LOW));
-        gap_high = (*cspan_at(&work, cell + layout__CELL_GAP_HIGH));
-        mismatch_low = (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW));
-        mismatch_high = (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH));
+        cells__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
         width = high - low;
         if (double_min(2, gap_low, gap_high) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_REACH)))
         {

@@ -25,6 +25,7 @@ static const int64_t cells__REFINEMENTS = INT64_C(60);
 static const double cells__ROUNDING = 1e-15;
 
 static inline int64_t cells__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
+static inline int64_t cells__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
 static inline int64_t cells__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
 static inline int64_t cells__refine_minimum(double* y, double* gap, array_double_1d work, array_double_1d tables, int64_t at, array_double_1d state, int64_t cell, double sharp);
 static inline int64_t cells__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);

@@ -2,11 +2,11 @@
  *
  * Hertz's coefficients and closed-form contact, through a table of exact values.
  *
- * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
- * - q^2),
+ * With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
+ * sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
  *
- *     A > B (long across): m = L q, n = L, r = 2 K / (pi L); A < B: m = L, n = L q, r
- *     the same; L^3 = 2 E / (pi q^2)
+ *     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
+ *     A < B:                 m = L,    n = L q,  r the same
  *
  * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
  *
@@ -21,28 +21,12 @@
 /* Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range. */
 static inline double hertz__table_value(array_double_1d tables, int64_t table, int64_t column, double abscissa)
 {
-    double u;
-    double last;
     int64_t cell;
+    double u;
     int64_t at;
     double high;
     double result;
-    u = (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT));
-    last = (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT));
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
-    cell = (int64_t)(u);
-    if (cell > (int64_t)(last) - INT64_C(1))
-    {
-        cell = (int64_t)(last) - INT64_C(1);
-    }
-    u -= (double)(cell);
+    table_cell__table_cell(&cell, &u, (abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START))) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)));
     at = layout__HERTZ_ROW * cell + column;
     high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
     result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));

@@ -2,11 +2,11 @@
  *
  * Hertz's coefficients and closed-form contact, through a table of exact values.
  *
- * With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
- * - q^2),
+ * With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
+ * sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
  *
- *     A > B (long across): m = L q, n = L, r = 2 K / (pi L); A < B: m = L, n = L q, r
- *     the same; L^3 = 2 E / (pi q^2)
+ *     A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
+ *     A < B:                 m = L,    n = L q,  r the same
  *
  * so that the three combinations ANALYN needs are functions of ln(B/A) alone:
  *
@@ -21,6 +21,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "table_cell.h"
 
 static const double hertz__TILTED = 1e-12;
 static const double hertz__STEEPEST = 0.3;

@@ -11,28 +11,13 @@
  */
 static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t table, double y)
 {
-    double u;
-    double last;
     int64_t cell;
+    double share;
     double before;
     double result;
-    u = (y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START))) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
-    last = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0;
-    if (!(u > 0.0))
-    {
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u = last;
-    }
-    cell = (int64_t)(u);
-    if (cell > (int64_t)(last) - INT64_C(1))
-    {
-        cell = (int64_t)(last) - INT64_C(1);
-    }
+    table_cell__table_cell(&cell, &share, (y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START))) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0);
     before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
-    result = before + (u - (double)(cell)) * ((*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before);
+    result = before + share * ((*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before);
     return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "../native/spans.h"
 #include "layout.h"
+#include "table_cell.h"
 
 static inline double lateral_curvature__profile_curvature(array_double_1d tables, int64_t table, double y);
 static inline double lateral_curvature__relative_curvature(array_double_1d tables, double y, double abscissa);

@@ -94,7 +94,7 @@ static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, in
  *
  * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
  */
-static inline int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope)
+static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope)
 {
     double w;
     double root;
@@ -117,8 +117,8 @@ static inline int64_t locus__around_wheel(double* result_0, double* result_1, ar
     return 0;
 }
 
-/* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y,
- * z).
+/* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
+ * point (y, z).
  *
  * The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
  */
@@ -159,7 +159,7 @@ static inline int64_t locus__outline_point(double* y_track, double* z_track, dou
 }
 
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
- * slope [1/m].
+ * slope [1/m]. (Both are written out: a search calls the shorter one most.)
  */
 static inline int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
 {

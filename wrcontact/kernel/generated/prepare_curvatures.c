@@ -11,6 +11,8 @@
 
 /* Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
  * symmetric elimination.
+ *
+ * Many arguments because these are the nine different numbers of three symmetric equations.
  */
 static inline double prepare_curvatures__circle_curvature(double n00, double n01, double n02, double n11, double n12, double n22, double r0, double r1, double r2)
 {
@@ -269,9 +271,12 @@ static inline double prepare_curvatures__turned_curvature(array_double_1d tables
     return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step;
 }
 
-/* What the lateral curvature ``kind`` reads of a profile, at ``base``; the offset after it, or FULL. */
-static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, int64_t kind, double step, double reach, array_double_1d work, int64_t scratch)
+/* What the chosen lateral curvature reads of a profile, at ``base``; the offset after it, or FULL. */
+static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, array_double_1d work, int64_t scratch)
 {
+    int64_t kind;
+    double step;
+    double reach;
     double scale;
     double start;
     double stop;
@@ -283,6 +288,9 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
     int64_t i;
     double y;
     double curvature;
+    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE)));
+    step = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP));
+    reach = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH));
     if ((kind != layout__LATERAL_SMOOTH) && (kind != layout__LATERAL_ROUGH))
     {
         return base;

@@ -12,6 +12,8 @@
 
 /* The quintic with given height, slope and second derivative at both ends, into
  * the piece at ``at`` [mm].
+ *
+ * Many arguments because the values at both ends come from one zone or are the mean of two.
  */
 static inline int64_t prepare_pieces__write_quintic(array_double_1d tables, int64_t at, double low, double high, double z_low, double slope_low, double bend_low, double z_high, double slope_high, double bend_high)
 {

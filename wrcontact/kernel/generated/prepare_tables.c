@@ -139,7 +139,6 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
  */
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel_definition, array_double_1d rail_definition, array_double_1d hertz, array_double_1d influence, array_double_1d tables, array_double_1d work, array_double_1d report)
 {
-    int64_t kind;
     int64_t i;
     int64_t rail_zones;
     int64_t scratch;
@@ -147,7 +146,6 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     int64_t wheel;
     int64_t rail;
     int64_t at;
-    kind = (int64_t)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE)));
     for (i = INT64_C(0); i < layout__SETTING_COUNT; i += INT64_C(1))
     {
         (*cspan_at(&tables, i)) = 0.0;
@@ -195,12 +193,12 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_WHEEL_CURVATURE)) = (double)(at);
-        at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, kind, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP)), (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH)), work, scratch);
+        at = prepare_curvatures__write_curvatures(tables, at, wheel, -1.0, work, scratch);
     }
     if (at != prepare_pieces__FULL)
     {
         (*cspan_at(&tables, layout__TABLES_RAIL_CURVATURE)) = (double)(at);
-        at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, kind, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP)), (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH)), work, scratch);
+        at = prepare_curvatures__write_curvatures(tables, at, rail, 1.0, work, scratch);
     }
     if (at == prepare_pieces__FULL)
     {

@@ -68,7 +68,7 @@ static inline int64_t profile_table__height_slope_bend(double* result_0, double*
     double half_bend;
     piece = profile_table__find_piece(tables, profile, y);
     u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    /* Horner's scheme, and twice again on the quotient that it leaves */
+    /* Horner's scheme as in height_slope, which is called most, and twice again on the quotient that it leaves */
     p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
     p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
     p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;

@@ -124,16 +124,8 @@ static inline double quadrature__root_integral(double before, double low, double
     {
         return quadrature__bent_integral(low, slope, bend, start, stop);
     }
-    first = low + start * (slope + start * bend);
-    last = low + stop * (slope + stop * bend);
-    if (first < 0.0)
-    {
-        first = 0.0;
-    }
-    if (last < 0.0)
-    {
-        last = 0.0;
-    }
+    first = quadrature__quadratic_at(low, slope, bend, start);
+    last = quadrature__quadratic_at(low, slope, bend, stop);
     p = sqrt(first);
     q = sqrt(last);
     total = p + q;
@@ -145,6 +137,18 @@ static inline double quadrature__root_integral(double before, double low, double
     chord = 2.0 / 3.0 * (first + p * q + last) / total;
     cube = total * total * total;
     return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / cube);
+}
+
+/* low + slope x + bend x^2, and 0 where rounding makes it negative. */
+static inline double quadrature__quadratic_at(double low, double slope, double bend, double x)
+{
+    double value;
+    value = low + x * (slope + x * bend);
+    if (value < 0.0)
+    {
+        value = 0.0;
+    }
+    return value;
 }
 
 /* Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
@@ -165,16 +169,8 @@ static inline double quadrature__bent_integral(double low, double slope, double 
     double height;
     double height_before;
     double angle;
-    first = low + start * (slope + start * bend);
-    last = low + stop * (slope + stop * bend);
-    if (first < 0.0)
-    {
-        first = 0.0;
-    }
-    if (last < 0.0)
-    {
-        last = 0.0;
-    }
+    first = quadrature__quadratic_at(low, slope, bend, start);
+    last = quadrature__quadratic_at(low, slope, bend, stop);
     spread = slope * slope - 4.0 * bend * low;
     if (!(spread > 0.0))
     {

@@ -19,6 +19,7 @@ static inline double quadrature__quadratic_value(double before, double low, doub
 static inline int64_t quadrature__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
 static inline double quadrature__quadratic_integral(double before, double low, double high, double stop);
 static inline double quadrature__quadratic_moment(double before, double low, double high, double stop);
+static inline double quadrature__quadratic_at(double low, double slope, double bend, double x);
 static inline double quadrature__bent_integral(double low, double slope, double bend, double start, double stop);
 static inline double quadrature__root_integral(double before, double low, double high, double start, double stop);
 

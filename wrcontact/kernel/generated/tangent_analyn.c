@@ -196,7 +196,7 @@ static inline int64_t tangent_analyn__load_regions_t(double* total, double* tota
 }
 
 /* Tangent of ``penetrations_rule``. */
-static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, double* result_1, int64_t* met, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed)
+static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, double* result_1, int64_t* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, array_double_1d state, int64_t count, double force, double force_t, double penetration, double penetration_t, int64_t prescribed)
 {
     double given_t;
     double given;
@@ -228,9 +228,9 @@ static inline int64_t tangent_analyn__penetrations_rule_t(double* result_0, doub
     double n4;
     given_t = penetration_t;
     given = penetration;
-    analyn__solve_penetrations(&penetration, met, work, tables, state, count, force, penetration, prescribed);
+    analyn__solve_penetrations(&penetration, satisfied, work, tables, state, count, force, penetration, prescribed);
     penetration_t = 0.0;
-    if ((*met) == INT64_C(0))
+    if ((*satisfied) == INT64_C(0))
     {
         (*result_0) = penetration;
         (*result_1) = penetration_t;

@@ -9,10 +9,9 @@
 static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t)
 {
     double v1;
-    double u_t;
-    double u;
-    double last;
     int64_t cell;
+    double u;
+    double u_t;
     int64_t at;
     double v2;
     double high_t;
@@ -20,25 +19,7 @@ static inline int64_t tangent_hertz__table_value_t(double* result_0, double* res
     double v3;
     double v4;
     v1 = abscissa - (*cspan_at(&tables, table + layout__HERTZ_TABLE_START));
-    u_t = abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT));
-    u = v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT));
-    last = (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT));
-    if (!(u > 0.0))
-    {
-        u_t = 0.0;
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u_t = 0.0;
-        u = last;
-    }
-    cell = (int64_t)(u);
-    if (cell > (int64_t)(last) - INT64_C(1))
-    {
-        cell = (int64_t)(last) - INT64_C(1);
-    }
-    u = u - (double)(cell);
+    tangent_table_cell__table_cell_t(&cell, &u, &u_t, v1 * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), abscissa_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__HERTZ_TABLE_COUNT)), 0.0);
     at = layout__HERTZ_ROW * cell + column;
     v2 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
     high_t = u_t * v2 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));

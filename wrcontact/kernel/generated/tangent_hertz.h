@@ -10,6 +10,7 @@
 #include "hertz.h"
 #include "layout.h"
 #include "tangent_rates.h"
+#include "tangent_table_cell.h"
 
 static inline int64_t tangent_hertz__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double abscissa, double abscissa_t);
 static inline int64_t tangent_hertz__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v4, double* v4_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);

@@ -9,37 +9,17 @@
 static inline int64_t tangent_lateral_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t)
 {
     double v1;
-    double u_t;
-    double u;
-    double last;
     int64_t cell;
+    double share;
+    double share_t;
     double before;
     double v2;
-    double v3;
     v1 = y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START));
-    u_t = y_t * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
-    u = v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
-    last = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0;
-    if (!(u > 0.0))
-    {
-        u_t = 0.0;
-        u = 0.0;
-    }
-    if (u > last)
-    {
-        u_t = 0.0;
-        u = last;
-    }
-    cell = (int64_t)(u);
-    if (cell > (int64_t)(last) - INT64_C(1))
-    {
-        cell = (int64_t)(last) - INT64_C(1);
-    }
+    tangent_table_cell__table_cell_t(&cell, &share, &share_t, v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), y_t * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0, 0.0);
     before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
-    v2 = u - (double)(cell);
-    v3 = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before;
-    (*result_0) = before + v2 * v3;
-    (*result_1) = u_t * v3;
+    v2 = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before;
+    (*result_0) = before + share * v2;
+    (*result_1) = share_t * v2;
     return 0;
 }
 

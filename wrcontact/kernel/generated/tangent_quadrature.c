@@ -186,9 +186,11 @@ static inline int64_t tangent_quadrature__root_integral_t(double* v2, double* v2
     double slope_t;
     double slope;
     double v3;
+    double v3_t;
     double first_t;
     double first;
     double v4;
+    double v4_t;
     double last_t;
     double last;
     double v5;
@@ -229,22 +231,12 @@ static inline int64_t tangent_quadrature__root_integral_t(double* v2, double* v2
         tangent_quadrature__bent_integral_t(v2, v2_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t, stop, stop_t);
         return 0;
     }
-    v3 = slope + start * bend;
-    first_t = low_t + (start_t * v3 + start * (slope_t + (start_t * bend + start * bend_t)));
-    first = low + start * v3;
-    v4 = slope + stop * bend;
-    last_t = low_t + (stop_t * v4 + stop * (slope_t + (stop_t * bend + stop * bend_t)));
-    last = low + stop * v4;
-    if (first < 0.0)
-    {
-        first_t = 0.0;
-        first = 0.0;
-    }
-    if (last < 0.0)
-    {
-        last_t = 0.0;
-        last = 0.0;
-    }
+    tangent_quadrature__quadratic_at_t(&v3, &v3_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
+    first_t = v3_t;
+    first = v3;
+    tangent_quadrature__quadratic_at_t(&v4, &v4_t, low, low_t, slope, slope_t, bend, bend_t, stop, stop_t);
+    last_t = v4_t;
+    last = v4;
     v5 = sqrt(first);
     p_t = tangent_rates__root_rate(v5, first_t);
     p = v5;
@@ -284,13 +276,30 @@ static inline int64_t tangent_quadrature__root_integral_t(double* v2, double* v2
     return 0;
 }
 
+/* Tangent of ``quadratic_at``. */
+static inline int64_t tangent_quadrature__quadratic_at_t(double* value, double* value_t, double low, double low_t, double slope, double slope_t, double bend, double bend_t, double x, double x_t)
+{
+    double v1;
+    v1 = slope + x * bend;
+    (*value_t) = low_t + (x_t * v1 + x * (slope_t + (x_t * bend + x * bend_t)));
+    (*value) = low + x * v1;
+    if ((*value) < 0.0)
+    {
+        (*value_t) = 0.0;
+        (*value) = 0.0;
+    }
+    return 0;
+}
+
 /* Tangent of ``bent_integral``. */
 static inline int64_t tangent_quadrature__bent_integral_t(double* result_0, double* result_1, double low, double low_t, double slope, double slope_t, double bend, double bend_t, double start, double start_t, double stop, double stop_t)
 {
     double v1;
+    double v1_t;
     double first_t;
     double first;
     double v2;
+    double v2_t;
     double last_t;
     double last;
     double v3;
@@ -329,22 +338,12 @@ static inline int64_t tangent_quadrature__bent_integral_t(double* result_0, doub
     double v18;
     double v19;
     double v20;
-    v1 = slope + start * bend;
-    first_t = low_t + (start_t * v1 + start * (slope_t + (start_t * bend + start * bend_t)));
-    first = low + start * v1;
-    v2 = slope + stop * bend;
-    last_t = low_t + (stop_t * v2 + stop * (slope_t + (stop_t * bend + stop * bend_t)));
-    last = low + stop * v2;
-    if (first < 0.0)
-    {
-        first_t = 0.0;
-        first = 0.0;
-    }
-    if (last < 0.0)
-    {
-        last_t = 0.0;
-        last = 0.0;
-    }
+    tangent_quadrature__quadratic_at_t(&v1, &v1_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
+    first_t = v1_t;
+    first = v1;
+    tangent_quadrature__quadratic_at_t(&v2, &v2_t, low, low_t, slope, slope_t, bend, bend_t, stop, stop_t);
+    last_t = v2_t;
+    last = v2;
     v3 = 4.0 * bend;
     spread_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * low + v3 * low_t);
     spread = slope * slope - v3 * low;

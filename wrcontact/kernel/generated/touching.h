@@ -3,22 +3,20 @@
  * Pairs of points of wheel and rail with a common normal, found in two ways for two purposes.
  *
  * touching_pair   by Newton's method for both abscissae at once, from a good estimate: where a wheel that
- * overlaps its rail a
- *                 little, or stands above it, would touch.  It needs wheel and rail to be bent towards each
- *                 other.
+ *                 overlaps its rail a little, or is above it, would touch. Wheel and rail have to be bent
+ *                 towards each other.
  * turning_point   by a bracket on the rail, with Newton's method inside it: where the overlap of a pressed wheel
- * is largest,
- *                 or smallest between two largest ones.  It finds one also where curvatures jump.
+ *                 is largest, or smallest between two largest ones. It finds one also where curvatures jump.
  *
- * An elastic contact is a rigid one that has been pressed: the wheel stands ``depth`` deeper than where it just
- * touches.  In a pair the outline and the rail have one slope m and the line between both points is normal to
+ * An elastic contact is a rigid one that has been pressed: the wheel is ``depth`` deeper than where it just
+ * touches. In a pair the outline and the rail have one slope m and the line between both points is normal to
  * them,
  *
- *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,   depth = (Z - z_rail - m (X - x)) / sqrt(1 +
- *     m^2)
+ *     m_wheel(y) = m_rail(x),   X - x + (Z - z_rail(x)) m = 0,
+ *     depth = (Z - z_rail - m (X - x)) / sqrt(1 + m^2)
  *
- * with (X, Z) the wheel's point at abscissa y as it stands.  Without overlap it is the point of the smallest
- * vertical gap.
+ * with (X, Z) the wheel's point at abscissa y in its present pose. Without overlap it is the point of the
+ * smallest vertical gap.
  */
 
 #ifndef WRCONTACT_KERNEL_TOUCHING_H

@@ -84,8 +84,7 @@ class Region:
     spacing: float                  # of its nodes [m]
     first: int                      # first and last node
     last: int
-    # share of the total, less own gap and the displacement by other regions [m]
-    local_penetration: float
+    local_penetration: float        # its share, less its gap and what other regions displace [m]
     load: float                     # [N]
     stiffness: float                # rate of the load over it [N/m]
     bend: float                     # second derivative of the gap at the minimum [1/m]

@@ -26,8 +26,7 @@ class ScanNode:
     least_bend: float                # smallest second derivative up to the next node [1/m]
     most_bends: Float * EXPONENTS    # largest one up to the node 2^k further on [1/m]
     steepest_bends: Float * EXPONENTS        # largest absolute value, likewise [1/m]
-    # largest change of the gap with the roll, here and at all nodes beyond [m]
-    lever: float
+    lever: float                     # largest change of the gap with the roll, from here outwards [m]
 
 
 @record
@@ -36,8 +35,7 @@ class RailCell:
 
     least_bend: float                # smallest and largest second derivative around it [1/m]
     most_bend: float
-    # smallest one along a wheel's stretch of 2^k fine cells that starts in it [1/m]
-    least_bends: Float * (EXPONENTS + 1)
+    least_bends: Float * (EXPONENTS + 1)        # smallest one over 2^k cells from here [1/m]
 
 
 SCAN_NODE_SIZE: Final[int] = size(ScanNode)
@@ -117,8 +115,7 @@ class RollTrials:
     """The way from zero roll to a root."""
 
     near: RollTrial                  # up to here there is no root
-    # the known root, then the ends of stretches still to be examined, the nearest last
-    far: RollTrial * TRIAL_LIMIT
+    far: RollTrial * TRIAL_LIMIT     # the known root, then ends of unexamined stretches, nearest last
 
 
 @record

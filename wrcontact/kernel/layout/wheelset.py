@@ -28,8 +28,7 @@ class Broyden:
     """Broyden's method for the height and roll of an elastic wheelset; rolls count in
     metres at the wheels."""
 
-    # residuals: how much lower each side carries its load than where it is [m]
-    left: float
+    left: float                     # residuals: how much lower each side carries its load [m]
     right: float
     left_height: float              # their derivatives with respect to height and roll [-]
     left_roll: float

@@ -31,8 +31,7 @@ class Work:
     known: bool                     # whether the outputs are those of the inputs, and with which status
     status: int
     outputs: Outputs
-    # with another number of stations than STATION_COUNT; one right after the other
-    outlines: Outline * 2
+    outlines: Outline * 2           # with another number of stations than STATION_COUNT
     sides: Sides
     contact: Contact
     supports: Supports

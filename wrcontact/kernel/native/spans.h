@@ -23,11 +23,13 @@
 #pragma GCC optimize("fp-contract=off")
 #endif
 
-/* For functions that a usual step does not call. */
+/* For functions that a usual step does not call, and for small ones in its innermost loops. */
 #if defined(__GNUC__) || defined(__clang__)
 #define OUT_OF_LINE __attribute__((noinline))
+#define ALWAYS_INLINE inline __attribute__((always_inline))
 #else
 #define OUT_OF_LINE
+#define ALWAYS_INLINE inline
 #endif
 
 /* 'float[:]': an array that belongs to somebody else. */

@@ -75,9 +75,9 @@ int wrcontact_tangent(const wrcontact_handle *handle, const double *seed, double
     {
         memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
         memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
-        const bool told = tangent_implicit__differentiate_t(handle->tables, work, work_t, state) == 0;
+        const bool reported = tangent_wheelset_rules__differentiate_t(handle->tables, work, work_t, state) == 0;
         memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
-        if (!told || !all_finite(rates, outputs.shape[0]))
+        if (!reported || !all_finite(rates, outputs.shape[0]))
             difference(&own, handle, seed, rates);
     }
     return status;

@@ -1,10 +1,10 @@
 """Hertz's coefficients and closed-form contact, through a table of exact values.
 
-With q the ratio of the short to the long semi-axis and K, E the complete elliptic integrals of modulus sqrt(1
-- q^2),
+With q the ratio of the short to the long semi-axis, K, E the complete elliptic integrals of modulus
+sqrt(1 - q^2) and L^3 = 2 E / (pi q^2),
 
-    A > B (long across): m = L q, n = L, r = 2 K / (pi L); A < B: m = L, n = L q, r
-    the same; L^3 = 2 E / (pi q^2)
+    A > B (long across):   m = L q,  n = L,    r = 2 K / (pi L)
+    A < B:                 m = L,    n = L q,  r the same
 
 so that the three combinations ANALYN needs are functions of ln(B/A) alone:
 
@@ -18,6 +18,7 @@ from math import fabs, log, sqrt
 from typing import Final
 
 from ..layout import HERTZ_ROW, HertzTable
+from ..surface.table_cell import table_cell
 
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
@@ -30,16 +31,7 @@ RATIO_SHARP: Final[float] = 1e-10
 
 def table_value(table: HertzTable, column: int, abscissa: float):
     """Value of column 0 (1 + alpha) or 6 (n r) at ``abscissa`` = ln(B/A); clamped to the table's range."""
-    u = (abscissa - table.start) * table.cells_per_unit
-    last = table.count
-    if not u > 0.0:
-        u = 0.0
-    if u > last:
-        u = last
-    cell = int(u)
-    if cell > int(last) - 1:
-        cell = int(last) - 1
-    u -= float(cell)
+    cell, u = table_cell((abscissa - table.start) * table.cells_per_unit, table.count)
     at = HERTZ_ROW * cell + column
     high = table.rows[at + 3] + u * (table.rows[at + 4] + u * table.rows[at + 5])
     return table.rows[at] + u * (table.rows[at + 1] + u * (table.rows[at + 2] + u * high))

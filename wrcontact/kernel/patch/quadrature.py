@@ -85,12 +85,8 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
     slope = high - low - bend
     if bend < -STRAIGHT * (fabs(low) + fabs(high)):
         return bent_integral(low, slope, bend, start, stop)
-    first = low + start * (slope + start * bend)
-    last = low + stop * (slope + stop * bend)
-    if first < 0.0:
-        first = 0.0
-    if last < 0.0:
-        last = 0.0
+    first = quadratic_at(low, slope, bend, start)
+    last = quadratic_at(low, slope, bend, stop)
     p = sqrt(first)
     q = sqrt(last)
     total = p + q
@@ -102,18 +98,22 @@ def root_integral(before: float, low: float, high: float, start: float, stop: fl
     return width * (chord - 2.0 / 15.0 * bend * width * width * (first + 3.0 * p * q + last) / cube)
 
 
+def quadratic_at(low: float, slope: float, bend: float, x: float):
+    """low + slope x + bend x^2, and 0 where rounding makes it negative."""
+    value = low + x * (slope + x * bend)
+    if value < 0.0:
+        value = 0.0
+    return value
+
+
 def bent_integral(low: float, slope: float, bend: float, start: float, stop: float):
     """Integral over [start, stop] of sqrt(low + slope x + bend x^2) for bend < 0, in closed form.
 
     The angle between both ends is taken from the roots themselves, not from how far x has come: at the end of
     a loaded stretch the rounding of root and angle then cancels.
     """
-    first = low + start * (slope + start * bend)
-    last = low + stop * (slope + stop * bend)
-    if first < 0.0:
-        first = 0.0
-    if last < 0.0:
-        last = 0.0
+    first = quadratic_at(low, slope, bend, start)
+    last = quadratic_at(low, slope, bend, stop)
     spread = slope * slope - 4.0 * bend * low
     if not spread > 0.0:
         return 0.0

@@ -8,7 +8,7 @@ other one on a wheel. The table is the record CurvatureTable.
 from math import atan2, ceil, fabs, sqrt
 from typing import Final
 
-from ..layout import LATERAL_ROUGH, LATERAL_SMOOTH, PIECE_SIZE, CurvatureTable, Profile, offset
+from ..layout import LATERAL_ROUGH, LATERAL_SMOOTH, PIECE_SIZE, CurvatureTable, Profile, Tables, offset
 from ..surface.profile_table import height_slope
 from .pieces import FULL
 from .scan import first_piece, piece_count, piece_width
@@ -26,7 +26,10 @@ ARC_SHARP: Final[float] = 1e-15      # last Newton step to a node [m]
 def circle_curvature(n00: float, n01: float, n02: float, n11: float, n12: float, n22: float, r0: float,
                      r1: float, r2: float):
     """Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
-    symmetric elimination."""
+    symmetric elimination.
+
+    Many arguments because these are the nine different numbers of three symmetric equations.
+    """
     l01 = n01 / n00
     l02 = n02 / n00
     m11 = n11 - l01 * n01
@@ -177,27 +180,29 @@ def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, to
     return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step
 
 
-def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, kind: int, step: float,
-                     reach: float, work: 'float[:]', scratch: int):
-    """What the lateral curvature ``kind`` reads of a profile, at ``base``; the offset after it, or FULL."""
+def write_curvatures(tables: Tables, base: int, profile: int, sign: float, work: 'float[:]', scratch: int):
+    """What the chosen lateral curvature reads of a profile, at ``base``; the offset after it, or FULL."""
+    kind = int(tables.parameters.lateral_curvature)
+    step = tables.parameters.curvature_step
+    reach = tables.parameters.curvature_reach
     if kind != LATERAL_SMOOTH and kind != LATERAL_ROUGH:
         return base
     scale = step
     if kind == LATERAL_SMOOTH:
         scale = reach
-    start = Profile.at(tables, profile).start
-    stop = Profile.at(tables, profile).stop
+    start = Profile.at(tables.raw, profile).start
+    stop = Profile.at(tables.raw, profile).stop
     count = int(ceil((stop - start) / min(max(RASTER_SHARE * scale, FINEST), COARSEST))) + 1
-    table = CurvatureTable.at(tables, base)
+    table = CurvatureTable.at(tables.raw, base)
     first = offset(table.curvatures, tables)
-    if first + count > tables.shape[0]:
+    if first + count > tables.raw.shape[0]:
         return FULL
     table.count = float(count)
     table.start = start
     table.per_metre = float(count - 1) / (stop - start)
     total = 0.0
     if kind == LATERAL_ROUGH:
-        total = write_lengths(tables, profile, work, scratch)
+        total = write_lengths(tables.raw, profile, work, scratch)
     distance = (stop - start) / float(count - 1)
     for i in range(count):
         y = float(i) * distance + start
@@ -205,8 +210,8 @@ def write_curvatures(tables: 'float[:]', base: int, profile: int, sign: float, k
             y = stop
         curvature = 0.0
         if kind == LATERAL_SMOOTH:
-            curvature = fitted_curvature(tables, profile, y, reach)
+            curvature = fitted_curvature(tables.raw, profile, y, reach)
         else:
-            curvature = turned_curvature(tables, profile, y, step, total, work, scratch)
+            curvature = turned_curvature(tables.raw, profile, y, step, total, work, scratch)
         table.curvatures[i] = sign * curvature
     return first + count

@@ -41,7 +41,10 @@ FULL: Final[int] = -1                # in place of an offset: the tables are ful
 def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: float, slope_low: float,
                   bend_low: float, z_high: float, slope_high: float, bend_high: float):
     """The quintic with given height, slope and second derivative at both ends, into
-    the piece at ``at`` [mm]."""
+    the piece at ``at`` [mm].
+
+    Many arguments because the values at both ends come from one zone or are the mean of two.
+    """
     h = high - low
     c2 = 0.5 * bend_low
     rest = z_high - (z_low + h * (slope_low + h * c2))

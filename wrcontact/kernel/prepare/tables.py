@@ -141,7 +141,6 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
             influence: 'float[:]', tables: Tables, work: 'float[:]', report: 'float[:]'):
     """Everything but starts and methods into ``tables``; the outcome. The workspace holds both definitions
     and as much again as the tables."""
-    kind = int(setup.parameters.lateral_curvature)
     for i in range(SETTING_COUNT):
         tables[i] = 0.0
     rail_zones = copy_definition(wheel_definition, work, 0)
@@ -172,12 +171,10 @@ def prepare(setup: Setup, wheel_definition: 'float[:]', rail_definition: 'float[
         at = append_starts(tables, at)
     if at != FULL:
         tables.wheel_curvature = at
-        at = write_curvatures(tables.raw, at, wheel, -1.0, kind, setup.parameters.curvature_step,
-                              setup.parameters.curvature_reach, work, scratch)
+        at = write_curvatures(tables, at, wheel, -1.0, work, scratch)
     if at != FULL:
         tables.rail_curvature = at
-        at = write_curvatures(tables.raw, at, rail, 1.0, kind, setup.parameters.curvature_step,
-                              setup.parameters.curvature_reach, work, scratch)
+        at = write_curvatures(tables, at, rail, 1.0, work, scratch)
     if at == FULL:
         return TABLES_FULL
     report[REPORT_SIZE] = float(at)

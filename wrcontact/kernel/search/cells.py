@@ -40,6 +40,11 @@ def write_cell(cell: Cell, low: float, high: float, gap_low: float, gap_high: fl
     return 0
 
 
+def cell_ends(cell: Cell):
+    """Abscissae, gaps [m] and mismatches [-] at both ends of a cell."""
+    return cell.low, cell.high, cell.gap_low, cell.gap_high, cell.mismatch_low, cell.mismatch_high
+
+
 def search_cell(tables: Tables, side: SideSearch, state: State, least: float, most: float, first: float,
                 last: float):
     """Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
@@ -54,12 +59,7 @@ def search_cell(tables: Tables, side: SideSearch, state: State, least: float, mo
     while depth > 0:
         depth -= 1
         cell = side.stack[depth]
-        low = cell.low
-        high = cell.high
-        gap_low = cell.gap_low
-        gap_high = cell.gap_high
-        mismatch_low = cell.mismatch_low
-        mismatch_high = cell.mismatch_high
+        low, high, gap_low, gap_high, mismatch_low, mismatch_high = cell_ends(cell)
         width = high - low
         lowest = gap_low
         keep_smaller(side, low, gap_low)
@@ -105,12 +105,7 @@ def list_cell(tables: Tables, side: SideSearch, state: State, node: int, directi
     while depth > 0:
         depth -= 1
         cell = side.stack[depth]
-        low = cell.low
-        high = cell.high
-        gap_low = cell.gap_low
-        gap_high = cell.gap_high
-        mismatch_low = cell.mismatch_low
-        mismatch_high = cell.mismatch_high
+        low, high, gap_low, gap_high, mismatch_low, mismatch_high = cell_ends(cell)
         width = high - low
         if min(gap_low, gap_high) - most * width * width / 8.0 < side.reach:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED

@@ -2,22 +2,15 @@
 them."""
 
 from ..layout import CurvatureTable, Tables
+from .table_cell import table_cell
 
 
 def profile_curvature(table: CurvatureTable, y: float):
     """Curvature [1/m] of the profile at ``y`` [m], linear between two values; beyond an end, the value at
     that end."""
-    u = (y - table.start) * table.per_metre
-    last = table.count - 1.0
-    if not u > 0.0:
-        u = 0.0
-    if u > last:
-        u = last
-    cell = int(u)
-    if cell > int(last) - 1:
-        cell = int(last) - 1
+    cell, share = table_cell((y - table.start) * table.per_metre, table.count - 1.0)
     before = table.curvatures[cell]
-    return before + (u - float(cell)) * (table.curvatures[cell + 1] - before)
+    return before + share * (table.curvatures[cell + 1] - before)
 
 
 def relative_curvature(tables: Tables, y: float, abscissa: float):

@@ -93,8 +93,8 @@ def around_wheel(place: Place, slope: float):
 
 
 def outline_point(place: Place, y: float, z: float, slope: float):
-    """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at wheel profile point (y,
-    z).
+    """Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
+    point (y, z).
 
     The vertical shift of the wheelset is not included: its centre is at minus the nominal radius.
     """
@@ -121,7 +121,7 @@ def outline_point(place: Place, y: float, z: float, slope: float):
 
 def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     """``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
-    slope [1/m]."""
+    slope [1/m]. (Both are written out: a search calls the shorter one most.)"""
     sin_roll = place.sin_roll
     cos_roll = place.cos_roll
     arm = place.arm + y

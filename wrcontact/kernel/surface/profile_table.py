@@ -38,7 +38,7 @@ def height_slope_bend(profile: Profile, y: float):
     """Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]."""
     piece = find_piece(profile, y)
     u = y - piece.start
-    # Horner's scheme, and twice again on the quotient that it leaves
+    # Horner's scheme as in height_slope, which is called most, and twice again on the quotient that it leaves
     p4 = piece.c4 + u * piece.c5
     p3 = piece.c3 + u * p4
     p2 = piece.c2 + u * p3

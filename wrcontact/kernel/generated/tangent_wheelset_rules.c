@@ -1,12 +1,12 @@
-/* Generated from tangent_implicit.py by tools/transpile_kernel.py; change that one.
+/* Generated from tangent_wheelset_rules.py by tools/transpile_kernel.py; change that one.
  *
- * Tangents of implicit.py.
+ * Tangents of wheelset_rules.py.
  */
 
-#include "tangent_implicit.h"
+#include "tangent_wheelset_rules.h"
 
 /* Tangent of ``place_moving``. */
-static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t tangent_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
 {
     double yaw_t;
     double yaw;
@@ -28,7 +28,7 @@ static inline int64_t tangent_implicit__place_moving_t(array_double_1d tables, a
 }
 
 /* Tangent of ``follow_minimum``. */
-static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t tangent_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
 {
     int64_t side;
     int64_t at;
@@ -56,7 +56,7 @@ static inline int64_t tangent_implicit__follow_minimum_t(array_double_1d tables,
 }
 
 /* Tangent of ``follow_roll``. */
-static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t tangent_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t)
 {
     double left;
     double right;
@@ -80,7 +80,7 @@ static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* resu
     double lever;
     double v3;
     (*roll) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
-    tangent_implicit__place_moving_t(tables, work, work_t, (*roll), 0.0);
+    tangent_wheelset_rules__place_moving_t(tables, work, work_t, (*roll), 0.0);
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
     tangent_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
@@ -94,16 +94,16 @@ static inline int64_t tangent_implicit__follow_roll_t(double* roll, double* resu
     return 0;
 }
 
-/* Tangent of ``follow_stand``. */
-static inline int64_t tangent_implicit__follow_stand_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
+/* Tangent of ``follow_position``. */
+static inline int64_t tangent_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state, double roll, double roll_t, double height, double height_t)
 {
     int64_t index;
     double v1;
     double v1_t;
-    tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
+    tangent_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
-        tangent_implicit__follow_minimum_t(tables, work, work_t, index);
+        tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
         tangent_requested__side_force_t(&v1, &v1_t, work, work_t, index);
         tangent_trial__balance_side_t(tables, work, work_t, state, index, v1, v1_t, height, height_t);
     }
@@ -111,15 +111,15 @@ static inline int64_t tangent_implicit__follow_stand_t(array_double_1d tables, a
 }
 
 /* Tangent of ``follow_elastic``. */
-static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
     double roll_t;
     double roll;
     double height_t;
     double height;
     int64_t right;
-    double lack_left;
-    double lack_right;
+    double residual_left;
+    double residual_right;
     double left_height;
     double right_height;
     double left_roll;
@@ -132,27 +132,27 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
     height_t = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT));
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
+    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 0.0, height, 0.0);
     if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > 10000.0 * elastic__ELASTIC_SHARP)
     {
         return INT64_C(1);
     }
-    lack_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    lack_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
-    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 0.0, height, 1.0);
-    left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - lack_left - 1.0;
-    right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - lack_right - 1.0;
-    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, 1.0, height, 0.0);
-    left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - lack_left;
-    right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - lack_right;
+    residual_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    residual_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
+    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 0.0, height, 1.0);
+    left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left - 1.0;
+    right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right - 1.0;
+    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, 1.0, height, 0.0);
+    left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left;
+    right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right;
     determinant = left_height * right_roll - right_height * left_roll;
     if (determinant == 0.0)
     {
         return INT64_C(1);
     }
-    height_rate = (lack_right * left_roll - lack_left * right_roll) / determinant;
-    roll_rate = (lack_left * right_height - lack_right * left_height) / determinant;
-    tangent_implicit__follow_stand_t(tables, work, work_t, state, roll, roll_rate, height, height_rate);
+    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
+    roll_rate = (residual_left * right_height - residual_right * left_height) / determinant;
+    tangent_wheelset_rules__follow_position_t(tables, work, work_t, state, roll, roll_rate, height, height_rate);
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_rate;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_rate;
@@ -161,7 +161,7 @@ static inline int64_t tangent_implicit__follow_elastic_t(array_double_1d tables,
 }
 
 /* Tangent of ``follow_compliant``. */
-static inline int64_t tangent_implicit__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
     double roll_t;
     double roll;
@@ -172,21 +172,21 @@ static inline int64_t tangent_implicit__follow_compliant_t(array_double_1d table
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
-    tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
+    tangent_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = roll;
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height_t;
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = height;
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
-        tangent_implicit__follow_minimum_t(tables, work, work_t, index);
+        tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
         tangent_compliant__load_at_height_t(tables, work, work_t, state, index, height, height_t);
     }
     return INT64_C(0);
 }
 
 /* Tangent of ``differentiate``. */
-static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
+static inline int64_t tangent_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, array_double_1d state)
 {
     int64_t mode;
     double v1;
@@ -200,24 +200,24 @@ static inline int64_t tangent_implicit__differentiate_t(array_double_1d tables, 
     outcome = INT64_C(0);
     if (mode == layout__MODE_RIGID)
     {
-        tangent_implicit__follow_roll_t(&v1, &v1_t, tables, work, work_t);
+        tangent_wheelset_rules__follow_roll_t(&v1, &v1_t, tables, work, work_t);
         roll_t = v1_t;
         roll = v1;
-        tangent_implicit__place_moving_t(tables, work, work_t, roll, roll_t);
+        tangent_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
         for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
         {
-            tangent_implicit__follow_minimum_t(tables, work, work_t, index);
+            tangent_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
         }
         tangent_rigid__solve_rigid_t(tables, work, work_t, state, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
     {
-        n2 = tangent_implicit__follow_elastic_t(tables, work, work_t, state);
+        n2 = tangent_wheelset_rules__follow_elastic_t(tables, work, work_t, state);
         outcome = n2;
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        tangent_implicit__follow_compliant_t(tables, work, work_t, state);
+        tangent_wheelset_rules__follow_compliant_t(tables, work, work_t, state);
     }
     tangent_resultant__write_resultant_t(work, work_t, tables, layout__WORK_SUPPORTS + layout__SUPPORT_RESULTANT, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESULTANT);
     tangent_requested__omit_outputs_t(tables, work, work_t);

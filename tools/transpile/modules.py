@@ -1,0 +1,182 @@
+"""The kernel's modules as Pyccel translates them: in one folder, without records, and refused where
+they mean something else in C.
+"""
+
+import ast
+import importlib
+import re
+import runpy
+import sys
+import tempfile
+import types
+from pathlib import Path
+
+import lower_records
+from tangent import RULE_MODULES, tangent_modules
+
+KERNEL = Path(__file__).resolve().parents[2] / "wrcontact" / "kernel"
+FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
+
+
+class Refused(Exception):
+    """The kernel cannot be translated; the message says where and why."""
+
+
+def source_modules(kernel=KERNEL):
+    """The modules in the rooms of the folder ``kernel`` with their records lowered to offsets, as
+    they stand in one folder."""
+    paths = {flat_name(path): path for path in FILES["kernel_modules"](kernel)}
+    texts = {name: flat_imports(path) for name, path in paths.items()}
+    try:
+        lowered = lower_records.lower(texts, import_kernel(kernel, "layout"))
+    except lower_records.Refused as refusal:
+        raise Refused(refusal) from None
+    return [Module(path, lowered[name]) for name, path in paths.items()]
+
+
+def read_modules(kernel):
+    """What Pyccel translates: the modules in the folder ``kernel``, and their tangents."""
+    sources = source_modules(kernel)
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in tangent_modules(sources).items():
+            Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
+        tangents = [Module(path) for path in sorted(Path(folder).glob("*.py"))]
+    modules = [*(module for module in sources if module.name not in RULE_MODULES), *tangents]
+    for module in modules:
+        module.refuse_silent_traps()
+    return modules
+
+
+class Module:
+    """One Python module of the kernel, parsed."""
+
+    def __init__(self, path, text=None):
+        self.path = path
+        self.name = flat_name(path)
+        self.place = path.name if self.name.startswith("tangent_") else f"{path.parent.name}/{path.name}"
+        self.text = flat_imports(path) if text is None else text
+        self.tree = ast.parse(self.text, str(path))
+        self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
+        self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
+        self.imports = {node.module: {alias.name for alias in node.names} for node in self.tree.body
+                        if isinstance(node, ast.ImportFrom) and node.level}
+        #: Offsets and sizes of records, which only the lowered text has.
+        self.offsets = {node.target.id: ast.literal_eval(node.value) for node in self.tree.body
+                        if isinstance(node, ast.AnnAssign)} if self.name == "layout" else {}
+        self.prepares = self.name.startswith("prepare_")
+        self.tangent = self.name.startswith("tangent_")
+
+    def refuse(self, node, why):
+        raise Refused(f"{self.path.name}, line {node.lineno}: {why}")
+
+    def refuse_silent_traps(self):
+        """Refuse Python whose translation compiles and means something else."""
+        for node in self.tree.body:
+            is_final = (isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation).startswith("Final[")
+                        and node.value)
+            is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+            if not (is_final or is_docstring or isinstance(node, (ast.FunctionDef, ast.ImportFrom))):
+                self.refuse(node,
+                            "a module may hold its docstring, 'from' imports, Final constants and functions "
+                            "only")
+        for node in ast.walk(self.tree):
+            if isinstance(node, (ast.For, ast.While)) and node.orelse:
+                self.refuse(node, "Pyccel drops the else of a loop")
+            if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
+                self.refuse(node, "a for loop runs over a range")
+            if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and is_number(node.right):
+                self.refuse(node,
+                            "a power that the C compiler replaces differs in the last bit; write x*x or "
+                            "sqrt(x)")
+            if isinstance(node, ast.Name) and node.id in ("hypot", "pow"):
+                self.refuse(node,
+                            f"{node.id} differs from C's {node.id} in the last bit; write it with *, sqrt or "
+                            "**")
+        for function, loop in self.range_loops():
+            self.refuse_loop_variable(function, loop)
+
+    def range_loops(self):
+        """(function, loop) of every ``for``."""
+        return [(function, node) for function in self.functions.values() for node in ast.walk(function)
+                if isinstance(node, ast.For)]
+
+    def refuse_loop_variable(self, function, loop):
+        """Refuse uses of the loop's variable that C's ``for`` gives another value."""
+        variables = stored([loop.target])
+        if stored(loop.body) & variables:
+            self.refuse(loop, "the loop changes its own variable, which in C changes the number of turns")
+        later = [name for name in ast.walk(function) if isinstance(name, ast.Name) and name.id in variables
+                 and name.lineno > loop.end_lineno]
+        first = min(later, key=lambda name: (name.lineno, isinstance(name.ctx, ast.Store)), default=None)
+        if first is not None and isinstance(first.ctx, ast.Load):
+            self.refuse(first, f"after its loop, {first.id} is one turn further in C than in Python")
+
+    def source(self):
+        """The module's text with a name for each range's end that C, which reads it anew in each
+        turn, might find changed."""
+        lines = self.text.splitlines()                              # bytes, as ast counts columns
+        for function, loop in sorted(self.range_loops(), key=lambda pair: -pair[1].lineno):
+            end = loop.iter.args[1 if len(loop.iter.args) > 1 else 0]
+            names = {node.id for node in ast.walk(end) if isinstance(node, ast.Name)}
+            if not (names & stored(loop.body)
+                    or any(isinstance(node, ast.Subscript) for node in ast.walk(end))):
+                continue
+            name = f"{loop.target.id}_end"
+            if (end.end_lineno != loop.lineno
+                or name in {node.id for node in ast.walk(function) if isinstance(node, ast.Name)}):
+                self.refuse(loop,
+                            f"the range should stand in one line, and the name {name} be free for its end")
+            line = lines[loop.lineno - 1]
+            expression = line[end.col_offset:end.end_col_offset]
+            head = line[:end.col_offset] + name.encode() + line[end.end_col_offset:]
+            lines[loop.lineno - 1:loop.lineno] = [b" " * loop.col_offset + name.encode() + b" = "
+                                                  + expression, head]
+        return b"\n".join(lines) + b"\n"
+
+
+def flat_name(path):
+    """The name of a module among all others, which Pyccel and C see in one folder."""
+    room = path.parent.name
+    if "layout" in (room, path.name):           # whichever of its files: they are one module
+        return "layout"
+    return f"prepare_{path.stem}" if room == "prepare" else path.stem
+
+
+def flat_imports(path):
+    """The text of a module as it is where all modules are in one folder (bytes, each
+    import still in its line)."""
+    folder = path.parent
+
+    lines = path.read_bytes().split(b"\n")
+    for number, line in enumerate(lines):
+        found = re.match(rb"from (\.+)([\w.]*) import", line)
+        if found:
+            target = folder if len(found[1]) == 1 else folder.parent
+            target = target.joinpath(*found[2].decode().split("."))
+            lines[number] = b"from ." + flat_name(target).encode() + line[found.end(2):]
+    return b"\n".join(lines)
+
+
+def is_number(node):
+    """Whether the expression is a number as written, like 2 or -0.5 (and not like 1.0 / 3.0)."""
+    return isinstance(node.operand if isinstance(node, ast.UnaryOp) else node, ast.Constant)
+
+
+def stored(nodes):
+    """Names that the statements ``nodes`` assign to."""
+    names = (name for node in nodes for name in ast.walk(node) if isinstance(name, ast.Name))
+    return {name.id for name in names if isinstance(name.ctx, ast.Store)}
+
+
+def import_kernel(kernel, name):
+    """The module ``name``, such as "search.roll", of the kernel in the folder
+    ``kernel``, imported on its own."""
+    package, room = (types.ModuleType("package_being_translated"),
+                     types.ModuleType("package_being_translated.kernel"))
+    package.__path__, room.__path__ = [str(kernel.parent), str(KERNEL.parent)], [str(kernel)]
+    if getattr(sys.modules.get(room.__name__), "__path__", None) != room.__path__:
+        for old in [old for old in sys.modules if old.startswith(package.__name__)]:
+            del sys.modules[old]                                # those of another folder
+        sys.modules |= {package.__name__: package, room.__name__: room}
+    sys.dont_write_bytecode = True
+    return importlib.import_module(f"{room.__name__}.{name}")

@@ -1,0 +1,117 @@
+"""The C of one module as it is committed, from what Pyccel writes."""
+
+import ast
+import re
+
+from .modules import Refused
+
+EDGE = "/*........................................*/"        # Pyccel's line above and below each function
+#: Modules that a usual step does not enter, and the function of each that decides it. All others of theirs
+#: are kept out of line: a compiler inlines only so much of one unit, and what it spent on them it took from
+#: the usual step (4 % when yawed).
+SELDOM = {"separation": "separation"} | dict.fromkeys((
+    "arc_length", "brackets", "compliant", "curves", "deep_points", "elastic", "moves", "overlap_samples",
+    "overlaps", "planes", "pressed", "pressed_regions", "touching", "trial"))
+#: Small functions of the innermost loops that are always inlined. Without it the compiler leaves them out
+#: where the unit has grown enough, and a rigid step takes up to 5 % more instructions.
+INLINED = {("locus", "around_wheel")}
+C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
+MATH_CALLS = set("acos asin atan atan2 ceil copysign cos cosh exp expm1 fabs floor fmod isfinite isinf isnan "
+                 "log log10 log1p pow sin sinh sqrt tan tanh".split())
+SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max "
+                 "py_floor_div_int64_t pyc_modulo".split())
+
+
+def storage(module, function):
+    """How a function is declared."""
+    if (module.name, function) in INLINED:
+        return "static ALWAYS_INLINE"
+    return "static inline" if SELDOM.get(module.name, function) == function else "static OUT_OF_LINE"
+
+
+def tidy_header(module, text, constants):
+    """A header with spans.h, the headers of other modules, constants and prototypes."""
+    guard = f"WRCONTACT_KERNEL_{module.name.upper()}_H"
+    headers = re.findall(r'^#include "(\w+\.h)"$', text, re.MULTILINE)
+    includes = ['#include "../native/spans.h"'] + [f'#include "{name}"' for name in headers
+                                                   if name != "pyc_math_c.h"]
+    definitions = [definition(f"{module.name}__{name}", value) for name, value in constants.items()]
+    found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
+    prototypes = [f"{storage(module, name)} {line};" for line, _, name in found if name != "init"]
+    parts = [[banner(module)], [f"#ifndef {guard}", f"#define {guard}"], includes, definitions, prototypes,
+             ["#endif"]]
+    return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+
+
+def definition(name, value):
+    """C definition of one constant."""
+    if isinstance(value, tuple):
+        return f"static const double {name}[] = {{{', '.join(map(repr, value))}}};"
+    if isinstance(value, bool):
+        return f"static const bool {name} = {int(value)};"
+    if isinstance(value, int):
+        return f"static const int64_t {name} = INT64_C({value});"
+    if isinstance(value, float) and value - value == 0.0:
+        return f"static const double {name} = {value!r};"
+    raise Refused(f"the constant {name} = {value!r} is not a bool, an int or a finite float")
+
+
+def tidy_code(module, text):
+    """The module's functions in the order of the Python source, each under its docstring."""
+    chunks = {}
+    for chunk in text.split(EDGE):
+        signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk,
+                              re.MULTILINE | re.DOTALL)
+        if signature and signature[2] != "init":
+            head = f"{storage(module, signature[2])} {signature[1]}"
+            chunks[signature[2]] = f"{head}\n{{\n{tidy_body(signature[3])}}}"
+    if set(chunks) != set(module.functions):
+        raise Refused(f"{module.path.name}: Pyccel renamed or dropped "
+                      f"{sorted(set(chunks) ^ set(module.functions))}")
+    documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in module.functions.items()]
+    return "\n\n".join([banner(module), f'#include "{module.name}.h"', *documented]) + "\n"
+
+
+def tidy_body(body):
+    """The statements of one function, without the names that Pyccel declares and nobody reads."""
+    for name in ["result", *re.findall(r"\bDummy_\d+(?=;)", body)]:
+        uses = len(re.findall(rf"\b{name}\b", body))
+        called = re.search(rf"^ *{name} = \w+\(", body, re.MULTILINE)
+        if uses == 1 or uses == 2 and called:
+            body = re.sub(rf"^ *\w+ {name};\n", "", body, flags=re.MULTILINE)
+            body = re.sub(rf"^( *){name} = ", r"\1", body, flags=re.MULTILINE)
+    return re.sub(r"^( *)/\*(.*)\*/$", lambda match: f"{match[1]}/* {apart(match[2]).strip()} */", body,
+                  flags=re.MULTILINE)
+
+
+def apart(text):
+    """Text for a C comment, which ``E*/(n r)`` would end."""
+    return text.replace("*/", "* /").replace("/*", "/ *")
+
+
+def comment(text):
+    """A docstring as a C comment, with a line end; '' where there is none."""
+    if not text:
+        return ""
+    lines = apart(text).splitlines()
+    if len(lines) == 1:
+        return f"/* {lines[0]} */\n"
+    return "\n".join([f"/* {lines[0]}", *(f" * {line}".rstrip() for line in lines[1:]), " */\n"])
+
+
+def banner(module):
+    """First lines of a generated file."""
+    origin = f"Generated from {module.place} by tools/transpile_kernel.py; change that one."
+    return comment(f"{origin}\n\n{ast.get_docstring(module.tree) or ''}".rstrip()).rstrip()
+
+
+def refuse_unknown_calls(module, text, functions):
+    """Refuse calls that neither the kernel nor spans.h and math.h define, and arrays on the stack."""
+    code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    if re.search(r"\w+\[", code.replace("shape[", "")):
+        raise Refused(f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] "
+                      "needs a name first")
+    unknown = set(re.findall(r"\b([A-Za-z_]\w*)\(", code)) - functions - MATH_CALLS - SPAN_CALLS - C_WORDS
+    if unknown:
+        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h and "
+                      "math.h do not have")

@@ -1,0 +1,43 @@
+"""Pyccel's C for the kernel's modules."""
+
+import importlib.metadata
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from .modules import Refused
+
+PYCCEL_VERSION = "2.2.3"        # the same as in pyproject.toml: another version may write other C
+START = Path(__file__).with_name("pyccel_start.py")
+
+
+def run_pyccel(modules):
+    """Pyccel's header and code, by module name."""
+    found = installed_pyccel()
+    if found != PYCCEL_VERSION:
+        raise Refused(f"it needs Pyccel {PYCCEL_VERSION}, and here is {found}; pip install \".[dev]\"")
+    with tempfile.TemporaryDirectory() as folder:
+        for module in modules:
+            Path(folder, f"{module.name}.py").write_bytes(module.source())
+        command = [sys.executable, str(START), "make",
+                   "--language", "C", "--convert-only", "--output", "out", "--files",
+                   *(f"{module.name}.py" for module in modules)]
+        run = subprocess.run(command, cwd=folder, text=True, encoding="utf-8", stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT,
+                             env={**os.environ, "PYTHONUTF8": "1", "PYTHONHASHSEED": "0"})
+        if run.returncode:
+            raise Refused(f"Pyccel says\n{run.stdout}")
+        out = Path(folder, "out", "__pyccel__")
+        return {module.name: tuple((out / (module.name + end)).read_text(encoding="utf-8")
+                                   for end in (".h", ".c"))
+                for module in modules}
+
+
+def installed_pyccel():
+    """Version of Pyccel in this Python, or 'none'."""
+    try:
+        return importlib.metadata.version("pyccel")
+    except importlib.metadata.PackageNotFoundError:
+        return "none"

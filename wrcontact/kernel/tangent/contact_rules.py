@@ -1,0 +1,208 @@
+"""Rules for the iterations of the room contact (wheelset_rules.py has the method): minima and
+saddles of the gap, widths of its zones, points a given way along a curve, overlaps.
+"""
+
+from math import fabs, sqrt
+
+from ..contact.arc_length import arc_length
+from ..contact.contact_plane import normal_gap
+from ..contact.curves import curve_jet, curve_speed
+from ..contact.moves import move_across, move_arc, move_chord
+from ..contact.overlaps import find_overlaps
+from ..contact.pressed import normal_line
+from ..contact.regions import BEYOND, PLACE_SHARP, PLACE_TRACE, find_saddle, open_region
+from ..contact.separation import separation
+from ..contact.touching import touching_pair
+from ..contact.traces import start_traces
+from ..contact.zone_width import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
+from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Place, Region, SideSearch, State, Tables
+from ..surface.locus import outline_jet
+from ..surface.profile_table import height_slope_bend
+from .intrinsics import differentiated, held, moving, rate_of, seeded
+
+
+def minimum_rule(tables: Tables, frame: Frame, region: Region, state: State, station: float):
+    """``open_region``: at the minimum the gap's rate is zero."""
+    found = open_region(tables, frame, region, state, station)
+    if found < BEYOND:
+        place = held(region.station)
+        start_traces(frame, place, held(frame.traces[RAIL].abscissa), held(frame.traces[WHEEL].abscissa))
+        gap, rate, bend, curvature = normal_gap(tables, frame, state, place, PLACE_TRACE)
+        place = moving(place, -rate / held(bend))
+        found = differentiated(open_region(tables, frame, region, state, place))
+    return found
+
+
+def saddle_rule(tables: Tables, frame: Frame, low: Region, high: Region, state: State):
+    """``find_saddle``: at the saddle the gap's rate is zero; a sample that stands for it
+    keeps its share of the way."""
+    station, gap = find_saddle(tables, frame, low, high, state)
+    way = high.station - low.station
+    place = low.station + way * held((station - low.station) / way)
+    if frame.station == station:
+        start_traces(frame, held(station), held(frame.traces[RAIL].abscissa),
+                     held(frame.traces[WHEEL].abscissa))
+        saddle, rate, bend, curvature = normal_gap(tables, frame, state, held(station), PLACE_TRACE)
+        if bend < 0.0 and fabs(rate) < -10.0 * PLACE_SHARP * bend:
+            place = -rate / held(bend)
+    station = moving(station, place)
+    return station, gap
+
+
+def width_rule(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
+               level: float, estimate: float):
+    """``zone_width``: its Newton steps are followed as they are. A width that halving has found ends where a
+    profile ends, and stays on that point; or else where the gap has risen by ``level``."""
+    width = differentiated(zone_width(tables, frame, origin, region, state, direction, level, estimate))
+    limit = width_limit(region, direction)
+    if width < limit and region.reached != level:
+        inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)
+        tolerance = width_tolerance(held(estimate))
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, inner, tolerance)
+        rail_rate = rate_of(frame.traces[RAIL].abscissa)
+        wheel_rate = rate_of(frame.traces[WHEEL].abscissa)
+        missing = rate_of(level - gap + region.gap)
+        moved = 0.0
+        if rate * direction > 0.0:
+            moved = missing / held(rate * direction)
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, 1.0), tolerance)
+        x = frame.traces[RAIL].abscissa
+        y = frame.traces[WHEEL].abscissa
+        out = rate_of(x) - rail_rate
+        if out != 0.0 and (x < tables.rail.start + WIDTH_TRACE or x > tables.rail.stop - WIDTH_TRACE):
+            moved = -rail_rate / out
+        out = rate_of(y) - wheel_rate
+        if out != 0.0 and (y < tables.wheel.start + WIDTH_TRACE or y > tables.wheel.stop - WIDTH_TRACE):
+            moved = -wheel_rate / out
+        gap, rate = width_jet(tables, frame, origin, region, state, direction, seeded(inner, moved),
+                              tolerance)
+        width = seeded(width, moved)
+        region.reached = moving(region.reached, gap - region.gap)
+    return width
+
+
+def width_jet(tables: Tables, frame: Frame, origin: Origin, region: Region, state: State, direction: float,
+              width: float, tolerance: float):
+    """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
+    ``zone_width`` measures it."""
+    start_traces(frame, region.station, region.rail, region.wheel)
+    gap, rate, bend, curvature = separation(tables, frame, origin, state, region.station + direction * width,
+                                            tolerance)
+    return gap, rate
+
+
+def arc_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, length: float):
+    """``move_arc``: the arc from the old abscissa to the new one has the given length."""
+    start = frame.traces[curve].abscissa
+    exists = move_arc(tables, frame, origin, curve, length)
+    if exists == 1:
+        u = held(frame.traces[curve].abscissa)
+        place = length / held(curve_speed(tables, frame, origin, curve, u))
+        if u == start:
+            place = start + place
+        else:
+            place -= arc_length(tables, frame, origin, curve, start,
+                                u) / held(curve_speed(tables, frame, origin, curve, u))
+        frame.traces[curve].abscissa = moving(u, place)
+    return exists
+
+
+def chord_rule(tables: Tables, frame: Frame, origin: Origin, curve: int, chord: float):
+    """``move_chord``: both abscissae are a chord apart."""
+    start = frame.traces[curve].abscissa
+    from_across, from_down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, start)
+    exists = move_chord(tables, frame, origin, curve, chord)
+    if exists == 1:
+        u = held(frame.traces[curve].abscissa)
+        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, curve, u)
+        across -= from_across
+        down -= from_down
+        length = sqrt(across * across + down * down)
+        along = (across + slope * down) * stretch
+        frame.traces[curve].abscissa = moving(u, -(length - fabs(chord)) * held(length / along))
+    return exists
+
+
+def across_rule(tables: Tables, frame: Frame, origin: Origin, lateral: float):
+    """``move_across``: the wheel's outline is at the given lateral coordinate."""
+    exists = move_across(tables, frame, origin, lateral)
+    if exists == 1:
+        u = held(frame.traces[WHEEL].abscissa)
+        across, down, slope, stretch, bend = curve_jet(tables, frame, origin, WHEEL, u)
+        frame.traces[WHEEL].abscissa = moving(u, -(across - lateral) / held(stretch))
+    return exists
+
+
+def pair_rule(tables: Tables, place: Place, y: float, abscissa: float, shift: float):
+    """``touching_pair``: both slopes agree, and the line between the points is normal to them."""
+    y, abscissa, depth, aside, back_shift, found = touching_pair(tables, place, y, abscissa, shift)
+    if found == 1:
+        for i in range(2):
+            z, slope, bend = height_slope_bend(tables.wheel, y)
+            y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
+            height, m, rail_bend = height_slope_bend(tables.rail, abscissa)
+            across = y_track - tables.rail_y - abscissa
+            down = z_track + shift - height
+            if i == 0:
+                mismatch = outline_slope - m
+                apart = across + down * m
+                along = stretch * (1.0 + outline_slope * m)
+                back = down * rail_bend - 1.0 - m * m
+                determinant = held(rate * back + rail_bend * along)
+                y = moving(y, -(mismatch * held(back) + held(rail_bend) * apart) / determinant)
+                abscissa = moving(abscissa, -(held(rate) * apart - held(along) * mismatch) / determinant)
+            else:
+                depth = moving(depth, (down - m * across) / sqrt(1.0 + m * m))
+                aside = moving(aside, -across)
+                back_shift = moving(back_shift, shift - down)
+    return y, abscissa, depth, aside, back_shift, found
+
+
+def line_rule(tables: Tables, frame: Frame, place: Place, abscissa: float, y: float, height: float):
+    """``normal_line``: the wheel's point lies on the rail's normal."""
+    y, overlap, rise, bend, curvature, found = normal_line(tables, frame, place, abscissa, y, height)
+    if found == 1:
+        z_rail, m, rail_bend = height_slope_bend(tables.rail, abscissa)
+        z, slope, bend = height_slope_bend(tables.wheel, y)
+        y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, z, slope, bend)
+        residual = y_track - tables.rail_y - abscissa + (z_track + height - z_rail) * m
+        y = moving(y, -residual / held(stretch * (1.0 + m * outline_slope)))
+        y, overlap, rise, bend, curvature, found = differentiated(normal_line(tables, frame, place, abscissa,
+                                                                              y, height))
+    return y, overlap, rise, bend, curvature, found
+
+
+def turning_rule(tables: Tables, frame: Frame, place: Place, x: float, y: float, height: float):
+    """Rail and wheel abscissa [m] where the overlap is largest or smallest, near ``x`` and ``y``, and the
+    overlap: its rate is zero there."""
+    x = held(x)
+    found_x = x
+    y, overlap, rise, bend, curvature, found = line_rule(tables, frame, place, x, held(y), height)
+    if found == 1:
+        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, seeded(x, 1.0), held(y),
+                                                             height)
+        change = rate_of(more) - rate_of(rise)
+        if change != 0.0:
+            found_x = moving(x, -rise / change)
+        y, overlap, more, bend, curvature, found = line_rule(tables, frame, place, found_x, held(y), height)
+    return found_x, y, overlap, found
+
+
+def overlaps_rule(tables: Tables, frame: Frame, overlap: Overlap, side: SideSearch, state: State,
+                  height: float):
+    """``find_overlaps``: the overlap's rate is zero at deepest points and saddles."""
+    count = find_overlaps(tables, frame, overlap, side, state, height)
+    for entry in range(count):
+        point = overlap.points[entry]
+        x, y, depth, found = turning_rule(tables, frame, side.place, point.rail, point.wheel, height)
+        point.rail = moving(point.rail, x)
+        point.wheel = moving(point.wheel, y)
+        point.depth = moving(point.depth, depth)
+    for entry in range(count - 1):
+        point = overlap.points[entry]
+        following = overlap.points[entry + 1]
+        x, y, depth, found = turning_rule(tables, frame, side.place, point.saddle,
+                                          0.5 * (point.wheel + following.wheel), height)
+        point.saddle = moving(point.saddle, x)
+        point.between = moving(point.between, depth)
+    return count
