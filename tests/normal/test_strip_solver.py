@@ -90,7 +90,7 @@ def test_elimination(size):
     rows = np.frombuffer(equations).reshape(len(equations), -1)
     rows[:size, :size + 2] = np.hstack([matrix, sides])
     others = np.ones_like(array, dtype=bool)
-    others[layout.WORK_EQUATIONS:][:rows.size].reshape(rows.shape)[:size, :size + 2] = False
+    others[layout.offset(equations, array):][:rows.size].reshape(rows.shape)[:size, :size + 2] = False
     eliminate(equations, size)
     np.testing.assert_allclose(rows[:size, size:size + 2], np.linalg.solve(matrix, sides), rtol=1e-11,
                                atol=1e-14)
