@@ -1,10 +1,12 @@
-"""FMUs for all tests of a run: what the native ones are compiled of is compiled once."""
+"""For all tests of a run: FMUs, compiled once, and the command line as a function."""
 
 import os
 import shutil
 import subprocess
 
 import pytest
+
+from wrcontact.cli import main
 
 
 @pytest.fixture(scope="session")
@@ -34,3 +36,16 @@ def fmus(tmp_path_factory, compiled):
     from wrcontact.fmu import native
 
     return dict(zip((2, 3), native.build_native_fmus(tmp_path_factory.mktemp("native"), cache=compiled)))
+
+
+@pytest.fixture
+def run(capsys):
+    """Run the command line in this process: (exit code, standard output, error output)."""
+
+    def run(*words):
+        with pytest.raises(SystemExit) as ended:
+            main([str(word) for word in words], prog_name="wrcontact")
+        seen = capsys.readouterr()
+        return ended.value.code or 0, seen.out, seen.err
+
+    return run

@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import fmpy
-from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import (
     FMU2Slave,
     fmi2CallbackAllocateMemoryTYPE,
@@ -11,6 +10,8 @@ from fmpy.fmi2 import (
     fmi2CallbackFunctions,
     fmi2CallbackLoggerTYPE,
 )
+
+from fmi_host import Stepping
 
 
 class Fmu:
@@ -34,7 +35,7 @@ class Fmu:
         return instance
 
 
-class Instance:
+class Instance(Stepping):
     """One slave with its log, addressed by variable names."""
 
     def __init__(self, fmu, name, logging):
@@ -73,25 +74,6 @@ class Instance:
             if some:
                 found.update(zip((v.name for v in some), get_values([v.valueReference for v in some])))
         return {name: value.decode() if isinstance(value, bytes) else value for name, value in found.items()}
-
-    def step(self, size=1e-3, **inputs):
-        self.set(**inputs)
-        self.slave.doStep(self.time, size)
-        self.time += size
-
-    def told(self):
-        """The log lines since the last call."""
-        lines, self.log[:] = list(self.log), []
-        return lines
-
-
-def refused(call, *arguments):
-    """Whether a call fails with an FMI error."""
-    try:
-        call(*arguments)
-    except FMICallException:
-        return True
-    return False
 
 
 def resident():

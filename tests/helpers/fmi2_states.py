@@ -9,7 +9,8 @@ import threading
 from pathlib import Path
 
 from damages import damages
-from fmi2_host import Fmu, refused
+from fmi2_host import Fmu
+from fmi_host import refused
 
 
 def saved_states(fmu, rows, names, start):

@@ -1,8 +1,9 @@
 """A host for FMUs of FMI 3.0, by fmpy: instances with their logs, addressed by variable names."""
 
 import fmpy
-from fmpy.fmi1 import FMICallException
 from fmpy.fmi3 import FMU3Slave
+
+from fmi_host import Stepping
 
 TYPES = {"Float64": ("setFloat64", "getFloat64"), "Int32": ("setInt32", "getInt32"),
          "String": ("setString", "getString"), "UInt64": ("setUInt64", "getUInt64")}
@@ -31,7 +32,7 @@ class Fmu:
         return instance
 
 
-class Instance:
+class Instance(Stepping):
     """One slave with its log, addressed by variable names."""
 
     def __init__(self, fmu, logging, log=None, token=None, name="instance", **options):
@@ -70,25 +71,6 @@ class Instance:
             found.update({f"{v.name}[{k + 1}]": value for k, value in enumerate(values)} if v.dimensions
                          else {v.name: values[0]})
         return found
-
-    def step(self, size=1e-3, **inputs):
-        self.set(**inputs)
-        self.slave.doStep(self.time, size)
-        self.time += size
-
-    def told(self):
-        """The log lines since the last call."""
-        lines, self.log[:] = list(self.log), []
-        return lines
-
-
-def refused(call, *arguments):
-    """Whether a call fails with an FMI error."""
-    try:
-        call(*arguments)
-    except FMICallException:
-        return True
-    return False
 
 
 def go_on(instance, rows):

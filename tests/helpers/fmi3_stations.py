@@ -4,7 +4,8 @@ import math
 
 import fmpy
 
-from fmi3_host import go_on, refused
+from fmi3_host import go_on
+from fmi_host import refused
 
 
 def outlines(fmu, stations, rows):

@@ -22,19 +22,14 @@ import fmpy  # noqa: E402
 
 import fmi2_states  # noqa: E402
 import fmi2_walk  # noqa: E402
-from fmi2_host import Fmu, refused  # noqa: E402
+import fmi_host  # noqa: E402
+from fmi2_host import Fmu  # noqa: E402
+from fmi_host import refused  # noqa: E402
 
 
 def first_instant(fmu, start=None):
-    """Outputs before any step, at the default inputs and at others."""
-    plain = fmu.running().get()
-    instance = fmu.instance()
-    instance.slave.enterInitializationMode()
-    instance.set(**(start or {}))
-    inside = instance.get()
-    instance.slave.exitInitializationMode()
-    return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get(),
-            "modules": modules()}
+    """The first instant, and the modules that answer it."""
+    return {**fmi_host.first_instant(fmu, start), "modules": modules()}
 
 
 def modules():

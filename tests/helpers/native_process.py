@@ -14,18 +14,8 @@ import fmpy
 
 import fmi3_stations
 from damages import damages
-from fmi3_host import Fmu, Instance, go_on, refused
-
-
-def first_instant(fmu, start=None):
-    """Outputs before any step, at the default inputs and at others."""
-    plain = fmu.running().get()
-    instance = fmu.instance()
-    instance.slave.enterInitializationMode()
-    instance.set(**(start or {}))
-    inside = instance.get()
-    instance.slave.exitInitializationMode()
-    return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get()}
+from fmi3_host import Fmu, Instance, go_on
+from fmi_host import refused  # noqa: F401  (a scenario)
 
 
 def damaged_states(fmu, rows, seed, count, foreign=()):

@@ -13,7 +13,6 @@ from tests.helpers.paths import REFERENCE_DATA, ROOT
 from tests.helpers.source_study import STUDY
 from tests.reference import brute_force
 from wrcontact import ContactSystem
-from wrcontact.cli import main
 from wrcontact.cli.figures import index, summary
 from wrcontact.conventions import SIDES
 from wrcontact.plots import save
@@ -318,19 +317,6 @@ def test_index_and_summary_have_a_line_for_each():
     page = index(figures)
     assert all(f"(fig_{number.replace('.', '_')}.png)" in page for number in NUMBERS)
     assert summary(figures).row_count == len(NUMBERS)
-
-
-@pytest.fixture
-def run(capsys):
-    """Run the command line in this process: (exit code, standard output, error output)."""
-
-    def run(*words):
-        with pytest.raises(SystemExit) as ended:
-            main([str(word) for word in words], prog_name="wrcontact")
-        seen = capsys.readouterr()
-        return ended.value.code or 0, seen.out, seen.err
-
-    return run
 
 
 def test_command_writes_only_what_is_asked_for(run, tmp_path):
