@@ -107,7 +107,7 @@ def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters):
 def checked_package(tmp_path_factory):
     """A copy of the package whose library ends the process at the first index outside its array."""
     package = copy_package(tmp_path_factory.mktemp("checked"), "checked_wheelset", with_library=False)
-    compile_library(package / "kernel", extra_flags=["-DWRCONTACT_CHECK_BOUNDS"])
+    compile_library(package / "kernel", extra_flags=["-DWRCONTACT_CHECK_BOUNDS", "-O1"])
     return package
 
 

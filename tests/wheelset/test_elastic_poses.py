@@ -53,9 +53,8 @@ def test_mirror_guess_and_history_change_nothing(model, load):
 
 @needs_library
 @pytest.mark.parametrize("parameters", [
-    {"contact_mode": "elastic"},
     {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
-    {"contact_mode": "compliant"}, {"contact_mode": "compliant", "normal_model": "hertz"},
+    {"contact_mode": "compliant", "normal_model": "hertz"},
 ], ids=lambda parameters: "-".join(parameters.values()))
 def test_compiled_and_python_are_one_in_the_last_bit(tmp_path, parameters):
     shift, yaw, force, transfer = random_poses(14, 43, 8e-3, 0.03, (1e3, 1.5e5), 0.5)
