@@ -13,9 +13,10 @@ from ctypes import c_double, c_size_t, c_uint32
 import fmpy
 
 import fmi3_stations
+import fmi_host
 from damages import damages
 from fmi3_host import Fmu, Instance, go_on
-from fmi_host import refused  # noqa: F401  (a scenario)
+from fmi_host import refused
 
 
 def damaged_states(fmu, rows, seed, count, foreign=()):
@@ -245,5 +246,6 @@ def not_made(fmu):
 
 if __name__ == "__main__":
     scenario, file, folder = sys.argv[1:]
-    answer = {**vars(fmi3_stations), **globals()}[scenario](Fmu(file, folder), **json.load(sys.stdin))
+    found = {**vars(fmi_host), **vars(fmi3_stations), **globals()}[scenario]
+    answer = found(Fmu(file, folder), **json.load(sys.stdin))
     print(json.dumps(answer), flush=True)
