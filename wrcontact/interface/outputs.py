@@ -18,8 +18,20 @@ PATCH = (
     Output("width", "m", 1e-2, "width in the contact plane", 0.0),
     Output("centroid", "m", 1e-3, "centre of load in the contact plane, from the contact point to the field "
            "side"),
-    Output("contact_angle", "rad", 0.1, "contact angle where its gap is smallest, along whose normal it is "
-           "loaded, positive towards the flange"),
+    Output("contact_angle", "rad", 0.1,
+           "angle of its force: that of the rail's normal at its centre of load, "
+           "positive towards the flange"),
+    Output("penetration", "m", 1e-4,
+           "local penetration of the undeformed surfaces at its point of smallest gap "
+           "or largest overlap"),
+    Output("rolling_radius", "m", 0.5,
+           "rolling radius at its centre of load: nominal radius plus height of the "
+           "wheel profile", 0.0),
+    Output("x_track", "m", 1e-3, "centre of load in the track frame, forward"),
+    Output("y_track", "m", 1.0, "centre of load in the track frame, to the right of the track centre (not "
+           "mirrored)"),
+    Output("z_track", "m", 1e-3, "centre of load in the track frame, down from top of rail"),
+    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
 )
 
 #: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow
@@ -56,6 +68,8 @@ SIDE = (
            "point", 0.0),
     Output("patch_centroid", "m", 1e-3, "centre of load in the contact plane, from the contact point to the "
            "field side"),
+    Vector("force", "N", 1e5, "force of the rail on the wheel, {axis}"),
+    Vector("moment", "N.m", 1e4, "moment of this force about the wheelset's centre, around the axis {axis}"),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),

@@ -7,22 +7,26 @@ from scipy import ndimage
 
 from ..kernel import layout
 from ..kernel.patch.totals import write_patches
+from ..profiles.compiled import evaluate_table
 from .edge import chords, edge_area, edge_field, extent, peak_pressure
 
 #: Components of the loaded cells with less than this share of the load are no patches.
 STRAY_SHARE = 1e-6
-#: The mirror of a force and of a moment, which is an axial vector.
-MIRRORED_RESULTANT = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 
 
-def write_side(side, plane, contact, outline=None):
-    """Normal contact of one wheel into its outputs (134,): totals, patches by falling load; and into
-    ``outline`` (3, stations), if that is wanted."""
+def write_side(side, plane, contact, index, outline=None):
+    """Normal contact of the wheel of side ``index`` into its outputs: totals, patches by falling load, force
+    and moment; and into ``outline`` (3, stations), if that is wanted. Force and moment (6,)."""
     lengths, low, high = extents(contact)
-    write_patches(solved_patches(plane, contact), layout.SideOutputs.at(side))
+    mirror = 2.0 * index - 1.0
+    solved = solved_patches(plane, contact)
+    for patch in solved.patches[:solved.count]:
+        fill_force(patch, plane, mirror)
+    write_patches(solved, layout.SideOutputs.at(side))
     side[layout.SIDE_PENETRATION] = contact.penetration
     if outline is not None:
         write_outline(outline, contact, lengths, low, high)
+    return write_resultant(side, solved, plane.centre * [1.0, mirror, 1.0])
 
 
 def extents(contact):
@@ -121,20 +125,26 @@ def _station(contact, place):
     return contact.s[near] + (place - near) * ds
 
 
-def resultant(plane, contact, index):
-    """Force on the wheel of side ``index`` [N] and its moment about the wheelset's centre [N m], (6,) in the
-    track's axes.
+def fill_force(patch, plane, mirror):
+    """The force on the wheel of a described patch, along the normal of the rail at its centre of load, which
+    is the mean normal of its pressure; ``mirror`` = 1 on the right, -1 on the left."""
+    s, force = patch.totals.centroid, patch.force
+    height = plane.rail_height(np.array([s]))[0]
+    place = plane.origin + [patch.x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
+    on_wheel = plane.attitude[:, 1] @ (place - plane.centre) - plane.arm
+    force.y, force.z = mirror * patch.sin * patch.totals.load, -patch.cos * patch.totals.load
+    force.x_track, force.y_track, force.z_track = place[0], mirror * place[1], place[2]
+    force.rolling_radius = plane.radius + float(evaluate_table(plane.wheel, on_wheel)[0])
 
-    Each patch pushes along the normal of the rail at its centre of load, which is the mean normal of its
-    pressure.
-    """
+
+def write_resultant(side, solved, centre):
+    """The force on a wheel [N] from its solved patches, and its moment about the wheelset's ``centre`` (3,)
+    in the track frame [N m], into its outputs; both, (6,)."""
     total = np.zeros(6)
-    for pressure in split_patches(contact):
-        load = pressure.sum() * (contact.x[1] - contact.x[0]) * (contact.s[1] - contact.s[0])
-        x, s = (pressure.sum(axis=1) @ contact.x / pressure.sum(),
-                pressure.sum(axis=0) @ contact.s / pressure.sum())
-        height, angle = plane.rail_height(np.array([s]))[0], plane.rail_angle(s)
-        place = plane.origin - plane.centre + [x, 0.0, 0.0] + s * plane.lateral + height * plane.normal
-        force = load * np.array([0.0, -math.sin(angle), -math.cos(angle)])
-        total += np.concatenate([force, np.cross(place, force)])
-    return total if index == 1 else total * MIRRORED_RESULTANT
+    for patch in solved.patches[:solved.count]:
+        force = np.array([0.0, patch.force.y, patch.force.z])
+        place = np.array([patch.force.x_track, patch.force.y_track, patch.force.z_track])
+        total += np.concatenate([force, np.cross(place - centre, force)])
+    side[layout.SIDE_FORCE:layout.SIDE_FORCE + 3] = total[:3]
+    side[layout.SIDE_MOMENT:layout.SIDE_MOMENT + 3] = total[3:]
+    return total

@@ -11,7 +11,7 @@ from ..kernel.binding.library import default_kernel
 from ..state import outline_of
 from ..status import Status
 from . import halfspace
-from .outputs import resultant, write_side
+from .outputs import write_side
 from .true_gap import REACH_S, REACH_X, contact_plane
 
 
@@ -87,6 +87,5 @@ class HalfspaceSolver:
                                           tolerance=self.tolerance,
                                           contact_modulus=self._tables[layout.SET_CONTACT_MODULUS], **load)
         side[layout.SIDE_PENETRATION:layout.SIDE_STATION] = 0.0
-        write_side(side, plane, contact, outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL
-                   else None)
-        return resultant(plane, contact, index)
+        return write_side(side, plane, contact, index,
+                          outline if self._tables[layout.SET_DEPTH] == layout.DEPTH_ALL else None)

@@ -25,6 +25,7 @@ static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals
 static inline int64_t filling__clear_patches(array_double_1d work)
 {
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
     filling__clear_totals(work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS, 0.0);
     return INT64_C(0);
 }
@@ -73,11 +74,48 @@ static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, 
     return INT64_C(0);
 }
 
+/* Add load [N] and moment [N m] in a region to the part of a patch that lies there: the
+ * last part, or a new one.
+ */
+static inline int64_t filling__add_part(array_double_1d work, int64_t patch, int64_t region, double load, double moment)
+{
+    int64_t index;
+    int64_t known;
+    int64_t last;
+    int64_t part;
+    index = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT))) - INT64_C(1);
+    known = INT64_C(0);
+    if (index >= INT64_C(0))
+    {
+        last = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+        if (((int64_t)((*cspan_at(&work, last + layout__SOLVED_PART_PATCH))) == patch) && ((int64_t)((*cspan_at(&work, last + layout__SOLVED_PART_REGION))) == region))
+        {
+            known = INT64_C(1);
+        }
+    }
+    if ((known == INT64_C(0)) && (index < layout__SOLVED_PART_LIMIT - INT64_C(1)))
+    {
+        index += INT64_C(1);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = (double)(index + INT64_C(1));
+        part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+        (*cspan_at(&work, part + layout__SOLVED_PART_PATCH)) = (double)(patch);
+        (*cspan_at(&work, part + layout__SOLVED_PART_REGION)) = (double)(region);
+        (*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) = 0.0;
+        (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) = 0.0;
+    }
+    part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+    (*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) += load;
+    (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) += moment;
+    return INT64_C(0);
+}
+
 /* Let the first patch, whose totals are known, be the only one. */
 static inline int64_t filling__fill_single(array_double_1d work)
 {
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 1.0;
+    filling__add_part(work, INT64_C(0), INT64_C(0), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));

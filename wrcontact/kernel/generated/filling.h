@@ -14,6 +14,7 @@ static inline int64_t filling__clear_totals(array_double_1d work, int64_t totals
 static inline int64_t filling__clear_patches(array_double_1d work);
 static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, int64_t region, int64_t first, int64_t rule, double contact_angle);
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t region, double start, int64_t first, int64_t rule, double contact_angle);
+static inline int64_t filling__add_part(array_double_1d work, int64_t patch, int64_t region, double load, double moment);
 static inline int64_t filling__fill_single(array_double_1d work);
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__finish_patch(array_double_1d work);

@@ -34,7 +34,7 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                node_patches__add_cell(work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, k, angle);
+                node_patches__add_cell(work, region, index, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, k, angle);
             }
         }
     }
@@ -88,8 +88,10 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
     return INT64_C(0);
 }
 
-/* Add the cell between nodes ``k`` and ``k`` + 1 to the last patch, or to a new one that begins in it. */
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t region, int64_t nodes, int64_t k, double contact_angle)
+/* Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
+ * new one that begins in it.
+ */
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t region, int64_t number, int64_t nodes, int64_t k, double contact_angle)
 {
     double spacing;
     double deepest;
@@ -106,6 +108,8 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
     double end;
     int64_t index;
     int64_t patch;
+    double load;
+    double moment;
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     outward = INT64_C(1);
@@ -142,7 +146,8 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t regio
         patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strip + k + INT64_C(1));
-        node_patches__add_load(work, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)(outward));
+        node_patches__add_load(&load, &moment, work, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)(outward));
+        filling__add_part(work, index, number, load, moment);
         node_patches__keep_largest(work, strip + low);
     }
     return INT64_C(0);
@@ -200,34 +205,33 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t reg
     return index;
 }
 
-/* Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
+/* Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region; the
+ * load [N] and the moment [N m].
  *
  * ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and
  * ``before`` the next one further in.
  */
-static inline int64_t node_patches__add_load(array_double_1d work, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
+static inline int64_t node_patches__add_load(double* load, double* moment, array_double_1d work, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
 {
     double width;
-    double load;
-    double moment;
     double area;
     width = fabs(step);
-    load = quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
-    moment = quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
+    (*load) = quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
+    (*moment) = quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
     if (start > 0.0)
     {
-        load -= quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
-        moment -= quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
+        (*load) -= quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
+        (*moment) -= quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
     }
-    load *= width;
+    (*load) *= width;
     area = quadrature__root_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, stop);
-    moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + width * step * moment;
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) += load;
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) += moment;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) += load;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) += moment;
+    (*moment) = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load) + width * step * (*moment);
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) += (*load);
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) += (*moment);
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) += (*load);
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) += (*moment);
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) += 2.0 * width * area;
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the last patch have the squares of half-length and pressure at ``strip``, if they are its largest

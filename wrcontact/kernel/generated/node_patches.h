@@ -21,10 +21,10 @@ static const double node_patches__JOINED = 1e-09;
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes);
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing);
 static inline int64_t node_patches__patch_from(array_double_1d work, int64_t region, double start, int64_t strip, double contact_angle);
-static inline int64_t node_patches__add_load(array_double_1d work, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step);
+static inline int64_t node_patches__add_load(double* load, double* moment, array_double_1d work, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step);
 static inline double node_patches__peak_square(double before, double square, double after);
 static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t strip);
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t region, int64_t nodes, int64_t k, double contact_angle);
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t region, int64_t number, int64_t nodes, int64_t k, double contact_angle);
 static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t count);
 
 #endif

@@ -7,9 +7,9 @@
  * (mean_normal.py).  The moment is that about the wheelset's centre, which is the nominal radius above the
  * running circles.
  *
- * Forces are summed over regions and not over patches: a patch that reaches over the bound between two regions
- * has two normals and two points, one for each.  Load and moment of a region are those that its strips carry in
- * the solved patches.
+ * Forces are summed over the parts of patches: a patch that reaches over the bound between two regions has two
+ * normals and two points, one for each.  The force of a patch is the sum over its parts, that of a wheel the sum
+ * over its patches, and that of the wheelset the sum over both wheels.
  */
 
 #ifndef WRCONTACT_KERNEL_RESULTANT_H
@@ -20,7 +20,10 @@
 #include "profile_table.h"
 
 static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t resultant);
-static inline int64_t resultant__add_region(array_double_1d tables, array_double_1d work, int64_t region, double mirror, int64_t resultant);
+static inline int64_t resultant__clear_force(array_double_1d work, int64_t patch);
+static inline int64_t resultant__add_part_force(array_double_1d work, array_double_1d tables, int64_t block, int64_t part, int64_t patch, double mirror, int64_t resultant);
+static inline int64_t resultant__finish_force(array_double_1d work, int64_t patch, double mirror);
+static inline int64_t resultant__add_patches(array_double_1d work, array_double_1d tables, double mirror, int64_t resultant);
 static inline int64_t resultant__write_resultant(array_double_1d work, array_double_1d tables, int64_t left, int64_t right);
 
 #endif

@@ -29,7 +29,6 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     double penetration;
     int64_t satisfied;
     int64_t outline;
-    int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     normal_contact__solve_normal(&penetration, count, &satisfied, work, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, prescribed);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration;
@@ -38,15 +37,12 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
     }
+    resultant__add_patches(work, tables, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     totals__write_patches(work, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
         outline = outlines__outline_place(tables, work, index);
         outline__write_outline(work, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
-    }
-    for (region = INT64_C(0); region < (*count); region += INT64_C(1))
-    {
-        resultant__add_region(tables, work, region, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     }
     (*result_1) = layout__VALID;
     return 0;

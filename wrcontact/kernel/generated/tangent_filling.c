@@ -34,6 +34,8 @@ static inline int64_t tangent_filling__clear_patches_t(array_double_1d work, arr
 {
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
     tangent_filling__clear_totals_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS, 0.0, 0.0);
     return INT64_C(0);
 }
@@ -92,13 +94,56 @@ static inline int64_t tangent_filling__place_patch_t(array_double_1d work, array
     return INT64_C(0);
 }
 
+/* Tangent of ``add_part``. */
+static inline int64_t tangent_filling__add_part_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t)
+{
+    int64_t index;
+    int64_t known;
+    int64_t last;
+    int64_t part;
+    index = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT))) - INT64_C(1);
+    known = INT64_C(0);
+    if (index >= INT64_C(0))
+    {
+        last = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+        if (((int64_t)((*cspan_at(&work, last + layout__SOLVED_PART_PATCH))) == patch) && ((int64_t)((*cspan_at(&work, last + layout__SOLVED_PART_REGION))) == region))
+        {
+            known = INT64_C(1);
+        }
+    }
+    if ((known == INT64_C(0)) && (index < layout__SOLVED_PART_LIMIT - INT64_C(1)))
+    {
+        index = index + INT64_C(1);
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = (double)(index + INT64_C(1));
+        part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+        (*cspan_at(&work_t, part + layout__SOLVED_PART_PATCH)) = 0.0;
+        (*cspan_at(&work, part + layout__SOLVED_PART_PATCH)) = (double)(patch);
+        (*cspan_at(&work_t, part + layout__SOLVED_PART_REGION)) = 0.0;
+        (*cspan_at(&work, part + layout__SOLVED_PART_REGION)) = (double)(region);
+        (*cspan_at(&work_t, part + layout__SOLVED_PART_LOAD)) = 0.0;
+        (*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) = 0.0;
+        (*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) = 0.0;
+        (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) = 0.0;
+    }
+    part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+    (*cspan_at(&work_t, part + layout__SOLVED_PART_LOAD)) = (*cspan_at(&work_t, part + layout__SOLVED_PART_LOAD)) + load_t;
+    (*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) = (*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) + load;
+    (*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) = (*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) + moment_t;
+    (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) + moment;
+    return INT64_C(0);
+}
+
 /* Tangent of ``fill_single``. */
 static inline int64_t tangent_filling__fill_single_t(array_double_1d work, array_double_1d work_t)
 {
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)) = 1.0;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)) = 0.0;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_RANK)) = 1.0;
+    tangent_filling__add_part_t(work, work_t, INT64_C(0), INT64_C(0), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)));
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_AREA));

@@ -35,7 +35,7 @@ static inline int64_t tangent_node_patches__fill_from_nodes_t(array_double_1d wo
             k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
             for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
             {
-                tangent_node_patches__add_cell_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, k, angle, angle_t);
+                tangent_node_patches__add_cell_t(work, work_t, region, index, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, k, angle, angle_t);
             }
         }
     }
@@ -125,7 +125,7 @@ static inline int64_t tangent_node_patches__fill_strips_t(array_double_1d work, 
 }
 
 /* Tangent of ``add_cell``. */
-static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, int64_t k, double contact_angle, double contact_angle_t)
+static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t number, int64_t nodes, int64_t k, double contact_angle, double contact_angle_t)
 {
     double spacing_t;
     double spacing;
@@ -152,6 +152,10 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
     int64_t index;
     int64_t patch;
     double v3;
+    double load;
+    double load_t;
+    double moment;
+    double moment_t;
     spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
@@ -200,7 +204,8 @@ static inline int64_t tangent_node_patches__add_cell_t(array_double_1d work, arr
         (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LAST)) = 0.0;
         (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(strip + k + INT64_C(1));
         v3 = (double)(outward);
-        tangent_node_patches__add_load_t(work, work_t, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        tangent_node_patches__add_load_t(&load, &load_t, &moment, &moment_t, work, work_t, patch + layout__SOLVED_PATCH_TOTALS, region, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        tangent_filling__add_part_t(work, work_t, index, number, load, load_t, moment, moment_t);
         tangent_node_patches__keep_largest_t(work, work_t, strip + low);
     }
     return INT64_C(0);
@@ -268,18 +273,14 @@ static inline int64_t tangent_node_patches__patch_from_t(array_double_1d work, a
 }
 
 /* Tangent of ``add_load``. */
-static inline int64_t tangent_node_patches__add_load_t(array_double_1d work, array_double_1d work_t, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
+static inline int64_t tangent_node_patches__add_load_t(double* load, double* load_t, double* moment, double* moment_t, array_double_1d work, array_double_1d work_t, int64_t totals, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
 {
     double width_t;
     double width;
     double v1;
     double v1_t;
-    double load_t;
-    double load;
     double v2;
     double v2_t;
-    double moment_t;
-    double moment;
     double v3;
     double v3_t;
     double v4;
@@ -293,40 +294,40 @@ static inline int64_t tangent_node_patches__add_load_t(array_double_1d work, arr
     width_t = tangent_rates__size_rate(step, step_t);
     width = fabs(step);
     tangent_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
-    load_t = v1_t;
-    load = v1;
+    (*load_t) = v1_t;
+    (*load) = v1;
     tangent_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
-    moment_t = v2_t;
-    moment = v2;
+    (*moment_t) = v2_t;
+    (*moment) = v2;
     if (start > 0.0)
     {
         tangent_quadrature__quadratic_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
-        load_t = load_t - v3_t;
-        load = load - v3;
+        (*load_t) = (*load_t) - v3_t;
+        (*load) = (*load) - v3;
         tangent_quadrature__quadratic_moment_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
-        moment_t = moment_t - v4_t;
-        moment = moment - v4;
+        (*moment_t) = (*moment_t) - v4_t;
+        (*moment) = (*moment) - v4;
     }
-    load_t = load_t * width + load * width_t;
-    load = load * width;
+    (*load_t) = (*load_t) * width + (*load) * width_t;
+    (*load) = (*load) * width;
     tangent_quadrature__root_integral_t(&v5, &v5_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
     area_t = v5_t;
     area = v5;
     v6 = width * step;
-    moment_t = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * load + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load_t + ((width_t * step + width * step_t) * moment + v6 * moment_t);
-    moment = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * load + v6 * moment;
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + load_t;
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + load;
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + moment_t;
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + moment;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) + load_t;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) + load;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) + moment_t;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) + moment;
+    (*moment_t) = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * (*load) + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load_t) + ((width_t * step + width * step_t) * (*moment) + v6 * (*moment_t));
+    (*moment) = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load) + v6 * (*moment);
+    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + (*load_t);
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + (*load);
+    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + (*moment_t);
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + (*moment);
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) + (*load_t);
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) + (*load);
+    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) + (*moment_t);
+    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) + (*moment);
     v7 = 2.0 * width;
     (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) + (2.0 * width_t * area + v7 * area_t);
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) + v7 * area;
-    return INT64_C(0);
+    return 0;
 }
 
 /* Tangent of ``keep_largest``. */

@@ -17,10 +17,57 @@ static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work,
     return INT64_C(0);
 }
 
-/* Tangent of ``add_region``. */
-static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t region, double mirror, double mirror_t, int64_t resultant)
+/* Tangent of ``add_patches``. */
+static inline int64_t tangent_resultant__add_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double mirror, double mirror_t, int64_t resultant)
 {
-    int64_t block;
+    int64_t index_end;
+    int64_t index;
+    int64_t part;
+    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    {
+        tangent_resultant__clear_force_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index);
+    }
+    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PART_COUNT)));
+    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    {
+        part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
+        if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) > 0.0)
+        {
+            tangent_resultant__add_part_force_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION))), part, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH))), mirror, mirror_t, resultant);
+        }
+    }
+    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
+    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    {
+        tangent_resultant__finish_force_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * index, mirror, mirror_t);
+    }
+    return INT64_C(0);
+}
+
+/* Tangent of ``clear_force``. */
+static inline int64_t tangent_resultant__clear_force_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+{
+    int64_t force;
+    force = patch + layout__SOLVED_PATCH_FORCE;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) = 0.0;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) = 0.0;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z)) = 0.0;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Z)) = 0.0;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_X_TRACK)) = 0.0;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK)) = 0.0;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y_TRACK)) = 0.0;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) = 0.0;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) = 0.0;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) = 0.0;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = 0.0;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = 0.0;
+    return INT64_C(0);
+}
+
+/* Tangent of ``add_part_force``. */
+static inline int64_t tangent_resultant__add_part_force_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t block, int64_t part, int64_t patch, double mirror, double mirror_t, int64_t resultant)
+{
     double load_t;
     double load;
     double cosine_t;
@@ -57,64 +104,127 @@ static inline int64_t tangent_resultant__add_region_t(array_double_1d tables, ar
     double v10;
     double force_z_t;
     double force_z;
-    block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
-    load_t = (*cspan_at(&work_t, block + layout__REGION_CARRIED));
-    load = (*cspan_at(&work, block + layout__REGION_CARRIED));
+    double wheel_height;
+    double wheel_height_t;
+    double wheel_slope;
+    double wheel_slope_t;
+    double v11;
+    double v12;
+    double v13;
+    int64_t force;
+    double v14;
+    load_t = (*cspan_at(&work_t, part + layout__SOLVED_PART_LOAD));
+    load = (*cspan_at(&work, part + layout__SOLVED_PART_LOAD));
+    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
+    {
+        v1 = 1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION));
+        v2 = sqrt(v1);
+        v3 = 1.0 / v2;
+        cosine_t = (-v3) * tangent_rates__root_rate(v2, (*cspan_at(&work_t, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)) + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work_t, block + layout__REGION_INCLINATION))) / v2;
+        cosine = v3;
+    }
+    v4 = (*cspan_at(&work, part + layout__SOLVED_PART_MOMENT)) / load;
+    away_t = ((*cspan_at(&work_t, part + layout__SOLVED_PART_MOMENT)) - v4 * load_t) / load - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
+    away = v4 - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
+    abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL)) + (away_t * cosine + away * cosine_t);
+    abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
+    tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
+    v5 = 1.0 + slope * slope;
+    v6 = sqrt(v5);
+    v7 = 1.0 / v6;
+    normal_cos_t = (-v7) * tangent_rates__root_rate(v6, slope_t * slope + slope * slope_t) / v6;
+    normal_cos = v7;
+    normal_sin_t = slope_t * normal_cos + slope * normal_cos_t;
+    normal_sin = slope * normal_cos;
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    {
+        normal_cos_t = (*cspan_at(&work_t, block + layout__REGION_COS));
+        normal_cos = (*cspan_at(&work, block + layout__REGION_COS));
+        normal_sin_t = (*cspan_at(&work_t, block + layout__REGION_SIN));
+        normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
+    }
+    x_t = (*cspan_at(&work_t, block + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, block + layout__REGION_SLANT)) * away + (*cspan_at(&work, block + layout__REGION_SLANT)) * away_t);
+    x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
+    v8 = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa;
+    y_t = mirror_t * v8 + mirror * abscissa_t;
+    y = mirror * v8;
+    z_t = height_t;
+    z = height;
+    v9 = mirror * normal_sin;
+    force_y_t = (mirror_t * normal_sin + mirror * normal_sin_t) * load + v9 * load_t;
+    force_y = v9 * load;
+    v10 = -normal_cos;
+    force_z_t = (-normal_cos_t) * load + v10 * load_t;
+    force_z = v10 * load;
+    (*cspan_at(&work_t, resultant + INT64_C(1))) = (*cspan_at(&work_t, resultant + INT64_C(1))) + force_y_t;
+    (*cspan_at(&work, resultant + INT64_C(1))) = (*cspan_at(&work, resultant + INT64_C(1))) + force_y;
+    (*cspan_at(&work_t, resultant + INT64_C(2))) = (*cspan_at(&work_t, resultant + INT64_C(2))) + force_z_t;
+    (*cspan_at(&work, resultant + INT64_C(2))) = (*cspan_at(&work, resultant + INT64_C(2))) + force_z;
+    (*cspan_at(&work_t, resultant + INT64_C(3))) = (*cspan_at(&work_t, resultant + INT64_C(3))) + (y_t * force_z + y * force_z_t - (z_t * force_y + z * force_y_t));
+    (*cspan_at(&work, resultant + INT64_C(3))) = (*cspan_at(&work, resultant + INT64_C(3))) + (y * force_z - z * force_y);
+    (*cspan_at(&work_t, resultant + INT64_C(4))) = (*cspan_at(&work_t, resultant + INT64_C(4))) - (x_t * force_z + x * force_z_t);
+    (*cspan_at(&work, resultant + INT64_C(4))) = (*cspan_at(&work, resultant + INT64_C(4))) - x * force_z;
+    (*cspan_at(&work_t, resultant + INT64_C(5))) = (*cspan_at(&work_t, resultant + INT64_C(5))) + (x_t * force_y + x * force_y_t);
+    (*cspan_at(&work, resultant + INT64_C(5))) = (*cspan_at(&work, resultant + INT64_C(5))) + x * force_y;
+    tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
+    v11 = 1.0 + wheel_slope * wheel_slope;
+    v12 = sqrt(v11);
+    v13 = away / v12;
+    tangent_profile_table__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WHEEL))), (*cspan_at(&work, block + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, block + layout__REGION_WHEEL)) + (away_t - v13 * tangent_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
+    force = patch + layout__SOLVED_PATCH_FORCE;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) + force_y_t;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) + force_y;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z)) + force_z_t;
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Z)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z)) + force_z;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_X_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_X_TRACK)) + (load_t * x + load * x_t);
+    (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK)) + load * x;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y_TRACK)) + (load_t * y + load * y_t);
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) + load * y;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) + (load_t * z + load * z_t);
+    (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) + load * z;
+    v14 = (*cspan_at(&tables, layout__TABLES_RADIUS)) + wheel_height;
+    (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) + (load_t * v14 + load * wheel_height_t);
+    (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) + load * v14;
+    return INT64_C(0);
+}
+
+/* Tangent of ``finish_force``. */
+static inline int64_t tangent_resultant__finish_force_t(array_double_1d work, array_double_1d work_t, int64_t patch, double mirror, double mirror_t)
+{
+    double load_t;
+    double load;
+    int64_t force;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    load_t = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    load = (*cspan_at(&work, patch + layout__SOLVED_PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
     {
-        cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((*cspan_at(&work, block + layout__REGION_OWN)) == 1.0))
-        {
-            v1 = 1.0 + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION));
-            v2 = sqrt(v1);
-            v3 = 1.0 / v2;
-            cosine_t = (-v3) * tangent_rates__root_rate(v2, (*cspan_at(&work_t, block + layout__REGION_INCLINATION)) * (*cspan_at(&work, block + layout__REGION_INCLINATION)) + (*cspan_at(&work, block + layout__REGION_INCLINATION)) * (*cspan_at(&work_t, block + layout__REGION_INCLINATION))) / v2;
-            cosine = v3;
-        }
-        v4 = (*cspan_at(&work, block + layout__REGION_MOMENT)) / load;
-        away_t = ((*cspan_at(&work_t, block + layout__REGION_MOMENT)) - v4 * load_t) / load - (*cspan_at(&work_t, block + layout__REGION_OFFSET)) - (*cspan_at(&work_t, block + layout__REGION_STATION));
-        away = v4 - (*cspan_at(&work, block + layout__REGION_OFFSET)) - (*cspan_at(&work, block + layout__REGION_STATION));
-        abscissa_t = (*cspan_at(&work_t, block + layout__REGION_RAIL)) + (away_t * cosine + away * cosine_t);
-        abscissa = (*cspan_at(&work, block + layout__REGION_RAIL)) + away * cosine;
-        tangent_profile_table__height_slope_t(&height, &height_t, &slope, &slope_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_RAIL))), abscissa, abscissa_t);
-        v5 = 1.0 + slope * slope;
-        v6 = sqrt(v5);
-        v7 = 1.0 / v6;
-        normal_cos_t = (-v7) * tangent_rates__root_rate(v6, slope_t * slope + slope * slope_t) / v6;
-        normal_cos = v7;
-        normal_sin_t = slope_t * normal_cos + slope * normal_cos_t;
-        normal_sin = slope * normal_cos;
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
-        {
-            normal_cos_t = (*cspan_at(&work_t, block + layout__REGION_COS));
-            normal_cos = (*cspan_at(&work, block + layout__REGION_COS));
-            normal_sin_t = (*cspan_at(&work_t, block + layout__REGION_SIN));
-            normal_sin = (*cspan_at(&work, block + layout__REGION_SIN));
-        }
-        x_t = (*cspan_at(&work_t, block + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, block + layout__REGION_SLANT)) * away + (*cspan_at(&work, block + layout__REGION_SLANT)) * away_t);
-        x = (*cspan_at(&work, block + layout__REGION_X_TRACK)) + (*cspan_at(&work, block + layout__REGION_SLANT)) * away;
-        v8 = (*cspan_at(&tables, layout__TABLES_RAIL_Y)) + abscissa;
-        y_t = mirror_t * v8 + mirror * abscissa_t;
-        y = mirror * v8;
-        z_t = height_t;
-        z = height;
-        v9 = mirror * normal_sin;
-        force_y_t = (mirror_t * normal_sin + mirror * normal_sin_t) * load + v9 * load_t;
-        force_y = v9 * load;
-        v10 = -normal_cos;
-        force_z_t = (-normal_cos_t) * load + v10 * load_t;
-        force_z = v10 * load;
-        (*cspan_at(&work_t, resultant + INT64_C(1))) = (*cspan_at(&work_t, resultant + INT64_C(1))) + force_y_t;
-        (*cspan_at(&work, resultant + INT64_C(1))) = (*cspan_at(&work, resultant + INT64_C(1))) + force_y;
-        (*cspan_at(&work_t, resultant + INT64_C(2))) = (*cspan_at(&work_t, resultant + INT64_C(2))) + force_z_t;
-        (*cspan_at(&work, resultant + INT64_C(2))) = (*cspan_at(&work, resultant + INT64_C(2))) + force_z;
-        (*cspan_at(&work_t, resultant + INT64_C(3))) = (*cspan_at(&work_t, resultant + INT64_C(3))) + (y_t * force_z + y * force_z_t - (z_t * force_y + z * force_y_t));
-        (*cspan_at(&work, resultant + INT64_C(3))) = (*cspan_at(&work, resultant + INT64_C(3))) + (y * force_z - z * force_y);
-        (*cspan_at(&work_t, resultant + INT64_C(4))) = (*cspan_at(&work_t, resultant + INT64_C(4))) - (x_t * force_z + x * force_z_t);
-        (*cspan_at(&work, resultant + INT64_C(4))) = (*cspan_at(&work, resultant + INT64_C(4))) - x * force_z;
-        (*cspan_at(&work_t, resultant + INT64_C(5))) = (*cspan_at(&work_t, resultant + INT64_C(5))) + (x_t * force_y + x * force_y_t);
-        (*cspan_at(&work, resultant + INT64_C(5))) = (*cspan_at(&work, resultant + INT64_C(5))) + x * force_y;
+        force = patch + layout__SOLVED_PATCH_FORCE;
+        v1 = (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK)) / load;
+        (*cspan_at(&work_t, force + layout__PATCH_FORCE_X_TRACK)) = ((*cspan_at(&work_t, force + layout__PATCH_FORCE_X_TRACK)) - v1 * load_t) / load;
+        (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK)) = v1;
+        v2 = (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) / load;
+        (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y_TRACK)) = ((*cspan_at(&work_t, force + layout__PATCH_FORCE_Y_TRACK)) - v2 * load_t) / load;
+        (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK)) = v2;
+        v3 = (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) / load;
+        (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) = ((*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK)) - v3 * load_t) / load;
+        (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK)) = v3;
+        v4 = (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) / load;
+        (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = ((*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS)) - v4 * load_t) / load;
+        (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS)) = v4;
+        v5 = mirror * (*cspan_at(&work, force + layout__PATCH_FORCE_Y));
+        v6 = -(*cspan_at(&work, force + layout__PATCH_FORCE_Z));
+        v7 = v5 / v6;
+        (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = -((mirror_t * (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) + mirror * (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) - v7 * (-(*cspan_at(&work_t, force + layout__PATCH_FORCE_Z)))) / v6 / (1.0 + v7 * v7));
+        (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE)) = -atan(v7);
     }
     return INT64_C(0);
 }
@@ -127,12 +237,22 @@ static inline int64_t tangent_resultant__write_resultant_t(array_double_1d work,
     double y;
     double z_t;
     double z;
+    int64_t index;
+    int64_t side;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
         (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&work_t, left + i)) + (*cspan_at(&work_t, right + i));
         (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&work, left + i)) + (*cspan_at(&work, right + i));
         (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&work_t, left + (INT64_C(3) + i))) + (*cspan_at(&work_t, right + (INT64_C(3) + i)));
         (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&work, left + (INT64_C(3) + i))) + (*cspan_at(&work, right + (INT64_C(3) + i)));
+        (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_FORCE + i)) = (*cspan_at(&work_t, left + i));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_FORCE + i)) = (*cspan_at(&work, left + i));
+        (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_MOMENT + i)) = (*cspan_at(&work_t, left + (INT64_C(3) + i)));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_MOMENT + i)) = (*cspan_at(&work, left + (INT64_C(3) + i)));
+        (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_FORCE + i)) = (*cspan_at(&work_t, right + i));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_FORCE + i)) = (*cspan_at(&work, right + i));
+        (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_MOMENT + i)) = (*cspan_at(&work_t, right + (INT64_C(3) + i)));
+        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_MOMENT + i)) = (*cspan_at(&work, right + (INT64_C(3) + i)));
     }
     y_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
     y = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
@@ -140,5 +260,11 @@ static inline int64_t tangent_resultant__write_resultant_t(array_double_1d work,
     z = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_RADIUS));
     (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + INT64_C(0))) - (y_t * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(2))) + y * (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(2))) - (z_t * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(1))) + z * (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + INT64_C(0))) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + INT64_C(0))) - (y * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(2))) - z * (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + INT64_C(1))));
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        side = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
+        (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_MOMENT + INT64_C(0))) - (y_t * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(2))) + y * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(2))) - (z_t * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(1))) + z * (*cspan_at(&work_t, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(1)))));
+        (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MOMENT + INT64_C(0))) = (*cspan_at(&work, side + layout__SIDE_OUTPUTS_MOMENT + INT64_C(0))) - (y * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(2))) - z * (*cspan_at(&work, side + layout__SIDE_OUTPUTS_FORCE + INT64_C(1))));
+    }
     return INT64_C(0);
 }

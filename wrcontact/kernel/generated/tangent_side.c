@@ -28,7 +28,6 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
     double penetration_t;
     int64_t satisfied;
     int64_t outline;
-    int64_t region;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     tangent_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, work, work_t, tables, state, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, out, force, force_t, prescribed, prescribed_t);
     (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = penetration_t;
@@ -38,15 +37,12 @@ static inline int64_t tangent_side__load_side_t(int64_t* count, int64_t* result_
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
     }
+    tangent_resultant__add_patches_t(work, work_t, tables, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     tangent_totals__write_patches_t(work, work_t, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {
         outline = outlines__outline_place(tables, work, index);
         tangent_outline__write_outline_t(work, work_t, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), (*count));
-    }
-    for (region = INT64_C(0); region < (*count); region += INT64_C(1))
-    {
-        tangent_resultant__add_region_t(tables, work, work_t, region, (double)(INT64_C(2) * index - INT64_C(1)), 0.0, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     }
     (*result_1) = layout__VALID;
     return 0;

@@ -43,6 +43,7 @@ static inline int64_t tangent_totals__write_patches_t(array_double_1d work, arra
 static inline int64_t tangent_totals__write_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t to)
 {
     int64_t totals;
+    int64_t force;
     totals = patch + layout__SOLVED_PATCH_TOTALS;
     (*cspan_at(&work_t, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD));
     (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
@@ -58,5 +59,22 @@ static inline int64_t tangent_totals__write_patch_t(array_double_1d work, array_
     (*cspan_at(&work, to + layout__PATCH_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
     (*cspan_at(&work_t, to + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_CONTACT_ANGLE));
     (*cspan_at(&work, to + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE));
+    (*cspan_at(&work_t, to + layout__PATCH_PENETRATION)) = (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION));
+    (*cspan_at(&work, to + layout__PATCH_PENETRATION)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION));
+    force = patch + layout__SOLVED_PATCH_FORCE;
+    (*cspan_at(&work_t, to + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_ROLLING_RADIUS));
+    (*cspan_at(&work, to + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS));
+    (*cspan_at(&work_t, to + layout__PATCH_X_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_X_TRACK));
+    (*cspan_at(&work, to + layout__PATCH_X_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK));
+    (*cspan_at(&work_t, to + layout__PATCH_Y_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y_TRACK));
+    (*cspan_at(&work, to + layout__PATCH_Y_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK));
+    (*cspan_at(&work_t, to + layout__PATCH_Z_TRACK)) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z_TRACK));
+    (*cspan_at(&work, to + layout__PATCH_Z_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK));
+    (*cspan_at(&work_t, to + layout__PATCH_FORCE + INT64_C(0))) = 0.0;
+    (*cspan_at(&work, to + layout__PATCH_FORCE + INT64_C(0))) = 0.0;
+    (*cspan_at(&work_t, to + layout__PATCH_FORCE + INT64_C(1))) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y));
+    (*cspan_at(&work, to + layout__PATCH_FORCE + INT64_C(1))) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y));
+    (*cspan_at(&work_t, to + layout__PATCH_FORCE + INT64_C(2))) = (*cspan_at(&work_t, force + layout__PATCH_FORCE_Z));
+    (*cspan_at(&work, to + layout__PATCH_FORCE + INT64_C(2))) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z));
     return INT64_C(0);
 }

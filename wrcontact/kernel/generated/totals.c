@@ -38,6 +38,7 @@ static inline int64_t totals__write_patches(array_double_1d work, int64_t side)
 static inline int64_t totals__write_patch(array_double_1d work, int64_t patch, int64_t to)
 {
     int64_t totals;
+    int64_t force;
     totals = patch + layout__SOLVED_PATCH_TOTALS;
     (*cspan_at(&work, to + layout__PATCH_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
     (*cspan_at(&work, to + layout__PATCH_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
@@ -46,5 +47,14 @@ static inline int64_t totals__write_patch(array_double_1d work, int64_t patch, i
     (*cspan_at(&work, to + layout__PATCH_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
     (*cspan_at(&work, to + layout__PATCH_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
     (*cspan_at(&work, to + layout__PATCH_CONTACT_ANGLE)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_CONTACT_ANGLE));
+    (*cspan_at(&work, to + layout__PATCH_PENETRATION)) = (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION));
+    force = patch + layout__SOLVED_PATCH_FORCE;
+    (*cspan_at(&work, to + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work, force + layout__PATCH_FORCE_ROLLING_RADIUS));
+    (*cspan_at(&work, to + layout__PATCH_X_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_X_TRACK));
+    (*cspan_at(&work, to + layout__PATCH_Y_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y_TRACK));
+    (*cspan_at(&work, to + layout__PATCH_Z_TRACK)) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z_TRACK));
+    (*cspan_at(&work, to + layout__PATCH_FORCE + INT64_C(0))) = 0.0;
+    (*cspan_at(&work, to + layout__PATCH_FORCE + INT64_C(1))) = (*cspan_at(&work, force + layout__PATCH_FORCE_Y));
+    (*cspan_at(&work, to + layout__PATCH_FORCE + INT64_C(2))) = (*cspan_at(&work, force + layout__PATCH_FORCE_Z));
     return INT64_C(0);
 }

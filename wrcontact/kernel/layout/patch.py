@@ -6,10 +6,12 @@ tangential contact.
 
 from typing import Final
 
+from .contact import REGION_LIMIT
 from .interface import RUN_COUNT, STATION_LIMIT
 from .record import Float, record
 
 SOLVED_PATCH_LIMIT: Final[int] = 8       # contact patches of one wheel
+SOLVED_PART_LIMIT: Final[int] = SOLVED_PATCH_LIMIT + REGION_LIMIT
 SOLVED_STRIP_LIMIT: Final[int] = 768     # strips of all of them: the nodes of three regions
 
 # how half-length and pressure follow between the strips of a patch (patch/interpolation.py)
@@ -45,8 +47,31 @@ class PatchTotals:
 
 
 @record
+class SolvedPart:
+    """What of a patch lies in one region; it has one normal."""
+
+    patch: int                      # indices of both
+    region: int
+    load: float                     # [N]
+    moment: float                   # of the load about station zero [N m]
+
+
+@record
+class PatchForce:
+    """The force of a patch on its wheel, in the track's axes; x has no part of it without friction."""
+
+    y: float                        # [N]
+    z: float
+    x_track: float                  # its centre of load [m]
+    y_track: float
+    z_track: float
+    rolling_radius: float           # there [m]
+
+
+@record
 class SolvedPatch:
     totals: PatchTotals
+    force: PatchForce               # written by the wheelset's resultant
     contact_angle: float            # of the rail at its point [rad]
     cos: float                      # of the angle along which its force acts
     sin: float
@@ -72,6 +97,8 @@ class SolvedPatches:
     pressure_square: float          # squares of the largest pressure [Pa^2] of the patch that is filled and
     half_length_square: float       # of its largest half-length [m^2] so far
     patches: SolvedPatch * SOLVED_PATCH_LIMIT
+    part_count: int
+    parts: SolvedPart * SOLVED_PART_LIMIT
     strips: SolvedStrips
 
 

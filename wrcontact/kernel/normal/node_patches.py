@@ -19,7 +19,7 @@ from ..layout import (
     SolvedStrip,
     SolvedStrips,
 )
-from ..patch.filling import begin_patch, clear_patches, finish_patch, finish_patches
+from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import cell_part, quadratic_integral, quadratic_moment, root_integral
 from .analyn import clip_to_bound
 
@@ -41,7 +41,7 @@ def fill_from_nodes(regions: Regions, nodes: NodesOfRegions, solved: SolvedPatch
             strips += region.last - region.first + 1
             angle = -atan(region.inclination)
             for k in range(region.first, region.last):
-                add_cell(solved, region, nodes[index], k, angle)
+                add_cell(solved, region, index, nodes[index], k, angle)
     finish_patch(solved)
     finish_patches(solved)
     return 0
@@ -76,8 +76,9 @@ def fill_strips(region: Region, nodes: Nodes, strips: SolvedStrips):
     return 0
 
 
-def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contact_angle: float):
-    """Add the cell between nodes ``k`` and ``k`` + 1 to the last patch, or to a new one that begins in it."""
+def add_cell(solved: SolvedPatches, region: Region, number: int, nodes: Nodes, k: int, contact_angle: float):
+    """Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
+    new one that begins in it."""
     spacing = region.spacing
     deepest = region.local_penetration
     outward = 1
@@ -106,8 +107,9 @@ def add_cell(solved: SolvedPatches, region: Region, nodes: Nodes, k: int, contac
         patch = solved.patches[index]
         patch.totals.stop = end
         patch.last = strip + k + 1
-        add_load(patch.totals, region, solved.strips[strip + before], inner, outer, start, stop,
-                 spacing * float(outward))
+        load, moment = add_load(patch.totals, region, solved.strips[strip + before], inner, outer, start,
+                                stop, spacing * float(outward))
+        add_part(solved, index, number, load, moment)
         keep_largest(solved, strip + low)
     return 0
 
@@ -145,7 +147,8 @@ def patch_from(solved: SolvedPatches, region: Region, start: float, strip: int, 
 
 def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip,
              start: float, stop: float, step: float):
-    """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region.
+    """Add load, moment and area of the loaded part [start, stop] of a cell to its patch and its region; the
+    load [N] and the moment [N m].
 
     ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and
     ``before`` the next one further in.
@@ -165,7 +168,7 @@ def add_load(totals: PatchTotals, region: Region, before: SolvedStrip, low: Solv
     totals.load += load
     totals.moment += moment
     totals.area += 2.0 * width * area
-    return 0
+    return load, moment
 
 
 def keep_largest(solved: SolvedPatches, strip: int):

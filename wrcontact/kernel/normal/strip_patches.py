@@ -15,7 +15,7 @@ from ..layout import (
     StripProblem,
     Strips,
 )
-from ..patch.filling import begin_patch, clear_patches, finish_patch, finish_patches
+from ..patch.filling import add_part, begin_patch, clear_patches, finish_patch, finish_patches
 from ..patch.quadrature import root_integral
 from .strip_edges import run_edge, run_end
 
@@ -40,6 +40,8 @@ def fill_from_strips(problem: StripProblem, regions: Regions, solved: SolvedPatc
             patch = solved.patches[index]
             for i in range(first, last + 1):
                 add_strip(patch, regions[strips[i].region], strips[i], solved.strips[i])
+                load = strips[i].line_load * strips[i].width
+                add_part(solved, index, strips[i].region, load, load * strips[i].station)
             patch.totals.stop = stop
             patch.last = last
             patch.totals.area = run_area(strips, first, last, start, stop)

@@ -3,7 +3,14 @@ and ranks."""
 
 from math import sqrt
 
-from ..layout import SOLVED_PATCH_LIMIT, PatchTotals, Region, SolvedPatch, SolvedPatches
+from ..layout import (
+    SOLVED_PART_LIMIT,
+    SOLVED_PATCH_LIMIT,
+    PatchTotals,
+    Region,
+    SolvedPatch,
+    SolvedPatches,
+)
 
 
 def clear_totals(totals: PatchTotals, start: float):
@@ -23,6 +30,7 @@ def clear_totals(totals: PatchTotals, start: float):
 def clear_patches(solved: SolvedPatches):
     """No patches."""
     solved.count = 0
+    solved.part_count = 0
     clear_totals(solved.totals, 0.0)
     return 0
 
@@ -65,12 +73,37 @@ def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, conta
     return 0
 
 
+def add_part(solved: SolvedPatches, patch: int, region: int, load: float, moment: float):
+    """Add load [N] and moment [N m] in a region to the part of a patch that lies there: the
+    last part, or a new one."""
+    index = solved.part_count - 1
+    known = 0
+    if index >= 0:
+        last = solved.parts[index]
+        if last.patch == patch and last.region == region:
+            known = 1
+    if known == 0 and index < SOLVED_PART_LIMIT - 1:
+        index += 1
+        solved.part_count = index + 1
+        part = solved.parts[index]
+        part.patch = patch
+        part.region = region
+        part.load = 0.0
+        part.moment = 0.0
+    part = solved.parts[index]
+    part.load += load
+    part.moment += moment
+    return 0
+
+
 def fill_single(solved: SolvedPatches):
     """Let the first patch, whose totals are known, be the only one."""
     solved.count = 1
+    solved.part_count = 0
     patch = solved.patches[0]
     patch.rank = 1
     one = patch.totals
+    add_part(solved, 0, 0, one.load, one.moment)
     totals = solved.totals
     totals.load = one.load
     totals.area = one.area

@@ -32,4 +32,13 @@ def write_patch(patch: SolvedPatch, to: Patch):
     to.width = totals.width
     to.centroid = totals.centroid
     to.contact_angle = patch.contact_angle
+    to.penetration = patch.local_penetration
+    force = patch.force
+    to.rolling_radius = force.rolling_radius
+    to.x_track = force.x_track
+    to.y_track = force.y_track
+    to.z_track = force.z_track
+    to.force[0] = 0.0
+    to.force[1] = force.y
+    to.force[2] = force.z
     return 0

@@ -5,14 +5,26 @@ where a region's load acts: the rail's normal there, or the mean over the region
 (mean_normal.py).  The moment is that about the wheelset's centre, which is the nominal radius above the
 running circles.
 
-Forces are summed over regions and not over patches: a patch that reaches over the bound between two regions
-has two normals and two points, one for each.  Load and moment of a region are those that its strips carry in
-the solved patches.
+Forces are summed over the parts of patches: a patch that reaches over the bound between two regions has two
+normals and two points, one for each.  The force of a patch is the sum over its parts, that of a wheel the sum
+over its patches, and that of the wheelset the sum over both wheels.
 """
 
-from math import sqrt
+from math import atan, sqrt
 
-from ..layout import LOAD_VERTICAL, RESULTANT_COUNT, Inputs, Outputs, Resultant, Tables, Work
+from ..layout import (
+    LOAD_VERTICAL,
+    RESULTANT_COUNT,
+    Contact,
+    Frame,
+    Inputs,
+    Outputs,
+    Region,
+    Resultant,
+    SolvedPart,
+    SolvedPatch,
+    Tables,
+)
 from ..surface.profile_table import height_slope
 
 
@@ -23,44 +35,102 @@ def clear_resultant(resultant: Resultant):
     return 0
 
 
-def add_region(tables: Tables, work: Work, region: int, mirror: float, resultant: Resultant):
-    """Add the force of a region and its moment about the track's origin to ``resultant``; ``mirror`` = 1 on
+def add_patches(tables: Tables, contact: Contact, mirror: float, resultant: Resultant):
+    """Forces of the solved patches of a side, and their resultant about the track's origin; ``mirror`` = 1 on
     the right, -1 on the left."""
-    block = work.contact.regions[region]
-    load = block.carried
+    solved = contact.solved
+    for index in range(solved.count):
+        clear_force(solved.patches[index])
+    for index in range(solved.part_count):
+        part = solved.parts[index]
+        if part.load > 0.0:
+            add_part_force(tables, contact.frame, contact.regions[part.region], part,
+                           solved.patches[part.patch], mirror, resultant)
+    for index in range(solved.count):
+        finish_force(solved.patches[index], mirror)
+    return 0
+
+
+def clear_force(patch: SolvedPatch):
+    """No force yet."""
+    force = patch.force
+    force.y = 0.0
+    force.z = 0.0
+    force.x_track = 0.0
+    force.y_track = 0.0
+    force.z_track = 0.0
+    force.rolling_radius = 0.0
+    return 0
+
+
+def add_part_force(tables: Tables, frame: Frame, block: Region, part: SolvedPart, patch: SolvedPatch,
+                   mirror: float, resultant: Resultant):
+    """Add the force of a part of a patch, which lies in the region ``block``, to the patch and to
+    ``resultant``; the patch's centre of load [m] is weighted by the loads, until :func:`finish_force`."""
+    load = part.load
+    # of the region's plane
+    cosine = frame.plane.cos
+    if frame.pressed or block.own:
+        cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
+    # from the region's smallest gap to the part's centre of load, along its plane
+    away = part.moment / load - block.offset - block.station
+    abscissa = block.rail + away * cosine
+    height, slope = height_slope(tables.rail, abscissa)
+    normal_cos = 1.0 / sqrt(1.0 + slope * slope)
+    normal_sin = slope * normal_cos
+    if frame.pressed or tables.load == LOAD_VERTICAL:
+        normal_cos = block.cos
+        normal_sin = block.sin
+    x = block.x_track + block.slant * away
+    y = mirror * (tables.rail_y + abscissa)
+    z = height
+    force_y = mirror * normal_sin * load
+    force_z = -normal_cos * load
+    resultant[1] += force_y
+    resultant[2] += force_z
+    resultant[3] += y * force_z - z * force_y
+    resultant[4] -= x * force_z
+    resultant[5] += x * force_y
+    wheel_height, wheel_slope = height_slope(tables.wheel, block.wheel)
+    wheel_height, wheel_slope = height_slope(tables.wheel,
+                                             block.wheel + away / sqrt(1.0 + wheel_slope * wheel_slope))
+    force = patch.force
+    force.y += force_y
+    force.z += force_z
+    force.x_track += load * x
+    force.y_track += load * y
+    force.z_track += load * z
+    force.rolling_radius += load * (tables.radius + wheel_height)
+    return 0
+
+
+def finish_force(patch: SolvedPatch, mirror: float):
+    """The centre of load of a patch [m], and the angle of its force [rad]."""
+    load = patch.totals.load
     if load > 0.0:
-        # of the region's plane
-        cosine = work.contact.frame.plane.cos
-        if work.contact.frame.pressed or block.own:
-            cosine = 1.0 / sqrt(1.0 + block.inclination * block.inclination)
-        # from the region's smallest gap to its centre of load, along its plane
-        away = block.moment / load - block.offset - block.station
-        abscissa = block.rail + away * cosine
-        height, slope = height_slope(tables.rail, abscissa)
-        normal_cos = 1.0 / sqrt(1.0 + slope * slope)
-        normal_sin = slope * normal_cos
-        if work.contact.frame.pressed or tables.load == LOAD_VERTICAL:
-            normal_cos = block.cos
-            normal_sin = block.sin
-        x = block.x_track + block.slant * away
-        y = mirror * (tables.rail_y + abscissa)
-        z = height
-        force_y = mirror * normal_sin * load
-        force_z = -normal_cos * load
-        resultant[1] += force_y
-        resultant[2] += force_z
-        resultant[3] += y * force_z - z * force_y
-        resultant[4] -= x * force_z
-        resultant[5] += x * force_y
+        force = patch.force
+        force.x_track /= load
+        force.y_track /= load
+        force.z_track /= load
+        force.rolling_radius /= load
+        patch.contact_angle = -atan(mirror * force.y / -force.z)
     return 0
 
 
 def write_resultant(tables: Tables, inputs: Inputs, outputs: Outputs, left: Resultant, right: Resultant):
-    """The resultant of both sides, from ``left`` and ``right``, its moment about the wheelset's centre."""
+    """The resultants of both sides and of the wheelset, from ``left`` and ``right``; moments about
+    the wheelset's centre."""
     for i in range(3):
         outputs.force[i] = left[i] + right[i]
         outputs.moment[i] = left[3 + i] + right[3 + i]
+        outputs.left[0].force[i] = left[i]
+        outputs.left[0].moment[i] = left[3 + i]
+        outputs.left[1].force[i] = right[i]
+        outputs.left[1].moment[i] = right[3 + i]
     y = inputs.lateral_shift
     z = outputs.vertical_shift - tables.radius
     outputs.moment[0] -= y * outputs.force[2] - z * outputs.force[1]
+    for index in range(2):
+        side = outputs.left[index]
+        side.moment[0] -= y * side.force[2] - z * side.force[1]
     return 0

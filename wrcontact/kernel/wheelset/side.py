@@ -25,7 +25,7 @@ from ..patch.totals import write_patches
 from ..surface.gap import gap_per_roll
 from .contact_point import describe_contact
 from .outlines import fill_apart, outline_place
-from .resultant import add_region, clear_resultant
+from .resultant import add_patches, clear_resultant
 
 
 def clear_side(tables: Tables, work: Work, index: int):
@@ -46,12 +46,11 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
     out.penetration = penetration
     if satisfied == 0:
         return count, NOT_CONVERGED
+    add_patches(tables, work.contact, float(2 * index - 1), work.supports[index].resultant)
     write_patches(work.contact.solved, out)
     if tables.depth == DEPTH_ALL:
         outline = Outline.at(work, outline_place(tables, work, index))
         write_outline(outline, tables.stations, work.contact.solved, work.contact.regions, count)
-    for region in range(count):
-        add_region(tables, work, region, float(2 * index - 1), work.supports[index].resultant)
     return count, VALID
 
 
