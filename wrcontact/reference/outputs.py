@@ -40,7 +40,7 @@ def solved_patches(plane, contact):
     """The record that the kernel's models fill too, :class:`~wrcontact.kernel.layout.SolvedPatches`.
 
     A strip is a column of loaded cells.  What the half-space does not know is not a number: the curvature of
-    the strips, and the wheel's abscissa, slant and local penetration of a patch.
+    the strips, and the wheel's abscissa and the slant of a patch.
     """
     solved = layout.SolvedPatches()
     found = [describe_patch(layout.SolvedPatch(), plane, contact, pressure)
@@ -80,9 +80,10 @@ def describe_patch(patch, plane, contact, pressure):
     patch.cos, patch.sin = math.cos(angle), -math.sin(angle)
     patch.rail, patch.station = plane.rail_abscissa(centroid), centroid
     patch.x = pressure.sum(axis=1) @ contact.x / pressure.sum()
-    patch.wheel = patch.slant = patch.local_penetration = math.nan
+    patch.wheel = patch.slant = math.nan
     patch.rule = layout.RULE_STRAIGHT
     loaded = np.flatnonzero(line > 0.0)
+    patch.local_penetration = contact.penetration - plane.gap(np.array([patch.x]), contact.s[loaded]).min()
     strips = np.zeros(len(loaded), layout.SolvedStrip)
     strips["station"], strips["width"] = contact.s[loaded], ds
     strips["x"] = contact.x @ pressure[:, loaded] / line[loaded]

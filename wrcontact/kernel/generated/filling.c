@@ -66,7 +66,6 @@ static inline int64_t filling__place_patch(array_double_1d work, int64_t patch, 
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE)) = (double)(rule);
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_FIRST)) = (double)(first);
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_LAST)) = (double)(first - INT64_C(1));

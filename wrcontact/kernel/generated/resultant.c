@@ -25,14 +25,17 @@ static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t r
     return INT64_C(0);
 }
 
-/* Forces of the solved patches of a side, and their resultant about the track's origin; ``mirror`` = 1 on
- * the right, -1 on the left.
+/* Forces and local penetrations of the solved patches of a side with this ``penetration`` [m], and their
+ * resultant about the track's origin; ``mirror`` = 1 on the right, -1 on the left.
  */
-static inline int64_t resultant__add_patches(array_double_1d work, array_double_1d tables, double mirror, int64_t resultant)
+static inline int64_t resultant__add_patches(array_double_1d work, array_double_1d tables, double penetration, double mirror, int64_t resultant)
 {
     int64_t index_end;
     int64_t index;
     int64_t part;
+    int64_t patch;
+    int64_t region;
+    double local;
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -44,7 +47,14 @@ static inline int64_t resultant__add_patches(array_double_1d work, array_double_
         part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
         if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) > 0.0)
         {
-            resultant__add_part_force(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION))), part, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH))), mirror, resultant);
+            patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH)));
+            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION)));
+            local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+            if (local > (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)))
+            {
+                (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = local;
+            }
+            resultant__add_part_force(work, tables, region, part, patch, mirror, resultant);
         }
     }
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
@@ -55,10 +65,11 @@ static inline int64_t resultant__add_patches(array_double_1d work, array_double_
     return INT64_C(0);
 }
 
-/* No force yet. */
+/* No force and no penetration yet. */
 static inline int64_t resultant__clear_force(array_double_1d work, int64_t patch)
 {
     int64_t force;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = 0.0;
     force = patch + layout__SOLVED_PATCH_FORCE;
     (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) = 0.0;
     (*cspan_at(&work, force + layout__PATCH_FORCE_Z)) = 0.0;

@@ -23,7 +23,7 @@ static inline int64_t resultant__clear_resultant(array_double_1d work, int64_t r
 static inline int64_t resultant__clear_force(array_double_1d work, int64_t patch);
 static inline int64_t resultant__add_part_force(array_double_1d work, array_double_1d tables, int64_t block, int64_t part, int64_t patch, double mirror, int64_t resultant);
 static inline int64_t resultant__finish_force(array_double_1d work, int64_t patch, double mirror);
-static inline int64_t resultant__add_patches(array_double_1d work, array_double_1d tables, double mirror, int64_t resultant);
+static inline int64_t resultant__add_patches(array_double_1d work, array_double_1d tables, double penetration, double mirror, int64_t resultant);
 static inline int64_t resultant__write_resultant(array_double_1d work, array_double_1d tables, int64_t left, int64_t right);
 
 #endif

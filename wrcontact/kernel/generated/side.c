@@ -37,7 +37,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
         (*result_1) = layout__NOT_CONVERGED;
         return 0;
     }
-    resultant__add_patches(work, tables, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
+    resultant__add_patches(work, tables, penetration, (double)(INT64_C(2) * index - INT64_C(1)), layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESULTANT);
     totals__write_patches(work, out);
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
     {

@@ -81,8 +81,6 @@ static inline int64_t tangent_filling__place_patch_t(array_double_1d work, array
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work_t, region + layout__REGION_SLANT));
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
-    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
-    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_RULE)) = 0.0;
     (*cspan_at(&work, patch + layout__SOLVED_PATCH_RULE)) = (double)(rule);
     (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_FIRST)) = 0.0;

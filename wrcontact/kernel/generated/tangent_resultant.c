@@ -18,11 +18,15 @@ static inline int64_t tangent_resultant__clear_resultant_t(array_double_1d work,
 }
 
 /* Tangent of ``add_patches``. */
-static inline int64_t tangent_resultant__add_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double mirror, double mirror_t, int64_t resultant)
+static inline int64_t tangent_resultant__add_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, double mirror, double mirror_t, int64_t resultant)
 {
     int64_t index_end;
     int64_t index;
     int64_t part;
+    int64_t patch;
+    int64_t region;
+    double local_t;
+    double local;
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -34,7 +38,16 @@ static inline int64_t tangent_resultant__add_patches_t(array_double_1d work, arr
         part = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PARTS + layout__SOLVED_PART_SIZE * index;
         if ((*cspan_at(&work, part + layout__SOLVED_PART_LOAD)) > 0.0)
         {
-            tangent_resultant__add_part_force_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION))), part, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH))), mirror, mirror_t, resultant);
+            patch = layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_PATCHES + layout__SOLVED_PATCH_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_PATCH)));
+            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, part + layout__SOLVED_PART_REGION)));
+            local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+            local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+            if (local > (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)))
+            {
+                (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = local_t;
+                (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = local;
+            }
+            tangent_resultant__add_part_force_t(work, work_t, tables, region, part, patch, mirror, mirror_t, resultant);
         }
     }
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_SOLVED + layout__SOLVED_PATCHES_COUNT)));
@@ -49,6 +62,8 @@ static inline int64_t tangent_resultant__add_patches_t(array_double_1d work, arr
 static inline int64_t tangent_resultant__clear_force_t(array_double_1d work, array_double_1d work_t, int64_t patch)
 {
     int64_t force;
+    (*cspan_at(&work_t, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = 0.0;
+    (*cspan_at(&work, patch + layout__SOLVED_PATCH_LOCAL_PENETRATION)) = 0.0;
     force = patch + layout__SOLVED_PATCH_FORCE;
     (*cspan_at(&work_t, force + layout__PATCH_FORCE_Y)) = 0.0;
     (*cspan_at(&work, force + layout__PATCH_FORCE_Y)) = 0.0;

@@ -71,7 +71,8 @@ class PatchForce:
 @record
 class SolvedPatch:
     totals: PatchTotals
-    force: PatchForce               # written by the wheelset's resultant
+    force: PatchForce               # written by the wheelset's resultant, as is
+    local_penetration: float        # that of the undeformed surfaces at its point, the largest [m]
     contact_angle: float            # of the rail at its point [rad]
     cos: float                      # of the angle along which its force acts
     sin: float
@@ -80,7 +81,6 @@ class SolvedPatch:
     station: float                  # station [m],
     x: float                        # track coordinate x [m]
     slant: float                    # of the line through the strips' middles, dx/ds [-]; 0 without yaw
-    local_penetration: float        # of the undeformed surfaces at its point [m]
     rule: int                       # how to interpolate between its strips, one of RULE_...
     first: int                      # the strips that it lies between: the outermost may have no width
     last: int

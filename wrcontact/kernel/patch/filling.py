@@ -65,7 +65,6 @@ def place_patch(patch: SolvedPatch, region: Region, first: int, rule: int, conta
     patch.station = region.offset + region.station
     patch.x = region.x_track
     patch.slant = region.slant
-    patch.local_penetration = region.local_penetration
     patch.rule = rule
     patch.first = first
     patch.last = first - 1

@@ -35,24 +35,29 @@ def clear_resultant(resultant: Resultant):
     return 0
 
 
-def add_patches(tables: Tables, contact: Contact, mirror: float, resultant: Resultant):
-    """Forces of the solved patches of a side, and their resultant about the track's origin; ``mirror`` = 1 on
-    the right, -1 on the left."""
+def add_patches(tables: Tables, contact: Contact, penetration: float, mirror: float, resultant: Resultant):
+    """Forces and local penetrations of the solved patches of a side with this ``penetration`` [m], and their
+    resultant about the track's origin; ``mirror`` = 1 on the right, -1 on the left."""
     solved = contact.solved
     for index in range(solved.count):
         clear_force(solved.patches[index])
     for index in range(solved.part_count):
         part = solved.parts[index]
         if part.load > 0.0:
-            add_part_force(tables, contact.frame, contact.regions[part.region], part,
-                           solved.patches[part.patch], mirror, resultant)
+            patch = solved.patches[part.patch]
+            region = contact.regions[part.region]
+            local = region.alignment * penetration - region.gap
+            if local > patch.local_penetration:
+                patch.local_penetration = local
+            add_part_force(tables, contact.frame, region, part, patch, mirror, resultant)
     for index in range(solved.count):
         finish_force(solved.patches[index], mirror)
     return 0
 
 
 def clear_force(patch: SolvedPatch):
-    """No force yet."""
+    """No force and no penetration yet."""
+    patch.local_penetration = 0.0
     force = patch.force
     force.y = 0.0
     force.z = 0.0

@@ -46,7 +46,7 @@ def load_side(tables: Tables, work: Work, state: State, index: int, force: float
     out.penetration = penetration
     if satisfied == 0:
         return count, NOT_CONVERGED
-    add_patches(tables, work.contact, float(2 * index - 1), work.supports[index].resultant)
+    add_patches(tables, work.contact, penetration, float(2 * index - 1), work.supports[index].resultant)
     write_patches(work.contact.solved, out)
     if tables.depth == DEPTH_ALL:
         outline = Outline.at(work, outline_place(tables, work, index))

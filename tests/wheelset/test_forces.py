@@ -1,0 +1,155 @@
+"""Forces of patches, wheels and wheelset: their sums, their points, their angles, and one side alone.
+
+The witnesses are statics, the rail's and the wheel's profiles as tables, Hertz's contact of two cylinders
+across each other, and the wheelset's own resultant.
+"""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from tests.helpers.cases import FORCE, LOADS, MODELS, POSES, system
+from tests.helpers.elastic import placed_rail, rail_slope_along
+from tests.helpers.numpy_profiles import compile_profile
+from wrcontact.profiles.compiled import evaluate_table
+from wrcontact.profiles.placement import readable_wheel
+
+MODES = ("rigid", "elastic", "compliant")
+
+
+def vector(of):
+    return np.array([of.x, of.y, of.z])
+
+
+def stated(mode, model, load, shift, yaw, transfer, **wanted):
+    """The state of a case; a compliant wheelset stands where the elastic one does."""
+    if mode != "compliant":
+        return system(contact_mode=mode, normal_model=model, load=load).evaluate(shift, yaw, FORCE, transfer,
+                                                                                 **wanted)
+    stand = system(contact_mode="elastic", normal_model=model,
+                   load=load).evaluate(shift, yaw, FORCE, transfer)
+    return system(contact_mode=mode, normal_model=model, load=load).evaluate(
+        shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **wanted)
+
+
+CASES = [case for case in itertools.product(MODES, MODELS, LOADS)]
+
+
+@pytest.mark.parametrize("pose", POSES)
+@pytest.mark.parametrize("mode, model, load", CASES)
+def test_patches_add_up_to_wheels_and_wheels_to_the_wheelset(mode, model, load, pose):
+    state = stated(mode, model, load, *POSES[pose])
+    wheels = state.left, state.right
+    scale = sum(side.normal_force for side in wheels)
+    np.testing.assert_allclose(sum(vector(side.force) for side in wheels), vector(state.force),
+                               rtol=0, atol=1e-12 * scale)
+    np.testing.assert_allclose(sum(vector(side.moment) for side in wheels), vector(state.moment),
+                               rtol=0, atol=1e-12 * scale)       # levers of about 1 m
+    for sign, side in zip((-1, 1), wheels):
+        assert side.patch_count <= 3
+        np.testing.assert_allclose(sum(vector(patch.force) for patch in side.patches), vector(side.force),
+                                   rtol=0, atol=1e-12 * side.normal_force)
+        for patch in side.patches:
+            # less than its load where the normal turns over the patch: 40 deg in conformal contact
+            size = np.linalg.norm(vector(patch.force))
+            assert patch.force.x == 0.0 and size <= patch.normal_force * (1 + 1e-12)
+            assert size > 0.96 * patch.normal_force
+            assert math.atan2(-sign * patch.force.y, -patch.force.z) == pytest.approx(patch.contact_angle,
+                                                                                      abs=1e-12)
+
+
+@pytest.mark.parametrize("pose", [pose for pose in POSES if pose != "conformal"])
+@pytest.mark.parametrize("mode", MODES)
+def test_moments_are_those_of_the_forces_at_their_points(mode, pose):
+    """About the wheelset's centre, which is the nominal radius above the running circles."""
+    shift, yaw, transfer = POSES[pose]
+    state = stated(mode, "analyn", "normal", shift, yaw, transfer)
+    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
+    for side in (state.left, state.right):
+        moment = sum(np.cross(np.array([patch.x_track, patch.y_track, patch.z_track]) - centre,
+                              vector(patch.force)) for patch in side.patches)
+        np.testing.assert_allclose(moment, vector(side.moment), rtol=0, atol=1e-9 * side.normal_force)
+
+
+@pytest.mark.parametrize("pose", POSES)
+def test_a_patch_lies_on_its_rail_and_on_its_wheel(pose):
+    """Its centre of load is on the rail's surface, its force along the rail's normal there (rigid contact in
+    one plane), and its rolling radius the wheel's at the abscissa that the attitude gives."""
+    shift, yaw, transfer = POSES[pose]
+    state = system().evaluate(shift, yaw, FORCE, transfer)
+    table, rail_y = placed_rail()
+    wheel = compile_profile(readable_wheel(system().wheel))
+    c, s, cr, sr = (of(angle) for angle in (yaw, state.roll) for of in (math.cos, math.sin))
+    axle = np.array([-s * cr, c * cr, sr])
+    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
+    for sign, side in ((-1, state.left), (1, state.right)):
+        for patch in side.patches:
+            height, slope, _ = evaluate_table(table, sign * patch.y_track - rail_y)
+            if side.patch_count == 1:
+                assert patch.z_track == pytest.approx(height, abs=1e-12)
+                assert math.tan(patch.contact_angle) == pytest.approx(-slope, abs=1e-9)
+            place = np.array([patch.x_track, patch.y_track, patch.z_track])
+            on_wheel = sign * (axle @ (place - centre)) - 0.75
+            radius = 0.46 + evaluate_table(wheel, on_wheel)[0]
+            # at the wheel's own slope from its point of smallest gap, which the penetration moves aside
+            assert patch.rolling_radius == pytest.approx(radius, abs=4e-4 * max(1.0, abs(slope)))
+        assert side.patches[0].penetration == pytest.approx(side.penetration, rel=0.6)
+        assert 0.0 < side.patches[0].penetration <= side.penetration * (1 + 1e-12)
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_one_side_alone_has_its_force(mode):
+    shift, yaw, transfer = POSES["yawed"]
+    both = stated(mode, "analyn", "normal", shift, yaw, transfer)
+    for name in ("left", "right"):
+        one = stated(mode, "analyn", "normal", shift, yaw, transfer, side=name)
+        for of in ("force", "moment"):
+            np.testing.assert_array_equal(vector(getattr(getattr(one, name), of)),
+                                          vector(getattr(getattr(both, name), of)))
+        other = getattr(one, "right" if name == "left" else "left")
+        assert np.isnan(vector(other.force)).all() and np.isnan(vector(other.moment)).all()
+    geometry = stated(mode, "analyn", "normal", shift, yaw, transfer, outputs="geometry")
+    assert np.isnan(vector(geometry.left.force)).all()
+
+
+def test_an_unloaded_wheel_has_no_force():
+    state = system().evaluate(1e-3, 0.0, FORCE, 1.0)
+    assert not vector(state.left.force).any() and not vector(state.left.moment).any()
+    np.testing.assert_array_equal(vector(state.right.force), vector(state.force))
+
+
+def test_the_mean_normal_of_a_pressed_wheel_is_published():
+    """Elastic contact loads a patch along the mean of the rail's normals over it, not along the one at its
+    contact point: at 1 mm the two differ by more than a third in the lateral force."""
+    state = system(contact_mode="elastic").evaluate(1e-3, 0.0, FORCE)
+    # within the share that the pressures along turned normals cancel
+    by_patches = sum(-sign * patch.normal_force * math.sin(patch.contact_angle)
+                     for sign, side in ((-1, state.left), (1, state.right)) for patch in side.patches)
+    assert by_patches == pytest.approx(state.force.y, rel=1e-3)
+    by_points = sum(-sign * side.normal_force * math.sin(side.contact_angle)
+                    for sign, side in ((-1, state.left), (1, state.right)))
+    assert abs(by_points - state.force.y) > 0.3 * abs(state.force.y)
+    for sign, side in ((-1, state.left), (1, state.right)):
+        for patch in side.patches:
+            slopes = rail_slope_along(side.contact.y_rail,
+                                      patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
+            assert min(slopes) < -math.tan(patch.contact_angle) < max(slopes)
+
+
+@pytest.mark.parametrize("pose", ["tread", "two_region", "yawed", "flange"])
+def test_the_half_space_has_the_same_outputs(pose):
+    shift, yaw, transfer = POSES[pose]
+    strip = system(normal_model="analyn_strip").evaluate(shift, yaw, FORCE, transfer)
+    truth = system(normal_model="halfspace", tolerance=0.02).evaluate(shift, yaw, FORCE, transfer)
+    np.testing.assert_allclose(vector(truth.left.force) + vector(truth.right.force), vector(truth.force),
+                               rtol=0, atol=1e-12 * 2 * FORCE)
+    for ours, theirs in ((strip.left, truth.left), (strip.right, truth.right)):
+        np.testing.assert_allclose(vector(ours.force), vector(theirs.force), rtol=0, atol=6e-3 * FORCE)
+        np.testing.assert_allclose(vector(ours.moment), vector(theirs.moment), rtol=0, atol=6e-3 * FORCE)
+        for mine, its in zip(ours.patches, theirs.patches):
+            assert mine.x_track == pytest.approx(its.x_track, abs=1e-3)
+            assert mine.y_track == pytest.approx(its.y_track, abs=3e-4)
+            assert mine.rolling_radius == pytest.approx(its.rolling_radius, abs=2e-4)
+            assert mine.penetration == pytest.approx(its.penetration, rel=0.05)
