@@ -79,6 +79,12 @@ class Instance:
         self.slave.doStep(self.time, size)
         self.time += size
 
+    def refuses(self, call, *arguments):
+        """Whether a call is refused: it fails, or the log has an error, if PythonFMU has no status for it."""
+        lines = len(self.log)
+        return (refused(call, *arguments)
+                or any(category == "logStatusError" for _, category, _ in self.log[lines:]))
+
     def told(self):
         """The log lines since the last call."""
         lines, self.log[:] = list(self.log), []

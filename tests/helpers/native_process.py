@@ -12,6 +12,7 @@ from ctypes import c_double, c_size_t, c_uint32
 
 import fmpy
 
+import fmi3_life
 import fmi3_stations
 from damages import damages
 from fmi3_host import Fmu, Instance, go_on, refused
@@ -255,5 +256,6 @@ def not_made(fmu):
 
 if __name__ == "__main__":
     scenario, file, folder = sys.argv[1:]
-    answer = {**vars(fmi3_stations), **globals()}[scenario](Fmu(file, folder), **json.load(sys.stdin))
+    scenarios = {**vars(fmi3_stations), **vars(fmi3_life), **globals()}
+    answer = scenarios[scenario](Fmu(file, folder), **json.load(sys.stdin))
     print(json.dumps(answer), flush=True)

@@ -238,9 +238,14 @@ def test_invalid_start_is_told_at_the_first_instant(session, lines):
     assert len(lines) == 2
 
 
-def test_step_before_initialisation_is_told(session, lines):
-    session.step()
-    assert session.status == 4 and len(lines) == 1
+def test_values_are_set_completely_or_not_at_all(running):
+    with pytest.raises(Refused, match="roll is an output"):
+        running.set_reals([SHIFT, REFERENCE["roll"]], [1.0, 1.0])
+    with pytest.raises(Refused, match="load is fixed at 'normal'"):
+        running.set_strings([REFERENCE["load"]], ["vertical"])
+    with pytest.raises(Refused, match="load is a NULL pointer"):
+        running.set_strings([REFERENCE["load"]], [None])
+    assert running.get_reals([SHIFT]) == [0.0] and running.get_strings([REFERENCE["load"]]) == ["normal"]
 
 
 # --- saved states -----------------------------------------------------------------------------------
@@ -312,7 +317,7 @@ def test_snapshot_before_initialisation(session):
     saved = session.snapshot()
     session.start()
     session.restore(saved)
-    assert not session.locked
+    assert not session.life.locked
     session.set_reals([REFERENCE["gauge"]], [1.6])
     session.start()
     assert FakeSystem.made[-1]["gauge"] == 1.6
