@@ -59,6 +59,8 @@ class Life:
 
     def check_step(self, time, size):
         """Whether a step of ``size`` [s] can begin at ``time`` [s]."""
+        if self.phase == RUNNING and size >= 0.0 and time + size <= self.stop and abs(time) + size < math.inf:
+            return      # the usual step, at the least cost; a comparison with nan is false
         if self.phase != RUNNING:
             raise Refused("the wheelset cannot step: it has "
                           + ("been terminated" if self.phase == TERMINATED else "not been initialised"))

@@ -66,6 +66,7 @@ class Session:
         self._stale = True  # an input has changed since the last evaluation
         self._told = False  # this step's status has been reported
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
+        self._inputs = None  # the references of the last list that was set, if all are inputs
         self._asked_integers = self._integer_places = None  # the same for Integers
 
     # --- parameters ------------------------------------------------------------------------------
@@ -90,8 +91,8 @@ class Session:
                 raise Refused(f"{variable.name} is an output and cannot be set")
             if value is None:
                 raise Refused(f"{variable.name} is a NULL pointer; permitted are texts")
-            present = self.parameters.get(variable.name, value)
-            if self.life.locked and value != present:
+            present = self.parameters.get(variable.name)
+            if self.life.locked and variable.causality == PARAMETER and value != present:
                 raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot "
                               f"become {value!r}")
         return variables
@@ -160,9 +161,9 @@ class Session:
     def set_reals(self, references, values):
         """Set inputs and, before initialisation, parameters, all of them or none."""
         present = self._values
-        if (self.life.phase == TERMINATED or min(references, default=0) < 0
-            or max(references, default=0) >= INPUTS):
+        if references != self._inputs or self.life.phase == TERMINATED:
             self._settable(references, values, REAL)
+            self._inputs = [reference for reference in references if reference < INPUTS]
         for reference, value in zip(references, values, strict=True):
             if reference >= INPUTS:
                 self._set_parameter(VARIABLES[reference], value)
