@@ -76,3 +76,8 @@ RAILS = ("UIC60", "60E1", "54E1")
 def standard_profile(name):
     """The built-in profile called ``name``; KeyError if there is none."""
     return BUILDERS[name]()
+
+
+def standard_name(name):
+    """The built-in profile's name that differs from ``name`` at most in case; None if there is none."""
+    return next((known for known in BUILDERS if known.lower() == name.lower()), None)
