@@ -52,7 +52,7 @@ def rounded(found, remarks, *, keep=False):
     y, z = found.y, found.z
     heading = np.diff(np.arctan2(np.diff(z), np.diff(y)))
     turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
-    if turned.max() > SPIKE:
+    if turned.max() > SPIKE and not keep:
         worst = int(np.argmax(turned))
         raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike "
                       f"or a fold; permitted are at most {math.degrees(SPIKE):.3g} deg")
@@ -78,8 +78,9 @@ def rounded(found, remarks, *, keep=False):
         share = np.linspace(0.0, 1.0, 9)[:, None]
         bow = (1 - share) ** 2 * arms[0] + 2 * share * (1 - share) * spot + share**2 * arms[1]
         deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
-        points = [p for p in points if math.dist(p, spot) > 1.05 * reach] + [tuple(p) for p in bow]
-        points.sort()
+        near = [k for k, point in enumerate(points) if math.dist(point, spot) <= 1.05 * reach]
+        first = near[0] if near else points.index((y[index], z[index])) + 1
+        points[first:near[-1] + 1 if near else first] = map(tuple, bow)
     remarks.append(f"{kinks} rounded over {ROUNDED:g} mm ({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
     table = np.array(points)
     return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)

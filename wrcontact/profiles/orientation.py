@@ -3,7 +3,7 @@
 Both are found from the head's shape. The middle between both sides is taken at several depths below the
 highest point. A head that was symmetric when new, and is little worn, has all of them on one line, its axis;
 the inclination of the axis is that of the rail. On a worn head only the gauge side can be found: wear and
-inclination both move the highest point towards the field side.
+inclination both move the highest point towards the field side, and make the gauge corner wider.
 """
 
 import math
@@ -21,13 +21,17 @@ LEAST_DEPTH = 10.0
 AVERAGED = 2.0
 #: Steepest inclination that is looked for, and the steps of the search.
 STEEPEST, TILTS = 0.12, 41
-#: A head is symmetric if the middles scatter by less about its axis [mm]; 50 um of noise gives 0.1 mm, worn
-#: heads have 0.4 mm and more.
+#: Distances from the middle over which the two halves of the crown are compared [mm].
+CROWN = (1.0, 18.0)
+#: A head is symmetric if the middles and the crown scatter by less about its axis [mm]; 50 um of noise gives
+#: 0.1 mm, worn heads have 0.4 mm and more.
 SYMMETRIC = 0.15
 #: Smaller inclinations count as upright.
 INCLINED = 1 / 150
 #: The highest point tells the gauge side where it is farther from the middle [mm].
 ASIDE = 2.0
+#: The corners tell it where their widths between the depths CORNER differ by more than ROUNDER [mm].
+CORNER, ROUNDER = (5.0, 14.0), 1.0
 #: The gauge side must reach as deep below the highest point [mm].
 GAUGE_DEPTH = 14.0
 
@@ -37,13 +41,15 @@ class Head:
     """The shape of a rail's head, y and z as in the file with z down.
 
     ``inclination``, the slope of its axis, positive if it leans to smaller y; NaN if a side is too short.
-    ``scatter`` of the middles about the axis [mm].  ``aside``, the highest point's distance from the middle
-    of the head [mm].  ``reach``, depths (2,) of both ends, at smaller and at larger y [mm].
+    ``scatter``, the deviation from symmetry about the axis [mm].  ``aside``, the highest point's distance
+    from the middle of the head [mm].  ``rounder``, how much wider the corner at smaller y is than that at
+    larger y [mm].  ``reach``, depths (2,) of both ends, at smaller and at larger y [mm].
     """
 
     inclination: float
     scatter: float
     aside: float
+    rounder: float
     reach: tuple
 
     @property
@@ -56,18 +62,23 @@ def head_of(y, z):
     y, z = _calm(y, z)
     top = int(np.argmin(z))
     reach = float(z[:top + 1].max() - z[top]), float(z[top:].max() - z[top])
-    middles = _middles(y, z, 0.0)
+    sides = _sides(y, z, 0.0)
+    middles = np.mean(sides, axis=0)
     deepest = middles[np.isfinite(middles)]
     aside = float(y[top] - deepest[-1]) if len(deepest) else 0.0
+    high, low = (int(np.argmin(np.abs(DEPTHS - depth))) for depth in CORNER)
+    corners = np.array([sides[0][high] - sides[0][low], sides[1][low] - sides[1][high]])
+    rounder = float(corners[0] - corners[1]) if np.all(np.isfinite(corners)) else 0.0
     if min(reach) < LEAST_DEPTH:
-        return Head(math.nan, math.inf, aside, reach)
+        return Head(math.nan, math.inf, aside, rounder, reach)
     tilts = np.linspace(-STEEPEST, STEEPEST, TILTS)
     best = tilts[np.argmin([_scatter(y, z, tilt) for tilt in tilts])]
     step = tilts[1] - tilts[0]
     while step > 1e-6:
         best = min((best - step, best, best + step), key=lambda tilt: _scatter(y, z, tilt))
         step *= 0.5
-    return Head(math.tan(best), _scatter(y, z, best), aside, reach)
+    scatter = max(_scatter(y, z, best), _crown_scatter(y, z, best))
+    return Head(math.tan(best), scatter, aside, rounder, reach)
 
 
 def _calm(y, z):
@@ -81,14 +92,25 @@ def _calm(y, z):
     return y, z
 
 
-def _middles(y, z, tilt):
-    """Middles (m,) [mm] between both sides at DEPTHS, of the points turned by ``tilt`` [rad]; NaN below the
-    shallower side."""
+def _sides(y, z, tilt):
+    """Coordinates (2, m) [mm] of both sides at DEPTHS, of the points turned by ``tilt`` [rad]; NaN below a
+    side's end."""
     c, s = math.cos(tilt), math.sin(tilt)
     y, z = c * y - s * z, s * y + c * z
     top = int(np.argmin(z))
-    sides = [_crossings(y[top::step], z[top::step] - z[top]) for step in (-1, 1)]
-    return 0.5 * (sides[0] + sides[1])
+    return [_crossings(y[top::step], z[top::step] - z[top]) for step in (-1, 1)]
+
+
+def _crown_scatter(y, z, tilt):
+    """Standard deviation [mm] of the difference in height between both halves of the crown, of the points
+    turned by ``tilt`` [rad]."""
+    middle = np.nanmedian(np.mean(_sides(y, z, tilt), axis=0))
+    c, s = math.cos(tilt), math.sin(tilt)
+    y, z = c * y - s * z, s * y + c * z
+    near = np.abs(y - middle) <= CROWN[1] + AVERAGED
+    order = np.flatnonzero(near)[np.argsort(y[near], kind="stable")]
+    left, right = (np.interp(middle + side * np.linspace(*CROWN, 50), y[order], z[order]) for side in (-1, 1))
+    return float(np.std(left - right))
 
 
 def _crossings(y, z):
@@ -103,7 +125,7 @@ def _crossings(y, z):
 
 def _scatter(y, z, tilt):
     """Standard deviation [mm] of the middles about the axis with this ``tilt`` [rad]."""
-    middles = _middles(y, z, tilt)
+    middles = np.mean(_sides(y, z, tilt), axis=0)
     found = np.isfinite(middles)
     return float(np.std(middles[found])) if found.sum() >= 3 else math.inf
 
@@ -144,10 +166,15 @@ def _gauge_side(head):
     deep = [depth >= GAUGE_DEPTH for depth in head.reach]
     if deep[0] != deep[1]:
         return (-1 if deep[0] else 1), f"only this side reaches {GAUGE_DEPTH:g} mm below the top"
+    signs, reasons = [], []
+    if abs(head.rounder) > ROUNDER:
+        signs.append(-1 if head.rounder > 0.0 else 1)
+        reasons.append(f"the corner there is wider by {abs(head.rounder):.3g} mm")
     if abs(head.aside) > ASIDE:
-        return (-1 if head.aside > 0.0 else 1), (f"the highest point is {abs(head.aside):.3g} mm from the "
-                                                 "middle of the worn head, on the other side")
-    return 0, ""
+        signs.append(-1 if head.aside > 0.0 else 1)
+        reasons.append(f"the highest point is {abs(head.aside):.3g} mm from the middle on the other side")
+    agreed = len(set(signs)) == 1
+    return (signs[0], ", ".join(reasons)) if agreed else (0, "")
 
 
 # --- inclination ----------------------------------------------------------------------------------
@@ -175,8 +202,8 @@ def _remark_inclination(head, remarks):
     if head.symmetric and abs(head.inclination) >= INCLINED:
         turns = ("" if head.inclination < 0.0 else
                  f"file_inclination = {head.inclination:.4g} turns it upright, ")
-        remarks.append(f"its head is {_stands(head.inclination)} in the file, and rail_inclination inclines "
-                       f"it again; {turns}file_inclination = 0 confirms that it is upright")
+        remarks.append(f"its head is {_stands(head.inclination)} in the file, and a rail_inclination that "
+                       f"is not 0 inclines it again; {turns}file_inclination = 0 confirms that it is upright")
     elif not head.symmetric:
         remarks.append("its head is not symmetric, so its shape does not tell whether it is already "
                        "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "
