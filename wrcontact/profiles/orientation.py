@@ -107,7 +107,7 @@ def _crown_scatter(y, z, tilt):
     middle = np.nanmedian(np.mean(_sides(y, z, tilt), axis=0))
     c, s = math.cos(tilt), math.sin(tilt)
     y, z = c * y - s * z, s * y + c * z
-    near = np.abs(y - middle) <= CROWN[1] + AVERAGED
+    near = (np.abs(y - middle) <= CROWN[1] + AVERAGED) & (z - z.min() <= LEAST_DEPTH)   # without web and foot
     order = np.flatnonzero(near)[np.argsort(y[near], kind="stable")]
     left, right = (np.interp(middle + side * np.linspace(*CROWN, 50), y[order], z[order]) for side in (-1, 1))
     return float(np.std(left - right))
