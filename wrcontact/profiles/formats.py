@@ -24,8 +24,8 @@ ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "
 COMMENTS = re.compile(r"[#!%].*|//.*")
 #: A line that is either two numbers with decimal commas or four whole numbers.
 AMBIGUOUS = re.compile(r"^[ \t]*[+-]?\d+,\d+,[+-]?\d+,\d+[ \t]*\r?$", re.MULTILINE)
-#: Endings of GENSYS's files: columns y and z in mm, y positive towards the track centre, z down (manual of its
-#: program KPF).
+#: Endings of GENSYS's files: columns y and z in mm, y positive towards the track centre, z down (manual of
+#: its program KPF).
 GAUGE_AT_LARGER_Y = (".wheel", ".rail")
 UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 25.4, "inch": 25.4,
                "ft": 304.8}
